@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lichtraum/error.hpp"
+#include "lichtraum/scene.hpp"
+
+namespace lichtraum {
+
+enum class TransformOrder {
+  parent,  ///< world' = T * world: each transform happens in the parent's frame (the standard)
+  local,   ///< world' = world * T: in the object's own frame (about a third of the course's tracers)
+};
+enum class RotationSense { right, left };
+/// What numbers after a material's m mean.
+enum class MaterialExtra { reflectance, transmittance, opacity, ior, ignore };
+
+struct EsdfOptions {
+  TransformOrder transform_order = TransformOrder::parent;
+  RotationSense rotation = RotationSense::right;
+  bool strict = false;      ///< the standard and lichtraum's key=value extensions only, no dialects
+  bool keep_going = false;  ///< leave faulty statements out instead of failing
+  std::vector<MaterialExtra> material_extras;        ///< empty: extra numbers are ignored with a warning
+  std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the scene's that may be read
+  std::size_t max_diagnostics = 100;
+};
+
+/// A checked eSDF file. eSDF is imperative: a `render` draws the scene as defined up to its line.
+class EsdfScript {
+ public:
+  /// Reads and checks the whole file. Throws Error{no_input}, Error{io}, or SceneError with every problem found
+  /// (unless options.keep_going).
+  static EsdfScript from_file(std::filesystem::path const& path, EsdfOptions const& options = {});
+  /// `name` stands for the file in messages; relative paths are looked up in `folder`.
+  static EsdfScript from_text(std::string text, std::string name, EsdfOptions const& options = {},
+                              std::filesystem::path const& folder = ".");
+  ~EsdfScript();
+  EsdfScript(EsdfScript&&) noexcept;
+  EsdfScript& operator=(EsdfScript&&) noexcept;
+
+  /// Warnings and notes (with keep_going: errors turned into warnings).
+  std::vector<Diagnostic> const& diagnostics() const;
+  /// The scene at the end of the file, with all its render commands.
+  Scene const& scene() const;
+  /// Moves that scene out.
+  Scene take_scene() &&;
+
+  /// Calls `draw` once for each `render` statement, in order, with the scene as defined up to it. Shapes keep their
+  /// addresses from one call to the next. `draw` returns false to stop. A file without `render` gets no call.
+  void play(std::function<bool(Scene const&, RenderCommand const&)> const& draw) const;
+
+ private:
+  struct State;
+  explicit EsdfScript(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// The scene at the end of the file. Same exceptions as EsdfScript::from_file.
+Scene load_esdf(std::filesystem::path const& path, EsdfOptions const& options = {});
+
+}  // namespace lichtraum

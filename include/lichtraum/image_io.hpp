@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lichtraum/image.hpp"
+
+namespace lichtraum {
+
+struct ImageEncoding {
+  int bits = 8;            ///< per channel; 8 or 16 (16: PNG and PPM only)
+  bool ppm_ascii = false;  ///< PPM as text (P3)
+  int jpeg_quality = 92;   ///< 1..100
+};
+
+/// One row of the table of picture formats.
+struct ImageFormat {
+  std::string_view name;                   ///< "png"
+  std::vector<std::string_view> extensions;  ///< lower case with the dot: {".jpg", ".jpeg"}
+  bool is_linear_float;                    ///< stores radiance as it is: neither tone map nor transfer apply
+  std::string (*encode)(Image const& image, ImageEncoding const& encoding);  ///< the file's bytes
+};
+
+/// Every format that can be written.
+std::span<ImageFormat const> image_formats();
+
+/// By extension (any case). Throws Error{usage} that lists the known ones.
+ImageFormat const& image_format_for(std::filesystem::path const& path);
+/// By name. Throws Error{usage} that lists the known ones.
+ImageFormat const& image_format_named(std::string_view name);
+
+/// Throws Error{cannot_create} that says why when `path` could not be written: its folder is missing or read-only, or
+/// it is a folder itself. Leaves nothing behind.
+void check_writable(std::filesystem::path const& path);
+
+/// Writes `bytes` to a temporary file beside `path` and renames it: `path` is the old file or the whole new one. When
+/// `path` exists and is no regular file (/dev/stdout, a pipe) it is written directly.
+/// Throws Error{cannot_create} or Error{io} and leaves the old file as it was.
+void write_file_atomically(std::filesystem::path const& path, std::string_view bytes);
+
+}  // namespace lichtraum

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "lichtraum/camera.hpp"
+#include "lichtraum/device.hpp"
+#include "lichtraum/image.hpp"
+#include "lichtraum/scene.hpp"
+
+namespace lichtraum {
+
+/// A rectangle of pixels; x and y count from the top left corner.
+struct Region {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
+/// Where in a pixel its samples lie. One sample is the pixel's centre.
+struct Sampling {
+  enum class Pattern {
+    grid,    ///< count = N * N, in the middles of N x N equal cells
+    seeded,  ///< uniform in the pixel, drawn from (pixel, sample, seed) only
+  };
+  Pattern pattern = Pattern::grid;
+  int count = 1;  ///< per pixel; a square number for a grid
+};
+
+/// Which picture of a scene to compute: a region of pixels times a range of samples.
+struct RenderRequest {
+  Camera camera;
+  Resolution resolution;
+  Region region;  ///< within the resolution
+  Sampling sampling;
+  int max_depth = 5;  ///< how often a ray may be mirrored or refracted; 0: not at all
+  std::uint64_t seed = 0;
+  /// Applied to each finished pixel. These two leave linear radiance; `automatic` is the scene's.
+  ToneMap tone_map = ToneMap::none;
+  Transfer transfer = Transfer::linear;
+};
+
+struct RayCounts {
+  std::uint64_t camera = 0;
+  std::uint64_t shadow = 0;
+  std::uint64_t secondary = 0;    ///< mirror and glass
+  std::uint64_t camera_hits = 0;  ///< camera rays that hit something
+  std::uint64_t total() const { return camera + shadow + secondary; }
+};
+
+struct RenderStatistics {
+  RayCounts rays;
+  double trace_ms = 0;
+};
+
+struct SceneStatistics {
+  std::uint64_t triangles = 0;  ///< stored; instances do not count again
+  std::uint64_t spheres = 0;
+  std::uint64_t boxes = 0;
+  std::uint64_t instances = 0;
+  std::uint64_t bvh_nodes = 0;
+  std::uint64_t device_bytes = 0;
+  double flatten_ms = 0;
+  double build_ms = 0;   ///< acceleration structures
+  double upload_ms = 0;  ///< to the device
+};
+
+/// Called from the thread that renders, several times a second.
+struct RenderProgress {
+  double fraction = 0;       ///< 0..1
+  std::uint64_t rays = 0;    ///< so far
+  double elapsed_seconds = 0;
+};
+/// Returns false to stop: render then returns with `complete` false.
+using ProgressFunction = std::function<bool(RenderProgress const&)>;
+
+struct RenderResult {
+  bool complete = true;
+  RenderStatistics statistics;
+};
+
+/// Traces pictures of one scene at a time on one device.
+class Renderer {
+ public:
+  virtual ~Renderer() = default;
+
+  virtual DeviceInfo const& device() const = 0;
+
+  /// Takes what is drawn of `scene`: all roots, or the shape called `root` with all below it. The scene must outlive
+  /// the next render and is not changed. Throws Error{usage} for an unknown root and Error{no_device} with the numbers
+  /// when the scene does not fit the device.
+  virtual SceneStatistics set_scene(Scene const& scene, std::string_view root = {}) = 0;
+
+  /// The box that holds all that is drawn, in the world; min > max when nothing is.
+  virtual Vec3 bounds_min() const = 0;
+  virtual Vec3 bounds_max() const = 0;
+
+  /// Traces request.region of the picture into `image` (size: request.resolution; other pixels are left alone). The same
+  /// request gives the same bytes, however the work is cut. When stopped early, finished tiles are in `image`, the
+  /// others are black and `result.complete` is false.
+  virtual RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress = {}) = 0;
+};
+
+/// For a device of `list` (see select_device).
+std::unique_ptr<Renderer> make_renderer(DeviceInfo const& device);
+
+}  // namespace lichtraum

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <iosfwd>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "lichtraum/material.hpp"
+#include "lichtraum/ray.hpp"
+#include "lichtraum/transform.hpp"
+
+namespace lichtraum {
+
+class Shape;
+class ShapeVisitor;
+
+/// Where a ray meets a surface.
+struct Hit {
+  double t = std::numeric_limits<double>::infinity();  ///< in units of the ray's direction
+  Vec3 normal{0};                                      ///< geometric, unit length, outward (triangle: by its winding)
+  Shape const* shape = nullptr;                        ///< the sphere, box or triangle, never the composite above it
+};
+
+/// A node of the scene graph (the composite pattern's component). A shape may be a child of several composites, or
+/// several times of one: the graph is acyclic, and every path from a root to a leaf draws that leaf once.
+///
+/// closest_hit and intersect are a working reference tracer, in double precision and without any acceleration
+/// structure: what the device kernels are tested against.
+class Shape {
+ public:
+  virtual ~Shape() = default;
+  Shape(Shape const&) = delete;
+  Shape& operator=(Shape const&) = delete;
+
+  std::string const& name() const { return name_; }
+  /// Null for a composite, whose children have their own.
+  std::shared_ptr<Material const> const& material() const { return material_; }
+
+  /// From this shape's own frame to its parent's: the composite's that names it, or the world's for a root.
+  Transform const& world_from_object() const;
+  Transform object_from_world() const { return world_from_object().inverse(); }
+
+  /// Each applies after what was applied before, in the parent's frame: world_from_object' = T * world_from_object.
+  /// Same exceptions as the functions of Transform.
+  void translate(Vec3 const& offset) { apply(Transform::translation(offset)); }
+  void rotate(double angle_degrees, Vec3 const& axis) { apply(Transform::rotation(angle_degrees, axis)); }
+  void scale(double factor) { apply(Transform::scaling(Vec3(factor))); }
+  void scale(Vec3 const& factors) { apply(Transform::scaling(factors)); }
+  void apply(Transform const& t);
+  void set_world_from_object(Transform const& t);
+
+  /// Whether the ray (in the parent's frame) hits; then `t` is the distance to the nearest hit in front of its origin,
+  /// in units of the direction's length. Without a hit `t` is not touched.
+  virtual bool intersect(Ray const& ray, float& t) const = 0;
+
+  /// The same in double precision with the surface's normal, for hits with t_min < t < hit.t; `hit` is only changed
+  /// when the result is true. Ray and hit are in the parent's frame.
+  virtual bool closest_hit(Ray const& ray, double t_min, Hit& hit) const = 0;
+
+  virtual void accept(ShapeVisitor& visitor) const = 0;
+
+ protected:
+  Shape(std::string name, std::shared_ptr<Material const> material)
+      : name_(std::move(name)), material_(std::move(material)) {}
+
+  /// The ray in this shape's own frame; its direction is not normalised, so t means the same in both.
+  Ray object_from_world(Ray const& ray) const;
+
+ private:
+  std::string name_;
+  std::shared_ptr<Material const> material_;
+  std::unique_ptr<Transform> world_from_object_;  // null is the identity: most of a million triangles never move
+};
+
+std::ostream& operator<<(std::ostream& out, Shape const& shape);
+
+}  // namespace lichtraum

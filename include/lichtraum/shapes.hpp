@@ -1,0 +1,93 @@
+#pragma once
+
+/// The kinds of shape. Adding one: a class here, its file in src/scene/, a `visit` below, and the compiler names every
+/// place that has to know it (flatten, printing, info).
+
+#include <array>
+#include <vector>
+
+#include "lichtraum/shape.hpp"
+
+namespace lichtraum {
+
+class Sphere final : public Shape {
+ public:
+  /// `radius` > 0, else throws std::invalid_argument.
+  Sphere(std::string name, Vec3 const& center, double radius, std::shared_ptr<Material const> material);
+  Vec3 const& center() const { return center_; }
+  double radius() const { return radius_; }
+
+  bool intersect(Ray const& ray, float& t) const override;
+  bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
+  void accept(ShapeVisitor& visitor) const override;
+
+ private:
+  Vec3 center_;
+  double radius_;
+};
+
+/// Axis-parallel in its own frame. May be flat (min == max on an axis).
+class Box final : public Shape {
+ public:
+  /// Two opposite corners in any order.
+  Box(std::string name, Vec3 const& p1, Vec3 const& p2, std::shared_ptr<Material const> material);
+  Vec3 const& min() const { return min_; }
+  Vec3 const& max() const { return max_; }
+
+  bool intersect(Ray const& ray, float& t) const override;
+  bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
+  void accept(ShapeVisitor& visitor) const override;
+
+ private:
+  Vec3 min_;
+  Vec3 max_;
+};
+
+/// Hit from both sides. A degenerate one (no area) is never hit.
+class Triangle final : public Shape {
+ public:
+  Triangle(std::string name, Vec3 const& a, Vec3 const& b, Vec3 const& c, std::shared_ptr<Material const> material);
+  std::array<Vec3, 3> const& vertices() const { return vertices_; }
+
+  bool intersect(Ray const& ray, float& t) const override;
+  bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
+  void accept(ShapeVisitor& visitor) const override;
+
+ private:
+  std::array<Vec3, 3> vertices_;
+};
+
+/// A group of shapes under one transform.
+class Composite final : public Shape {
+ public:
+  using Children = std::vector<std::shared_ptr<Shape>>;
+
+  /// No child may be null: throws std::invalid_argument.
+  explicit Composite(std::string name, Children children = {});
+  ~Composite() override;
+
+  /// The child must not hold this composite, directly or below: a cycle is refused with std::invalid_argument.
+  void add(std::shared_ptr<Shape> child);
+  Children const& children() const { return children_; }
+
+  bool intersect(Ray const& ray, float& t) const override;
+  bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
+  void accept(ShapeVisitor& visitor) const override;
+
+ private:
+  Children children_;
+};
+
+/// A function per kind of shape; forgetting one does not compile.
+class ShapeVisitor {
+ public:
+  virtual void visit(Sphere const& sphere) = 0;
+  virtual void visit(Box const& box) = 0;
+  virtual void visit(Triangle const& triangle) = 0;
+  virtual void visit(Composite const& composite) = 0;
+
+ protected:
+  ~ShapeVisitor() = default;
+};
+
+}  // namespace lichtraum

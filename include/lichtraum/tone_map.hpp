@@ -1,0 +1,24 @@
+#pragma once
+
+#include "lichtraum/math.hpp"
+
+namespace lichtraum {
+
+/// From unbounded radiance to a displayable range.
+enum class ToneMap {
+  automatic,  ///< what the scene says
+  none,       ///< as computed; clamped to [0, 1] when the picture is quantised
+  reinhard,   ///< c / (c + 1) per channel (Reinhard et al. 2002, eq. 3)
+};
+
+/// From linear values to stored ones.
+enum class Transfer {
+  linear,  ///< as computed: the course's pictures
+  srgb,    ///< IEC 61966-2-1
+};
+
+/// One pixel as it is stored in a picture: the tone map, then the transfer function. Not clamped.
+/// `tone_map` must not be `automatic`.
+Rgb develop(Rgb const& radiance, ToneMap tone_map, Transfer transfer);
+
+}  // namespace lichtraum

@@ -1,0 +1,69 @@
+#ifndef LICHTRAUM_SHARED_FRAME_H
+#define LICHTRAUM_SHARED_FRAME_H
+
+#include "shared/types.h"
+
+DEVICE_NAMESPACE_BEGIN
+
+/* A pinhole camera, prepared for one resolution: the ray through the image point (x, y), in pixels from the top left,
+ * has the direction  corner + x * step_x + y * step_y  (world, not normalised). */
+typedef struct {
+  float4 origin; /* world; w unused */
+  float4 corner; /* w unused */
+  float4 step_x; /* w unused */
+  float4 step_y; /* w unused */
+} PinholeCamera;
+DEVICE_STRUCT_SIZE(PinholeCamera, 64);
+
+#define SAMPLING_GRID 0u
+#define SAMPLING_SEEDED 1u
+
+#define TONE_MAP_NONE 0u
+#define TONE_MAP_REINHARD 1u
+#define TRANSFER_LINEAR 0u
+#define TRANSFER_SRGB 1u
+
+/* Everything about the picture that is the same for each of its pixels. */
+typedef struct {
+  PinholeCamera camera;
+  float4 ambient;    /* sum of all La; w unused */
+  float4 background; /* w unused */
+  uint width;        /* of the whole picture, pixels */
+  uint height;
+  uint sampling;     /* SAMPLING_... */
+  uint sample_count; /* per pixel, in all; a square number for a grid */
+  uint seed_low;
+  uint seed_high;
+  uint max_depth;
+  uint light_count;
+  uint tone_map; /* TONE_MAP_... */
+  uint transfer; /* TRANSFER_... */
+  float ray_epsilon; /* how far, relative to its coordinates, a computed hit point may lie off its surface */
+  uint root_node;    /* of the world's hierarchy */
+} FrameParameters;
+DEVICE_STRUCT_SIZE(FrameParameters, 144);
+
+/* What one launch computes: a rectangle of pixels, a range of their samples. */
+typedef struct {
+  uint x;
+  uint y;
+  uint width;
+  uint height;
+  uint first_sample;
+  uint sample_count;
+  uint padding[2];
+} Tile;
+DEVICE_STRUCT_SIZE(Tile, 32);
+
+/* How many rays of each kind one work-item traced. */
+typedef struct {
+  uint camera_hits;
+  uint shadow;
+  uint secondary;
+  uint padding;
+} WorkItemRays;
+DEVICE_STRUCT_SIZE(WorkItemRays, 16);
+
+DEVICE_NAMESPACE_END
+
+#endif

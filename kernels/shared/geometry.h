@@ -1,0 +1,65 @@
+#ifndef LICHTRAUM_SHARED_GEOMETRY_H
+#define LICHTRAUM_SHARED_GEOMETRY_H
+
+#include "shared/types.h"
+
+DEVICE_NAMESPACE_BEGIN
+
+/* Rows of a 3x4 matrix: (row.xyz . p + row.w) is a coordinate of the mapped point. */
+typedef struct {
+  float4 row_x;
+  float4 row_y;
+  float4 row_z;
+} AffineTransform;
+DEVICE_STRUCT_SIZE(AffineTransform, 48);
+
+/* What every primitive ends with. */
+typedef struct {
+  uint material; /* index into the materials */
+  uint shape;    /* which shape of the scene graph it came from: for object ids */
+} PrimitiveTag;
+DEVICE_STRUCT_SIZE(PrimitiveTag, 8);
+
+typedef struct {
+  float vertices[3][3]; /* a, b, c: x, y, z in the frame of the object */
+  PrimitiveTag tag;
+} TrianglePrimitive;
+DEVICE_STRUCT_SIZE(TrianglePrimitive, 44);
+
+/* A sphere that its transforms left a sphere. */
+typedef struct {
+  float center[3];
+  float radius; /* > 0 */
+  PrimitiveTag tag;
+} SpherePrimitive;
+DEVICE_STRUCT_SIZE(SpherePrimitive, 24);
+
+/* The unit sphere under an affine map. */
+typedef struct {
+  AffineTransform unit_from_object;
+  PrimitiveTag tag;
+  uint padding[2];
+} EllipsoidPrimitive;
+DEVICE_STRUCT_SIZE(EllipsoidPrimitive, 64);
+
+/* Axis-parallel in a frame of its own; flat where min == max. The frame is the box's own as written, so that a flat box
+ * needs no singular matrix. */
+typedef struct {
+  AffineTransform box_from_object;
+  float min[3];
+  float max[3];
+  PrimitiveTag tag;
+} BoxPrimitive;
+DEVICE_STRUCT_SIZE(BoxPrimitive, 80);
+
+/* One occurrence of a shared object in the world. */
+typedef struct {
+  AffineTransform object_from_world;
+  uint root_node; /* of the object's hierarchy */
+  uint padding[3];
+} Instance;
+DEVICE_STRUCT_SIZE(Instance, 64);
+
+DEVICE_NAMESPACE_END
+
+#endif

@@ -1,0 +1,31 @@
+#ifndef LICHTRAUM_SHARED_TYPES_H
+#define LICHTRAUM_SHARED_TYPES_H
+
+/* The vocabulary of the structs that host and device share. These headers are compiled as C++ and as OpenCL C: only
+ * float, int, uint and float4 may appear in a struct (a float3 has 16 bytes on one side and 12 on the other), and what w
+ * means is said at each float4. DEVICE_STRUCT_SIZE stops either compiler when a size is not what both agreed on. */
+
+#ifdef __OPENCL_C_VERSION__
+
+#define DEVICE_STRUCT_SIZE(type, bytes) typedef char size_of_##type##_is_##bytes[(sizeof(type) == (bytes)) ? 1 : -1]
+#define DEVICE_NAMESPACE_BEGIN
+#define DEVICE_NAMESPACE_END
+
+#else
+
+#include <cstdint>
+
+#define DEVICE_STRUCT_SIZE(type, bytes) static_assert(sizeof(type) == (bytes), "size differs from the device's " #type)
+#define DEVICE_NAMESPACE_BEGIN namespace lichtraum::device {
+#define DEVICE_NAMESPACE_END }
+
+namespace lichtraum::device {
+using uint = std::uint32_t;
+struct alignas(16) float4 {
+  float x, y, z, w;
+};
+}  // namespace lichtraum::device
+
+#endif
+
+#endif

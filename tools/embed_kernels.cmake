@@ -50,4 +50,7 @@ foreach(program IN LISTS PROGRAMS)
 endforeach()
 string(APPEND cpp "constexpr EmbeddedKernel table[] = {\n${table}};\n}  // namespace\n\n"
   "std::span<EmbeddedKernel const> embedded_kernels() { return table; }\n\n}  // namespace lichtraum\n")
+if(NOT PROGRAMS)
+  set(cpp "#include \"cl/embedded_kernels.hpp\"\n\nstd::span<lichtraum::EmbeddedKernel const> lichtraum::embedded_kernels() { return {}; }\n")
+endif()
 file(WRITE ${OUTPUT} "${cpp}")

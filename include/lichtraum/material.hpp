@@ -27,7 +27,7 @@ class Material {
   double transmit() const { return transmit_; }  ///< share of the refracted ray, 0..1
   double ior() const { return ior_; }            ///< index of refraction, > 0
 
-  /// Throws std::invalid_argument unless reflect, transmit and their sum lie in 0..1.
+  /// Throws std::invalid_argument unless reflect, transmit and their sum lie in 0..1 and ior is positive.
   void set_mirror_and_glass(double reflect, double transmit, double ior);
   bool is_opaque() const { return transmit_ == 0; }
 

@@ -75,7 +75,10 @@ class Composite final : public Shape {
   void accept(ShapeVisitor& visitor) const override;
 
  private:
+  bool holds(Composite const& sought) const;
+
   Children children_;
+  bool has_parent_ = false;  // whether it ever became a child of a composite
 };
 
 /// A function per kind of shape; forgetting one does not compile.

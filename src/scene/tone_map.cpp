@@ -1,0 +1,27 @@
+#include "lichtraum/tone_map.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace lichtraum {
+namespace {
+
+double reinhard(double c) { return std::isinf(c) ? 1 : c / (c + 1); }
+
+// IEC 61966-2-1, the encoding of one linear component.
+double srgb(double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055; }
+
+template <class Function>
+Rgb per_channel(Rgb const& c, Function const& f) {
+  return {f(c.r), f(c.g), f(c.b)};
+}
+
+}  // namespace
+
+Rgb develop(Rgb const& radiance, ToneMap tone_map, Transfer transfer) {
+  if (tone_map == ToneMap::automatic) throw std::invalid_argument("develop needs a definite tone map");
+  Rgb const mapped = tone_map == ToneMap::reinhard ? per_channel(radiance, reinhard) : radiance;
+  return transfer == Transfer::srgb ? per_channel(mapped, srgb) : mapped;
+}
+
+}  // namespace lichtraum

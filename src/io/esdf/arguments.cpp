@@ -1,0 +1,209 @@
+#include "io/esdf/arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/parse_number.hpp"
+#include "io/esdf/diagnostics.hpp"
+#include "io/esdf/interpreter.hpp"
+
+namespace lichtraum::esdf {
+namespace {
+
+std::string plural(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string listed(std::vector<std::string> const& items, std::string_view last_word) {
+  std::string result;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) result += i + 1 == items.size() ? fmt::format(" {} ", last_word) : ", ";
+    result += items[i];
+  }
+  return result;
+}
+
+std::size_t sum_of(std::initializer_list<Parameter> const& numbers) {
+  std::size_t sum = 0;
+  for (Parameter const& parameter : numbers) sum += parameter.count;
+  return sum;
+}
+
+/// "is m missing?", "are Ks and m missing?", "is a part of Kd missing?"
+std::string what_is_missing(Signature const& signature, std::size_t found) {
+  std::vector<std::string> missing;
+  std::size_t begin = 0;
+  for (Parameter const& parameter : signature.numbers) {
+    std::size_t const end = begin + parameter.count;
+    if (found <= begin) missing.emplace_back(parameter.name);
+    if (found > begin && found < end) missing.push_back(fmt::format("a part of {}", parameter.name));
+    begin = end;
+  }
+  if (missing.empty()) return "";
+  return fmt::format("{} {} missing?", missing.size() == 1 ? "is" : "are", listed(missing, "and"));
+}
+
+bool is_number(Token token) { return parse_number(token).has_value(); }
+
+std::string hint_for_no_number(Token token) {
+  for (std::string_view const word : {"define", "transform", "render", "camera", "ambient"}) {
+    bool const ends_with_word = token.size() > word.size() && token.substr(token.size() - word.size()) == word;
+    if (ends_with_word && is_number(token.substr(0, token.size() - word.size()))) {
+      return fmt::format("is a line break missing before '{}'?", word);
+    }
+  }
+  return token.find(',') == Token::npos ? "" : "numbers are separated by blanks";
+}
+
+// A key=value argument where none belongs.
+bool report_unknown_key(Interpreter& interpreter, Statement const& statement, std::span<Token const> tokens) {
+  for (Token const token : tokens) {
+    std::size_t const equals = token.find('=');
+    if (equals == Token::npos || equals == 0) continue;
+    interpreter.error(token, fmt::format("{}: unknown key {}", statement.what, in_quotes(token.substr(0, equals))),
+                      fmt::format("a {} takes no key=value arguments", statement.what));
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void report_wrong_count(Interpreter& interpreter, Statement const& statement, Signature const& signature) {
+  std::size_t const expected = sum_of(signature.numbers);
+  std::vector<std::string> counts{std::to_string(expected)};
+  if (!interpreter.options.strict) {
+    for (std::size_t const count : signature.other_counts) counts.push_back(std::to_string(count));
+  }
+  std::string const wanted =
+      fmt::format("{} number{}{}", listed(counts, "or"), expected == 1 && counts.size() == 1 ? "" : "s",
+                  signature.takes_material ? " and a material" : "");
+  if (statement.arguments.empty()) {
+    interpreter.error(place_behind(statement.keyword),
+                      fmt::format("{}: expected a name and {}, found nothing", statement.what, wanted));
+    return;
+  }
+
+  std::span<Token const> const tokens = statement.arguments.subspan(1);
+  auto const first_word = std::find_if_not(tokens.begin(), tokens.end(), looks_like_number);
+  auto const numbers = static_cast<std::size_t>(first_word - tokens.begin());
+  std::size_t const words = tokens.size() - numbers;
+  if (report_unknown_key(interpreter, statement, tokens.subspan(numbers))) return;
+  // A number that is none explains a wrong count better than the count does.
+  auto const faulty = std::find_if_not(tokens.begin(), first_word, is_number);
+  if (faulty != first_word) {
+    read_number(interpreter, *faulty);
+    return;
+  }
+
+  // 'found 5 numbers', 'found 5 numbers and a material', 'found 5 numbers and 3 more words'
+  std::string found = plural(numbers, "number");
+  if (words == 1 && signature.takes_material)
+    found += " and a material";
+  else if (words == 1)
+    found += fmt::format(" and {}", in_quotes(*first_word));
+  else if (words > 1)
+    found += fmt::format(" and {} more words", words);
+
+  std::string missing;
+  Token at;
+  bool const name_is_number = looks_like_number(statement[0]);
+  if (numbers < expected) {
+    missing = name_is_number && numbers + 1 == expected ? "is the name missing?" : what_is_missing(signature, numbers);
+    at = words > 0 ? *first_word : place_behind(statement.last());
+    if (words > 1) missing.clear();  // what is wrong is the word, not the count
+  } else if (signature.takes_material && words == 0 && numbers == expected) {
+    missing = "is the material missing?";
+    at = place_behind(statement.last());
+  } else {
+    std::size_t good = expected;
+    for (std::size_t const count : signature.other_counts) {
+      if (count <= numbers && !interpreter.options.strict) good = std::max(good, count);
+    }
+    if (numbers == expected && signature.takes_material) ++good;
+    at = statement.rest(1 + std::min(good, tokens.size() - 1));
+  }
+  std::string hint;
+  bool const has_comment = std::any_of(first_word, tokens.end(), [](Token t) { return t.substr(0, 2) == "//"; });
+  if (has_comment) hint = "a comment behind a statement starts with '#'";
+  interpreter.error(at,
+                    fmt::format("{}: expected {}, found {}{}", statement.what, wanted, found,
+                                missing.empty() ? "" : fmt::format(" ({})", missing)),
+                    std::move(hint));
+}
+
+std::optional<double> read_number(Interpreter& interpreter, Token token) {
+  ParsedNumber const number = parse_number(token);
+  switch (number.problem) {
+    case NumberProblem::none:
+      break;
+    case NumberProblem::trailing_f:
+      interpreter.warning(token, fmt::format("{}: the f behind the number is not part of it", in_quotes(token)),
+                          "leave it out");
+      break;
+    case NumberProblem::not_a_number:
+      interpreter.error(token, fmt::format("{} is not a number", in_quotes(token)), hint_for_no_number(token));
+      return std::nullopt;
+    case NumberProblem::decimal_comma: {
+      std::string with_point(token);
+      std::replace(with_point.begin(), with_point.end(), ',', '.');
+      interpreter.error(token, fmt::format("{} is not a number", in_quotes(token)),
+                        fmt::format("decimals have a point: {}", with_point));
+      return std::nullopt;
+    }
+    case NumberProblem::unicode_minus:
+      interpreter.error(token, fmt::format("{} is not a number", in_quotes(token)),
+                        "this is a typographic dash: write the ASCII minus '-'");
+      return std::nullopt;
+    case NumberProblem::not_finite:
+      interpreter.error(token, fmt::format("{} is not a finite number", in_quotes(token)));
+      return std::nullopt;
+    case NumberProblem::too_large:
+      interpreter.error(token, fmt::format("{} is too large", in_quotes(token)),
+                        "numbers reach to about 3.4e38 in single precision");
+      return std::nullopt;
+  }
+  return number.value;
+}
+
+bool read_numbers(Interpreter& interpreter, std::span<Token const> tokens, std::span<double> values) {
+  bool good = true;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (auto const value = read_number(interpreter, tokens[i])) {
+      values[i] = *value;
+    } else {
+      good = false;
+    }
+  }
+  return good;
+}
+
+std::optional<Vec3> read_vec3(Interpreter& interpreter, std::span<Token const> three_tokens) {
+  std::array<double, 3> v{};
+  if (!read_numbers(interpreter, three_tokens.first(3), v)) return std::nullopt;
+  return Vec3(v[0], v[1], v[2]);
+}
+
+std::optional<int> read_whole_number(Interpreter& interpreter, Token token, std::string_view what, int smallest) {
+  auto const value = read_number(interpreter, token);
+  if (!value) return std::nullopt;
+  if (*value != std::floor(*value) || *value < smallest || *value > std::numeric_limits<int>::max()) {
+    interpreter.error(token,
+                      fmt::format("{} must be a whole number from {} on, not {}", what, smallest, in_quotes(token)));
+    return std::nullopt;
+  }
+  return static_cast<int>(*value);
+}
+
+std::optional<Resolution> read_resolution(Interpreter& interpreter, Token width, Token height) {
+  auto const w = read_whole_number(interpreter, width, "the width", 1);
+  auto const h = read_whole_number(interpreter, height, "the height", 1);
+  if (!w || !h) return std::nullopt;
+  return Resolution{*w, *h};
+}
+
+}  // namespace lichtraum::esdf

@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+
+#include "io/esdf/interpreter.hpp"
+#include "io/esdf/statements.hpp"
+
+// define camera <name> <fov-x> [<x-res> <y-res>]
+// Dialects: <fov> [eye], <fov> [eye] [dir], <fov> [eye] [dir] [up], <fov> <x-res> <y-res> [eye] [dir]
+
+namespace lichtraum::esdf {
+namespace {
+
+Signature const signature{{{"the opening angle", 1}}, false, {3, 4, 7, 9, 10}};
+
+Vec3 unit(Vec3 const& v) { return v / glm::length(v); }
+
+bool are_parallel(Vec3 const& a, Vec3 const& b) {
+  constexpr double smallest_sine = 1e-9;
+  return glm::length(glm::cross(unit(a), unit(b))) < smallest_sine;
+}
+
+/// Eye, direction and up from `tokens` (3, 6 or 9 of them), as the frame they span.
+std::optional<Transform> read_frame(Interpreter& interpreter, std::span<Token const> tokens) {
+  std::array<double, 9> v{};
+  if (!read_numbers(interpreter, tokens, v)) return std::nullopt;
+  Vec3 const eye(v[0], v[1], v[2]);
+  if (tokens.size() == 3) return Transform::translation(eye);
+
+  Vec3 const direction(v[3], v[4], v[5]);
+  if (direction == Vec3(0)) {
+    interpreter.error(span_of(tokens[3], tokens[5]), "camera: the direction must not be zero");
+    return std::nullopt;
+  }
+  bool const has_up = tokens.size() == 9;
+  Vec3 up = has_up ? Vec3(v[6], v[7], v[8]) : Vec3(0, 1, 0);
+  if (up == Vec3(0) || are_parallel(direction, up)) {
+    Vec3 const other = are_parallel(direction, Vec3(0, 1, 0)) ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
+    Token const at = has_up ? span_of(tokens[6], tokens[8]) : span_of(tokens[3], tokens[5]);
+    std::string_view const problem = up == Vec3(0) ? "the up vector is zero" : "direction and up are parallel";
+    interpreter.warning(at, fmt::format("camera: {}", problem),
+                        fmt::format("{} {} {} is taken as up", other.x, other.y, other.z));
+    up = other;
+  }
+  return Transform::look_along(eye, unit(direction), unit(up));
+}
+
+std::optional<double> read_opening_angle(Interpreter& interpreter, Token token) {
+  auto const degrees = read_number(interpreter, token);
+  if (degrees && *degrees > 0 && *degrees < 180) return degrees;
+  if (degrees) {
+    interpreter.error(
+        token, fmt::format("camera: the opening angle must lie between 0 and 180 degrees, not {}", in_quotes(token)));
+  }
+  return std::nullopt;
+}
+
+bool read_camera(Interpreter& interpreter, Statement const& statement) {
+  std::size_t const numbers = statement.size() - (statement.size() > 0 ? 1 : 0);
+  bool const has_resolution = numbers == 3 || numbers == 9;
+  bool const is_dialect = numbers == 4 || numbers == 7 || numbers == 9 || numbers == 10;
+  if (numbers != 1 && numbers != 3 && !is_dialect) {
+    report_wrong_count(interpreter, statement, signature);
+    return false;
+  }
+  if (is_dialect && !interpreter.dialect(statement.rest(2), "a camera with a place and a direction")) return false;
+
+  auto const fov = read_opening_angle(interpreter, statement[1]);
+  bool good = fov.has_value();
+  std::optional<Resolution> resolution;
+  if (has_resolution) {
+    resolution = read_resolution(interpreter, statement[2], statement[3]);
+    good &= resolution.has_value();
+  }
+  std::optional<Transform> frame = Transform();
+  if (is_dialect) {
+    frame = read_frame(interpreter, statement.arguments.subspan(has_resolution ? 4 : 2));
+    good &= frame.has_value();
+  }
+  if (good) interpreter.define(statement[0], Camera(std::string(statement[0]), *fov, *frame, resolution));
+  return good;
+}
+
+}  // namespace
+
+void define_camera(Interpreter& interpreter, Statement const& statement) {
+  if (!read_camera(interpreter, statement) && statement.size() > 0) {
+    interpreter.mark_faulty(Kind::camera, statement[0]);
+  }
+}
+
+}  // namespace lichtraum::esdf

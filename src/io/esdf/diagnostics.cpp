@@ -1,0 +1,87 @@
+#include "io/esdf/diagnostics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace lichtraum::esdf {
+namespace {
+
+constexpr std::size_t longest_quote = 48;          // bytes
+constexpr std::size_t longest_line_before = 4096;  // bytes of a line that are kept before the mark ...
+constexpr std::size_t longest_line_behind = 512;   // ... and behind it
+
+bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string in_quotes(std::string_view token) {
+  if (token.size() <= longest_quote) return fmt::format("'{}'", token);
+  std::size_t end = longest_quote - 3;
+  while (end > 0 && is_continuation(token[end])) --end;
+  return fmt::format("'{}...'", token.substr(0, end));
+}
+
+Token span_of(Token first, Token last) {
+  return Token(first.data(), static_cast<std::size_t>(last.data() + last.size() - first.data()));
+}
+
+Token place_behind(Token token) { return Token(token.data() + token.size(), 0); }
+
+void Diagnostics::add(Severity severity, Token at, std::string message, std::string hint) {
+  std::size_t& count = counts_[static_cast<std::size_t>(severity)];
+  if (++count > limit_) return;
+
+  Diagnostic diagnostic{severity, {file_, line_.number, 0}, 1, std::move(message), {}, std::move(hint)};
+  std::string_view const text = line_.text;
+  std::less_equal<char const*> const not_behind;  // also for pointers into different texts
+  bool const is_in_line =
+      at.data() && not_behind(text.data(), at.data()) && not_behind(at.data() + at.size(), text.data() + text.size());
+  if (is_in_line) {
+    auto const offset = static_cast<std::size_t>(at.data() - text.data());
+    diagnostic.location.column = offset + 1;
+    diagnostic.length = std::max<std::size_t>(at.size(), 1);
+    // A line may be as long as the file: what is kept of all of them stays small.
+    if (offset <= longest_line_before) diagnostic.source_line = text.substr(0, offset + longest_line_behind);
+    diagnostic.length = std::min(diagnostic.length, longest_line_behind);
+  } else {
+    diagnostic.source_line = text.substr(0, longest_line_behind);
+  }
+  found_.push_back(std::move(diagnostic));
+}
+
+std::vector<Diagnostic> Diagnostics::finish(std::size_t stopped_at) && {
+  // Notes make room first, then warnings; of each kind the later ones.
+  for (Severity const severity : {Severity::note, Severity::warning}) {
+    for (std::size_t i = found_.size(); i-- > 0 && found_.size() > limit_;) {
+      if (found_[i].severity == severity) found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+  std::stable_sort(found_.begin(), found_.end(), [](Diagnostic const& a, Diagnostic const& b) {
+    return std::pair(a.location.line, a.location.column) < std::pair(b.location.line, b.location.column);
+  });
+  std::array<std::size_t, 3> hidden = counts_;
+  for (Diagnostic const& diagnostic : found_) --hidden[static_cast<std::size_t>(diagnostic.severity)];
+  auto const hidden_errors = hidden[static_cast<std::size_t>(Severity::error)];
+  auto const hidden_warnings = hidden[static_cast<std::size_t>(Severity::warning)];
+
+  std::string message;
+  if (stopped_at != 0) {
+    message = fmt::format("too many errors: from line {} on the file was not checked", stopped_at);
+  } else if (hidden_errors > 0 || hidden_warnings > 0) {
+    message = "too many to show: ";
+    if (hidden_errors > 0) message += counted(hidden_errors, "more error");
+    if (hidden_errors > 0 && hidden_warnings > 0) message += " and ";
+    if (hidden_warnings > 0) message += counted(hidden_warnings, "more warning");
+  }
+  if (!message.empty()) found_.push_back({Severity::note, {file_, 0, 0}, 1, std::move(message), {}, {}});
+  return std::move(found_);
+}
+
+}  // namespace lichtraum::esdf

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/esdf/lexer.hpp"
+#include "lichtraum/error.hpp"
+
+namespace lichtraum::esdf {
+
+/// 'blue', cut when it is long.
+std::string in_quotes(std::string_view token);
+
+/// Everything between two tokens of one line, both included.
+Token span_of(Token first, Token last);
+
+/// The empty place just behind a token, where something is missing.
+Token place_behind(Token token);
+
+/// Collects what is found in one file: at most `limit` findings, errors before warnings before notes.
+class Diagnostics {
+ public:
+  Diagnostics(std::string file, std::size_t limit) : file_(std::move(file)), limit_(limit > 0 ? limit : 1) {}
+
+  void begin_line(Line const& line) { line_ = line; }
+  Line const& line() const { return line_; }
+
+  /// `at` is a part of the current line; an empty `at` outside of it stands for the whole line or file.
+  void add(Severity severity, Token at, std::string message, std::string hint = {});
+
+  std::size_t count(Severity severity) const { return counts_[static_cast<std::size_t>(severity)]; }
+  std::size_t errors() const { return count(Severity::error); }
+  /// Whether a further error would only be counted, so that nobody need think about a hint.
+  bool has_all_errors() const { return errors() >= limit_; }
+
+  /// The findings by line; when there were more than the limit, a last note says how many are not shown. When
+  /// `stopped_at` is not 0, that note says that the file was not checked from that line on.
+  std::vector<Diagnostic> finish(std::size_t stopped_at) &&;
+
+ private:
+  std::string file_;
+  std::size_t limit_;
+  Line line_;
+  std::array<std::size_t, 3> counts_{};  // by Severity
+  std::vector<Diagnostic> found_;
+};
+
+}  // namespace lichtraum::esdf

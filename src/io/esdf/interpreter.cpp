@@ -1,0 +1,253 @@
+#include "io/esdf/interpreter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/ascii.hpp"
+#include "core/utf8.hpp"
+#include "io/esdf/statements.hpp"
+
+namespace lichtraum::esdf {
+namespace {
+
+constexpr std::string_view kind_names[] = {"material", "shape", "light", "camera"};  // by Kind
+
+bool is_conflict_marker(Token token) {
+  return token == "<<<<<<<" || token == "=======" || token == ">>>>>>>" || token == "|||||||";
+}
+
+/// The name that a line defines in the namespace of `kind`, or an empty token.
+Token defined_name(Kind kind, std::span<Token const> tokens) {
+  auto const token = [&](std::size_t i) { return i < tokens.size() ? tokens[i] : Token(); };
+  if (kind == Kind::camera && token(0) == "camera") return token(1);
+  if (token(0) != "define" || token(1) != kind_names[static_cast<std::size_t>(kind)]) return {};
+  if (kind == Kind::shape) return token(3);
+  bool const has_light_class = kind == Kind::light && (token(2) == "ambient" || token(2) == "diffuse");
+  return token(has_light_class ? 3 : 2);
+}
+
+void report_unknown_command(Interpreter& interpreter, Token word) {
+  std::string const lower = to_lower_ascii(word);
+  std::string hint;
+  if (lower != word && (lower == "define" || find_keyword(commands(), lower))) {
+    hint = fmt::format("keywords are lower case: {}", lower);
+  } else if (find_keyword(classes(), word)) {
+    hint = fmt::format("did you mean 'define {}'?", word);
+  } else if (find_keyword(shape_kinds(), word)) {
+    hint = fmt::format("did you mean 'define shape {}'?", word);
+  } else {
+    constexpr std::string_view commands_known[] = {"define", "transform", "render", "camera", "ambient"};
+    hint = interpreter.suggest(word, commands_known);
+    if (hint.empty()) hint = "a line starts with define, transform, render or camera; comments with '#'";
+  }
+  interpreter.error(word, fmt::format("unknown statement {}", in_quotes(word)), std::move(hint));
+}
+
+void report_unknown_class(Interpreter& interpreter, Token word) {
+  std::string const lower = to_lower_ascii(word);
+  std::string hint;
+  if (lower != word && find_keyword(classes(), lower)) {
+    hint = fmt::format("keywords are lower case: {}", lower);
+  } else if (find_keyword(shape_kinds(), word)) {
+    hint = fmt::format("did you mean 'define shape {}'?", word);
+  } else {
+    std::vector<std::string_view> known;
+    for (Keyword const& keyword : classes()) known.push_back(keyword.word);
+    hint = interpreter.suggest(word, known);
+    if (hint.empty()) hint = "'define' is followed by material, shape, light, camera or background";
+  }
+  interpreter.error(word, fmt::format("cannot define {}: no such class", in_quotes(word)), std::move(hint));
+}
+
+}  // namespace
+
+std::string did_you_mean(std::string_view name) {
+  return name.empty() ? std::string() : fmt::format("did you mean {}?", in_quotes(name));
+}
+
+Interpreter::Interpreter(Source const& source_, EsdfOptions const& options_)
+    : source(source_),
+      options(options_),
+      diagnostics_(source_.name, options_.max_diagnostics),
+      magenta_(std::make_shared<Material>("undefined", Rgb(1, 0, 1), Rgb(1, 0, 1), Rgb(0), 1)) {}
+
+void Interpreter::run(DrawFunction const* draw) {
+  draw_ = draw;
+  LineReader reader(source.text);
+  Line line;
+  while (!is_stopped_ && reader.next(line)) {
+    TokenTraits const traits = tokenize(line.text, tokens_);
+    if (tokens_.empty()) continue;
+    if (!options.keep_going && diagnostics_.has_all_errors()) {
+      stopped_at_ = line.number;
+      break;
+    }
+    diagnostics_.begin_line(line);
+    if (check_tokens(traits)) execute();
+  }
+}
+
+bool Interpreter::check_tokens(TokenTraits const& traits) {
+  if (is_conflict_marker(tokens_[0])) {
+    error(span_of(tokens_.front(), tokens_.back()), "git conflict marker",
+          "resolve the conflict: keep one of the two versions, remove the markers");
+    return false;
+  }
+  if (traits.has_brace) {
+    std::string_view const line = span_of(tokens_.front(), tokens_.back());
+    std::size_t const open = line.find("{{");
+    std::size_t const close = open == Token::npos ? open : line.find("}}", open);
+    if (close != Token::npos) {
+      Token const placeholder = line.substr(open, close + 2 - open);
+      error(placeholder, fmt::format("unsubstituted placeholder {}", in_quotes(placeholder)),
+            "this file is a template: fill it in first");
+      return false;
+    }
+  }
+  if (traits.has_control) {
+    for (Token const token : tokens_) {
+      auto const at = std::find_if(token.begin(), token.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; });
+      if (at == token.end()) continue;
+      error(Token(&*at, 1), fmt::format("control character U+{:04X}", static_cast<unsigned>(*at)));
+      return false;
+    }
+  }
+  if (traits.has_non_ascii) {
+    for (Token const token : tokens_) {
+      if (is_utf8(token)) continue;
+      constexpr std::string_view message = "not UTF-8";
+      constexpr std::string_view hint = "save the file as UTF-8; it looks like Latin-1 or Windows-1252";
+      if (options.strict) {
+        error(token, std::string(message), std::string(hint));
+        return false;
+      }
+      if (!has_bad_encoding_) warning(token, std::string(message), std::string(hint));
+      has_bad_encoding_ = true;
+    }
+  }
+  return true;
+}
+
+void Interpreter::execute() {
+  std::span<Token const> const tokens = tokens_;
+  bool const is_define = tokens[0] == "define";
+  if (is_define && tokens.size() == 1) {
+    error(place_behind(tokens[0]), "define: expected what to define, found nothing",
+          "'define' is followed by material, shape, light, camera or background");
+    return;
+  }
+  Token const word = tokens[is_define ? 1 : 0];
+  Keyword const* const keyword = find_keyword(is_define ? classes() : commands(), word);
+  if (!keyword) {
+    is_define ? report_unknown_class(*this, word) : report_unknown_command(*this, word);
+    return;
+  }
+  if (!keyword->is_standard &&
+      !dialect(span_of(tokens[0], word), is_define ? fmt::format("'define {}'", word) : fmt::format("'{}'", word))) {
+    return;
+  }
+  if (has_rendered_ && keyword->execute != esdf::render) is_animated_ = true;
+  keyword->execute(*this, {keyword->word, word, tokens.subspan(is_define ? 2 : 1)});
+}
+
+void Interpreter::error(Token at, std::string message, std::string hint) {
+  diagnostics_.add(Severity::error, at, std::move(message), std::move(hint));
+}
+
+void Interpreter::warning(Token at, std::string message, std::string hint) {
+  diagnostics_.add(Severity::warning, at, std::move(message), std::move(hint));
+}
+
+bool Interpreter::dialect(Token at, std::string_view form) {
+  diagnostics_.add(options.strict ? Severity::error : Severity::note, at,
+                   fmt::format("{} is not part of the standard", form));
+  return !options.strict;
+}
+
+bool Interpreter::dialect_warning(Token at, std::string message, std::string hint) {
+  diagnostics_.add(options.strict ? Severity::error : Severity::warning, at, std::move(message), std::move(hint));
+  return !options.strict;
+}
+
+std::vector<Diagnostic> Interpreter::take_diagnostics() {
+  std::vector<Diagnostic> found = std::move(diagnostics_).finish(stopped_at_);
+  if (options.keep_going) {
+    for (Diagnostic& diagnostic : found) {
+      if (diagnostic.severity == Severity::error) diagnostic.severity = Severity::warning;
+    }
+  }
+  return found;
+}
+
+std::shared_ptr<Material> const& Interpreter::material(Token name) {
+  if (last_material_ && name == (*last_material_)->name()) return *last_material_;
+  if (auto* const found = scene.materials.find(name)) return *(last_material_ = found);
+  if (!is_faulty(Kind::material, name)) report_undefined("material", Kind::material, name, scene.materials);
+  return magenta_;
+}
+
+void Interpreter::define(Token name, std::shared_ptr<Shape> shape) {
+  if (scene.shapes.insert(shape)) return;
+  report_duplicate(Kind::shape, name);
+  scene.shapes.insert_or_replace(std::move(shape));
+}
+
+void Interpreter::define(Token name, std::shared_ptr<Material> material) {
+  if (scene.materials.insert(material)) return;
+  report_duplicate(Kind::material, name);
+  scene.materials.insert_or_replace(std::move(material));
+}
+
+void Interpreter::define(Token name, Camera camera) {
+  if (scene.cameras.contains(name)) report_duplicate(Kind::camera, name);
+  scene.cameras.insert_or_replace(std::move(camera));
+}
+
+void Interpreter::define(Token name, Light light) {
+  if (scene.lights.contains(name)) report_duplicate(Kind::light, name);
+  scene.lights.insert_or_replace(std::move(light));
+}
+
+void Interpreter::render(RenderCommand command) {
+  command.location = {source.name, diagnostics_.line().number, 1};
+  has_rendered_ = true;
+  scene.renders.push_back(std::move(command));
+  if (draw_ && !(*draw_)(scene, scene.renders.back())) is_stopped_ = true;
+}
+
+void Interpreter::report_duplicate(Kind kind, Token name) {
+  std::size_t const line = find_definition(kind, name, false);
+  error(name, fmt::format("{} {} is already defined", kind_names[static_cast<std::size_t>(kind)], in_quotes(name)),
+        line == 0 ? std::string() : fmt::format("first defined in line {}", line));
+}
+
+std::string Interpreter::defined_later(Kind kind, Token name) {
+  std::size_t const line = find_definition(kind, name, true);
+  return line == 0 ? std::string() : fmt::format("it is defined later, in line {}: statements work in order", line);
+}
+
+std::size_t Interpreter::find_definition(Kind kind, Token name, bool behind_current_line) {
+  if (diagnostics_.has_all_errors()) return 0;
+  std::string_view text = source.text;
+  std::size_t lines_before = 0;
+  if (behind_current_line) {
+    std::string_view const current = diagnostics_.line().text;
+    text.remove_prefix(static_cast<std::size_t>(current.data() - text.data()));
+    lines_before = diagnostics_.line().number - 1;
+  }
+  LineReader reader(text);
+  Line line;
+  std::vector<Token> tokens;
+  while (reader.next(line)) {
+    if (line.text.size() > search_budget_) return 0;
+    search_budget_ -= line.text.size();
+    // Most lines do not hold the name at all, and a search for it is quicker than cutting them into tokens.
+    if (line.text.find(name) == std::string_view::npos) continue;
+    tokenize(line.text, tokens);
+    if (defined_name(kind, tokens) == name) return lines_before + line.number;
+  }
+  return 0;
+}
+
+}  // namespace lichtraum::esdf

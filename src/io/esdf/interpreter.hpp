@@ -1,0 +1,115 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+#include "io/esdf/arguments.hpp"
+#include "io/esdf/diagnostics.hpp"
+#include "io/esdf/suggestion.hpp"
+#include "io/mesh_format.hpp"
+#include "lichtraum/esdf.hpp"
+#include "lichtraum/scene.hpp"
+
+namespace lichtraum::esdf {
+
+using DrawFunction = std::function<bool(Scene const&, RenderCommand const&)>;
+
+/// What has names of its own.
+enum class Kind { material, shape, light, camera };
+
+/// What stays the same while a text is interpreted.
+struct Source {
+  std::string_view text;         ///< without lone CRs, see normalise_line_breaks
+  std::string name;              ///< stands for the file in messages
+  std::filesystem::path folder;  ///< relative paths start here
+  std::span<MeshFormat const> mesh_formats;
+};
+
+/// Executes the statements of a text, one after the other, on a scene. The functions of statements.hpp do the work and
+/// report here what they find.
+class Interpreter {
+ public:
+  Interpreter(Source const& source, EsdfOptions const& options);
+
+  /// Executes everything. `draw`, if there is one, is called at each `render`, and may stop the run with false.
+  void run(DrawFunction const* draw = nullptr);
+
+  /// Whether a `render` is followed by something that may change the scene.
+  bool is_animated() const { return is_animated_; }
+  bool has_errors() const { return diagnostics_.errors() > 0; }
+  /// What was found; with options.keep_going errors have become warnings.
+  std::vector<Diagnostic> take_diagnostics();
+
+  Source const& source;
+  EsdfOptions const& options;
+  Scene scene;
+
+  // For statements: reporting. `at` is a part of the current line.
+  void error(Token at, std::string message, std::string hint = {});
+  void warning(Token at, std::string message, std::string hint = {});
+  /// A form that the standard does not know: an error and false with options.strict, else a note.
+  bool dialect(Token at, std::string_view form);
+  /// The same with a warning instead of a note.
+  bool dialect_warning(Token at, std::string message, std::string hint = {});
+  /// "did you mean 'x'?" for the name of `names` that is nearest to `word`, or an empty text.
+  template <class... Names>
+  std::string suggest(Token word, Names const&... names) {
+    if (diagnostics_.has_all_errors()) return {};
+    suggester_.look_for(word);
+    (suggester_.consider_all(names), ...);
+    return did_you_mean(suggester_.best());
+  }
+
+  // For statements: names. A name whose definition was faulty is known as such, so that what refers to it does not
+  // count as a second error.
+  void mark_faulty(Kind kind, Token name) { faulty_[static_cast<std::size_t>(kind)].insert(name); }
+  bool is_faulty(Kind kind, Token name) const { return faulty_[static_cast<std::size_t>(kind)].count(name) > 0; }
+
+  /// The material of that name. An undefined one is reported, and is a clearly visible magenta.
+  std::shared_ptr<Material> const& material(Token name);
+  // Adds to the scene. A second thing of the same name is reported, and takes the first one's place.
+  void define(Token name, std::shared_ptr<Shape> shape);
+  void define(Token name, std::shared_ptr<Material> material);
+  void define(Token name, Camera camera);
+  void define(Token name, Light light);
+  /// Reports a reference to something that does not exist, with what was probably meant.
+  template <class... Names>
+  void report_undefined(std::string_view what, Kind kind, Token name, Names const&... names) {
+    std::string hint = suggest(name, names...);
+    if (hint.empty()) hint = defined_later(kind, name);
+    error(name, std::string(what) + ' ' + in_quotes(name) + " is not defined", std::move(hint));
+  }
+
+  /// Adds the command to the scene and draws it, when somebody wants to see it drawn.
+  void render(RenderCommand command);
+
+ private:
+  void execute();
+  bool check_tokens(TokenTraits const& traits);
+  void report_duplicate(Kind kind, Token name);
+  /// The first line that defines `name`, from the text's start or behind the current line; 0: none found.
+  std::size_t find_definition(Kind kind, Token name, bool behind_current_line);
+  std::string defined_later(Kind kind, Token name);
+
+  Diagnostics diagnostics_;
+  Suggester suggester_;
+  std::vector<Token> tokens_;
+  std::unordered_set<std::string_view> faulty_[4];  // by Kind
+  std::shared_ptr<Material> magenta_;
+  std::shared_ptr<Material>* last_material_ = nullptr;
+  DrawFunction const* draw_ = nullptr;
+  std::size_t search_budget_ = std::size_t{1} << 28;  // bytes that find_definition may still read
+  std::size_t stopped_at_ = 0;                        // the line at which there were too many errors
+  bool has_bad_encoding_ = false;
+  bool has_rendered_ = false;
+  bool is_animated_ = false;
+  bool is_stopped_ = false;
+};
+
+}  // namespace lichtraum::esdf

@@ -1,0 +1,64 @@
+#include "io/esdf/lexer.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace lichtraum::esdf {
+namespace {
+
+enum CharacterClass : std::uint8_t { plain = 0, control = 1, non_ascii = 2, brace = 4, blank = 8, comment = 16 };
+
+constexpr std::array<std::uint8_t, 256> make_classes() {
+  std::array<std::uint8_t, 256> classes{};
+  for (std::size_t c = 0; c < 32; ++c) classes[c] = control;
+  classes[127] = control;
+  for (std::size_t c = 128; c < 256; ++c) classes[c] = non_ascii;
+  for (char const c : {' ', '\t', '\v', '\f', '\r'}) classes[static_cast<std::size_t>(c)] = blank;
+  classes['{'] = brace;
+  classes['#'] = comment;
+  return classes;
+}
+constexpr auto classes = make_classes();
+
+std::uint8_t class_of(char c) { return classes[static_cast<std::uint8_t>(c)]; }
+
+}  // namespace
+
+void normalise_line_breaks(std::string& text) {
+  if (text.compare(0, 3, "\xEF\xBB\xBF") == 0) text.erase(0, 3);
+  for (std::size_t at = text.find('\r'); at != std::string::npos; at = text.find('\r', at + 1)) {
+    if (at + 1 == text.size() || text[at + 1] != '\n') text[at] = '\n';
+  }
+}
+
+bool LineReader::next(Line& line) {
+  if (rest_.empty()) return false;
+  std::size_t const end = rest_.find('\n');
+  line.text = rest_.substr(0, end);
+  rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+  if (!line.text.empty() && line.text.back() == '\r') line.text.remove_suffix(1);
+  line.number = ++number_;
+  return true;
+}
+
+TokenTraits tokenize(std::string_view line, std::vector<Token>& tokens) {
+  tokens.clear();
+  unsigned seen = 0;
+  char const* at = line.data();
+  char const* const end = at + line.size();
+  while (true) {
+    while (at != end && class_of(*at) == blank) ++at;
+    if (at == end || *at == '#') break;
+    char const* const begin = at;
+    for (; at != end; ++at) {
+      unsigned const c = class_of(*at);
+      if (c >= blank) break;
+      seen |= c;
+    }
+    if (tokens.empty() && end - begin >= 2 && begin[0] == '/' && begin[1] == '/') return {};
+    tokens.emplace_back(begin, static_cast<std::size_t>(at - begin));
+  }
+  return {(seen & control) != 0, (seen & non_ascii) != 0, (seen & brace) != 0};
+}
+
+}  // namespace lichtraum::esdf

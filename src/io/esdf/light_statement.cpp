@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/parse_number.hpp"
+#include "io/esdf/interpreter.hpp"
+#include "io/esdf/statements.hpp"
+
+// define light <name> [pos] [La] [Ld]
+// define light diffuse <name> [pos] [Ld]
+// define light ambient <name> [La]
+// Dialects: define light <name> [pos] [colour] <brightness>, and the rows of docs/ESDF.md.
+
+namespace lichtraum::esdf {
+namespace {
+
+Signature const sdf_signature{{{"the position", 3}, {"La", 3}, {"Ld", 3}}, false, {7, 6}};
+Signature const diffuse_signature{{{"the position", 3}, {"Ld", 3}}};
+Signature const ambient_signature{{{"La", 3}}};
+
+Rgb rgb(std::span<double const> v) { return Rgb(v[0], v[1], v[2]); }
+
+/// What the numbers of a light mean.
+enum class Form { position_la_ld, position_ld, position_colour_brightness, la, ignored_position_la };
+
+std::size_t number_count(Form form) {
+  switch (form) {
+    case Form::position_la_ld:
+      return 9;
+    case Form::position_colour_brightness:
+      return 7;
+    case Form::position_ld:
+    case Form::ignored_position_la:
+      return 6;
+    case Form::la:
+      return 3;
+  }
+  return 0;
+}
+
+bool is_within_float(Rgb const& c) {
+  double const largest = static_cast<double>(std::numeric_limits<float>::max());
+  return std::abs(c.x) <= largest && std::abs(c.y) <= largest && std::abs(c.z) <= largest;
+}
+
+/// Whether colour times brightness is still a number on the device.
+bool check_brightness(Interpreter& interpreter, Statement const& statement, Rgb const& colour) {
+  if (is_within_float(colour)) return true;
+  interpreter.error(statement.last(), "colour times brightness is too large",
+                    "numbers reach to about 3.4e38 in single precision");
+  return false;
+}
+
+/// `statement` is a name and the numbers of `form`.
+void define_light_as(Interpreter& interpreter, Statement const& statement, Form form) {
+  std::array<double, 9> v{};
+  std::span<double> const values(v.data(), number_count(form));
+  if (!read_numbers(interpreter, statement.arguments.subspan(1), values)) return;
+  std::string name(statement[0]);
+  Vec3 const position(v[0], v[1], v[2]);
+  Rgb const first = rgb(values.first(3));
+  switch (form) {
+    case Form::position_la_ld:
+      interpreter.define(statement[0],
+                         Light::point(std::move(name), position, rgb(values.subspan(6)), rgb(values.subspan(3))));
+      break;
+    case Form::position_ld:
+      interpreter.define(statement[0], Light::point(std::move(name), position, rgb(values.subspan(3))));
+      break;
+    case Form::position_colour_brightness: {
+      Rgb const ld = rgb(values.subspan(3)) * v[6];
+      if (!check_brightness(interpreter, statement, ld)) return;
+      interpreter.scene.tone_map = ToneMap::reinhard;
+      interpreter.define(statement[0], Light::point(std::move(name), position, ld));
+      break;
+    }
+    case Form::la:
+      interpreter.define(statement[0], Light::ambient(std::move(name), first));
+      break;
+    case Form::ignored_position_la:
+      interpreter.define(statement[0], Light::ambient(std::move(name), rgb(values.subspan(3))));
+      break;
+  }
+}
+
+/// A light without a class: `statement` starts with the name.
+void define_plain(Interpreter& interpreter, Statement const& statement) {
+  if (statement.size() == 10) {
+    define_light_as(interpreter, statement, Form::position_la_ld);
+  } else if (statement.size() == 8) {
+    if (interpreter.dialect(statement.rest(0), "a light with colour and brightness")) {
+      define_light_as(interpreter, statement, Form::position_colour_brightness);
+    }
+  } else if (statement.size() == 7) {
+    if (interpreter.dialect(statement.rest(0), "a light with a position and one colour")) {
+      define_light_as(interpreter, statement, Form::position_ld);
+    }
+  } else {
+    report_wrong_count(interpreter, statement, sdf_signature);
+  }
+}
+
+/// `outer` starts with the word 'diffuse', `statement` behind it.
+void define_diffuse(Interpreter& interpreter, Statement const& outer, Statement const& statement) {
+  bool const has_name = statement.size() > 0 && !looks_like_number(statement[0]);
+  if (statement.size() == 7) {
+    define_light_as(interpreter, statement, Form::position_ld);
+  } else if (statement.size() == 10) {
+    if (interpreter.dialect(statement.rest(0), "a diffuse light with La")) {
+      define_light_as(interpreter, statement, Form::position_la_ld);
+    }
+  } else if (!has_name && (statement.size() == 9 || statement.size() == 6)) {
+    define_plain(interpreter, outer);  // a light that is called 'diffuse'
+  } else {
+    report_wrong_count(interpreter, {"diffuse light", statement.keyword, statement.arguments}, diffuse_signature);
+  }
+}
+
+/// `outer` starts with the word 'ambient', `statement` behind it.
+void define_ambient_light(Interpreter& interpreter, Statement const& outer, Statement const& statement) {
+  std::string const hint = "ambient light is written: define light ambient <name> <r> <g> <b>";
+  std::string const no_position = "ambient light has no position: only the last three numbers count, as La";
+  bool const has_name = statement.size() > 0 && !looks_like_number(statement[0]);
+  std::size_t const numbers = statement.size() - (has_name ? 1 : 0);
+  Statement const& named = has_name ? statement : outer;  // without a name it is called 'ambient'
+  if (statement.size() == 4) {
+    define_light_as(interpreter, statement, Form::la);
+  } else if (numbers == 9) {
+    std::string const message = "this is a point light with a position, La and Ld";
+    if (!has_name) {
+      interpreter.warning(named.rest(0), message + ", called 'ambient'", hint);  // the standard's form
+      define_light_as(interpreter, named, Form::position_la_ld);
+    } else if (interpreter.dialect_warning(named.rest(0), message, hint)) {
+      define_light_as(interpreter, named, Form::position_la_ld);
+    }
+  } else if (numbers == 6) {
+    if (interpreter.dialect_warning(named.rest(0), no_position, hint)) {
+      define_light_as(interpreter, named, Form::ignored_position_la);
+    }
+  } else if (numbers == 7 && !has_name) {
+    define_plain(interpreter, outer);  // colour and brightness of a light that is called 'ambient'
+  } else {
+    report_wrong_count(interpreter, {"ambient light", statement.keyword, statement.arguments}, ambient_signature);
+  }
+}
+
+/// A name for an ambient light that was given none. It has a blank, so that no file can use it.
+std::string free_ambient_name(Scene const& scene) { return fmt::format("ambient light {}", scene.lights.size() + 1); }
+
+}  // namespace
+
+void define_light(Interpreter& interpreter, Statement const& statement) {
+  Token const word = statement.size() > 0 ? statement[0] : Token();
+  if (word == "ambient") {
+    define_ambient_light(interpreter, statement, {statement.what, word, statement.arguments.subspan(1)});
+  } else if (word == "diffuse") {
+    define_diffuse(interpreter, statement, {statement.what, word, statement.arguments.subspan(1)});
+  } else {
+    define_plain(interpreter, statement);
+  }
+}
+
+// ambient [rgb], ambient <name> [rgb] [<brightness>], ambient <value>; all of it also behind `define`.
+void define_ambient(Interpreter& interpreter, Statement const& statement) {
+  std::size_t const size = statement.size();
+  bool const has_name = size == 4 || size == 5;
+  if (!has_name && size != 1 && size != 3) {
+    interpreter.error(size > 5 ? statement.rest(5) : place_behind(statement.last()),
+                      fmt::format("ambient: expected 3 numbers, found {} argument{}", size, size == 1 ? "" : "s"),
+                      "ambient <r> <g> <b>, also with a name before and a brightness behind");
+    return;
+  }
+  std::array<double, 4> v{0, 0, 0, 1};
+  std::size_t const first = has_name ? 1 : 0;
+  if (!read_numbers(interpreter, statement.arguments.subspan(first), v)) return;
+  Rgb const la = size == 1 ? Rgb(v[0]) : Rgb(v[0], v[1], v[2]) * v[3];
+  if (!check_brightness(interpreter, statement, la)) return;
+  if (size == 5) interpreter.scene.tone_map = ToneMap::reinhard;
+  if (has_name) {
+    interpreter.define(statement[0], Light::ambient(std::string(statement[0]), la));
+  } else {
+    interpreter.scene.lights.insert(Light::ambient(free_ambient_name(interpreter.scene), la));
+  }
+}
+
+}  // namespace lichtraum::esdf

@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "core/parse_number.hpp"
+#include "io/esdf/interpreter.hpp"
+#include "io/esdf/statements.hpp"
+
+// define material <name> [Ka] [Kd] [Ks] <m> [reflect=<0..1>] [transmit=<0..1>] [ior=<n>]
+// Dialects: one to four more numbers, whose meaning options.material_extras says.
+
+namespace lichtraum::esdf {
+namespace {
+
+Signature const signature{{{"Ka", 3}, {"Kd", 3}, {"Ks", 3}, {"m", 1}}};
+constexpr std::size_t number_count = 10;
+constexpr std::size_t most_numbers = 14;
+
+/// Whitted's terms as far as they were given.
+struct MirrorAndGlass {
+  std::optional<double> reflect;
+  std::optional<double> transmit;
+  std::optional<double> ior;
+};
+
+bool read_key(Interpreter& interpreter, Token argument, MirrorAndGlass& terms) {
+  std::size_t const equals = std::min(argument.find('='), argument.size() - 1);
+  Token const key = argument.substr(0, equals);
+  Token const value = argument.substr(equals + 1);
+  constexpr std::string_view known[] = {"reflect", "transmit", "ior"};
+  std::optional<double>* const places[] = {&terms.reflect, &terms.transmit, &terms.ior};
+  auto const found = std::find(std::begin(known), std::end(known), key);
+  if (argument[equals] != '=') {
+    interpreter.error(argument, fmt::format("material: expected key=value, found {}", in_quotes(argument)),
+                      "numbers come before reflect=, transmit= and ior=");
+    return false;
+  }
+  if (found == std::end(known)) {
+    std::string const hint = interpreter.suggest(key, known);
+    interpreter.error(key.empty() ? argument : key, fmt::format("material: unknown key {}", in_quotes(key)),
+                      hint.empty() ? "a material knows reflect=, transmit= and ior=" : hint);
+    return false;
+  }
+  std::optional<double>& place = *places[found - std::begin(known)];
+  if (place) {
+    interpreter.error(argument, fmt::format("material: {} is given twice", key));
+    return false;
+  }
+  if (value.empty()) {
+    interpreter.error(argument, fmt::format("material: {}= has no value", key), "no blanks around '='");
+    return false;
+  }
+  place = read_number(interpreter, value);
+  if (!place) return false;
+  bool const is_share = key != "ior";
+  if (is_share && (*place < 0 || *place > 1)) {
+    interpreter.error(value, fmt::format("material: {} must lie between 0 and 1, not {}", key, in_quotes(value)));
+    return false;
+  }
+  if (!is_share && *place <= 0) {
+    interpreter.error(value, fmt::format("material: ior must be greater than 0, not {}", in_quotes(value)),
+                      "air is 1, water 1.33, glass 1.5");
+    return false;
+  }
+  return true;
+}
+
+// Extra numbers have no fixed meaning and come from programs with other ranges: they are brought into range.
+void apply_extra(MaterialExtra meaning, double value, MirrorAndGlass& terms) {
+  double const share = std::clamp(value, 0.0, 1.0);
+  switch (meaning) {
+    case MaterialExtra::reflectance:
+      terms.reflect = share;
+      break;
+    case MaterialExtra::transmittance:
+      terms.transmit = share;
+      break;
+    case MaterialExtra::opacity:
+      terms.transmit = 1 - share;
+      break;
+    case MaterialExtra::ior:
+      terms.ior = value > 0 ? value : 1;
+      break;
+    case MaterialExtra::ignore:
+      break;
+  }
+}
+
+bool read_extras(Interpreter& interpreter, std::span<Token const> tokens, MirrorAndGlass& terms) {
+  auto const& meanings = interpreter.options.material_extras;
+  std::array<double, most_numbers - number_count> values{};
+  if (!read_numbers(interpreter, tokens, values)) return false;
+  Token const at = span_of(tokens.front(), tokens.back());
+  std::string const count = fmt::format("{} number{} behind m", tokens.size(), tokens.size() == 1 ? "" : "s");
+  if (meanings.size() < tokens.size()) {
+    std::size_t const named = meanings.size();
+    bool const accepted = interpreter.dialect_warning(
+        span_of(tokens[named], tokens.back()),
+        named == 0 ? fmt::format("material: {}, ignored", count)
+                   : fmt::format("material: {}, only the first {} named by --material-extras", count, named),
+        "--material-extras says what they mean, e.g. --material-extras reflectance,ior");
+    if (!accepted) return false;
+  } else if (!interpreter.dialect(at, "a material with " + count)) {
+    return false;
+  }
+  for (std::size_t i = 0; i < std::min(meanings.size(), tokens.size()); ++i) {
+    apply_extra(meanings[i], values[i], terms);
+  }
+  if (!meanings.empty() && terms.reflect.value_or(0) + terms.transmit.value_or(0) > 1) {
+    interpreter.warning(at,
+                        "material: mirror and glass take more than all light; the mirror gets what the glass leaves");
+    terms.reflect = 1 - *terms.transmit;
+  }
+  return true;
+}
+
+bool read_material(Interpreter& interpreter, Statement const& statement) {
+  auto const& arguments = statement.arguments;
+  auto const first_key = std::find_if(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end(),
+                                      [](Token token) { return token.find('=') != Token::npos; });
+  auto const positional = static_cast<std::size_t>(first_key - arguments.begin());
+  if (positional < 1 + number_count || positional > 1 + most_numbers) {
+    report_wrong_count(interpreter, {statement.what, statement.keyword, arguments.first(positional)}, signature);
+    return false;
+  }
+
+  std::array<double, number_count> v{};
+  MirrorAndGlass terms;
+  bool good = read_numbers(interpreter, arguments.subspan(1, number_count), v);
+  if (positional > 1 + number_count) {
+    good &= read_extras(interpreter, arguments.subspan(1 + number_count, positional - 1 - number_count), terms);
+  }
+  // A key says it clearly, so it wins over an extra number.
+  MirrorAndGlass keys;
+  for (Token const argument : arguments.subspan(positional)) good &= read_key(interpreter, argument, keys);
+  if (good && v[9] < 0) {
+    interpreter.error(arguments[number_count],
+                      fmt::format("material: m must not be negative, not {}", in_quotes(arguments[number_count])));
+    good = false;
+  }
+  if (!good) return false;
+
+  auto material = std::make_shared<Material>(std::string(arguments[0]), Rgb(v[0], v[1], v[2]), Rgb(v[3], v[4], v[5]),
+                                             Rgb(v[6], v[7], v[8]), v[9]);
+  double const reflect = keys.reflect.value_or(terms.reflect.value_or(0));
+  double const transmit = keys.transmit.value_or(terms.transmit.value_or(0));
+  if (reflect + transmit > 1) {
+    interpreter.error(span_of(*first_key, arguments.back()), "material: reflect + transmit must not exceed 1");
+    return false;
+  }
+  material->set_mirror_and_glass(reflect, transmit, keys.ior.value_or(terms.ior.value_or(1)));
+  interpreter.define(arguments[0], std::move(material));
+  return true;
+}
+
+}  // namespace
+
+void define_material(Interpreter& interpreter, Statement const& statement) {
+  if (!read_material(interpreter, statement) && statement.size() > 0) {
+    interpreter.mark_faulty(Kind::material, statement[0]);
+  }
+}
+
+}  // namespace lichtraum::esdf

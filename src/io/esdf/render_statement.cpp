@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "core/parse_number.hpp"
+#include "io/esdf/interpreter.hpp"
+#include "io/esdf/statements.hpp"
+
+// render <camera> <file> [<x-res> <y-res>]
+// Dialects: samples and depth behind the resolution, a file name in pieces, a camera that is missing or not defined, a
+// file that `define filename` gave.
+
+namespace lichtraum::esdf {
+namespace {
+
+constexpr std::string_view usage = "render <camera> <file> [<width> <height>]";
+
+/// The statement's parts. An empty token is not there.
+struct Parts {
+  Token camera;
+  std::span<Token const> file;  ///< more than one token: pieces of one name
+  std::span<Token const> numbers;
+};
+
+Parts split(Interpreter const& interpreter, std::span<Token const> arguments) {
+  auto const camera_exists = [&](Token name) {
+    return interpreter.scene.cameras.contains(name) || interpreter.is_faulty(Kind::camera, name);
+  };
+  // By position wherever that makes sense: any token may be a name, also a number.
+  bool const is_plain = arguments.size() == 2 ||
+                        (arguments.size() == 4 && looks_like_number(arguments[2]) && looks_like_number(arguments[3]));
+  if (is_plain && (camera_exists(arguments[0]) || !looks_like_number(arguments[1]))) {
+    return {arguments[0], arguments.subspan(1, 1), arguments.subspan(2)};
+  }
+  std::size_t words = arguments.size();
+  while (words > 0 && looks_like_number(arguments[words - 1])) --words;
+  std::span<Token const> const numbers = arguments.subspan(words);
+  if (words == 0) return {Token(), {}, numbers};
+  bool const has_camera = words > 1 || camera_exists(arguments[0]) || arguments[0].find('.') == Token::npos;
+  if (!has_camera) return {Token(), arguments.first(1), numbers};
+  std::size_t const file_words = words - 1;
+  // 'render eye 7' and 'render eye 7 640 480' draw to a file called 7.
+  bool const file_is_number = file_words == 0 && (numbers.size() == 1 || numbers.size() == 3);
+  if (file_is_number) return {arguments[0], numbers.first(1), numbers.subspan(1)};
+  return {arguments[0], arguments.subspan(1, file_words), numbers};
+}
+
+/// Null, after a report, when the camera is neither there nor obvious.
+Camera const* find_camera(Interpreter& interpreter, Statement const& statement, Token name) {
+  auto const& cameras = interpreter.scene.cameras;
+  if (Camera const* const camera = name.empty() ? nullptr : cameras.find(name)) return camera;
+  if (!name.empty() && interpreter.is_faulty(Kind::camera, name)) return nullptr;
+  if (cameras.size() == 1) {
+    std::string const only = in_quotes(cameras.front().name());
+    bool const accepted =
+        name.empty() ? interpreter.dialect_warning(statement.keyword, "render: no camera is named",
+                                                   fmt::format("the only one is taken: {}", only))
+                     : interpreter.dialect_warning(name, fmt::format("camera {} is not defined", in_quotes(name)),
+                                                   fmt::format("the only one is taken: {}", only));
+    return accepted ? &cameras.front() : nullptr;
+  }
+  if (!name.empty()) {
+    interpreter.report_undefined("camera", Kind::camera, name, cameras);
+  } else {
+    interpreter.error(place_behind(statement.keyword), "render: no camera is named", std::string(usage));
+  }
+  return nullptr;
+}
+
+/// The file's name as one piece. nullopt, after a report, when that cannot be meant.
+std::optional<std::string> join_file(Interpreter& interpreter, Statement const& statement, Parts const& parts) {
+  if (parts.file.empty()) {
+    if (!interpreter.scene.filename.empty()) {
+      if (!interpreter.dialect(statement.keyword, "a render without a file name")) return std::nullopt;
+      return interpreter.scene.filename;
+    }
+    interpreter.error(place_behind(parts.camera.empty() ? statement.keyword : parts.camera),
+                      "render: the file name is missing", std::string(usage));
+    return std::nullopt;
+  }
+  std::string joined;
+  for (Token const piece : parts.file) joined += piece;
+  if (parts.file.size() == 1) return joined;
+
+  Token const at = span_of(parts.file.front(), parts.file.back());
+  auto const number = std::find_if(parts.file.begin(), parts.file.end(), looks_like_number);
+  if (number != parts.file.end() || joined.find('.') == std::string::npos) {
+    Token const odd =
+        number != parts.file.end() ? *std::find_if_not(number, parts.file.end(), looks_like_number) : parts.file[1];
+    interpreter.error(odd, fmt::format("render: {} does not belong here", in_quotes(odd)), std::string(usage));
+    return std::nullopt;
+  }
+  if (!interpreter.dialect_warning(at, "render: the file name has blanks in it",
+                                   fmt::format("taken as {}", in_quotes(joined)))) {
+    return std::nullopt;
+  }
+  return joined;
+}
+
+bool read_extra_numbers(Interpreter& interpreter, std::span<Token const> extra, RenderCommand& command) {
+  Token const at = span_of(extra.front(), extra.back());
+  if (!interpreter.dialect_warning(at, extra.size() == 1
+                                           ? "render: one more number, taken as samples per pixel"
+                                           : "render: more numbers, taken as samples per pixel and depth")) {
+    return false;
+  }
+  auto const samples = read_whole_number(interpreter, extra[0], "the number of samples", 0);
+  if (!samples) return false;
+  if (*samples > 0) command.samples = samples;
+  if (extra.size() == 1) return true;
+  command.depth = read_whole_number(interpreter, extra[1], "the depth", 0);
+  return command.depth.has_value();
+}
+
+}  // namespace
+
+void render(Interpreter& interpreter, Statement const& statement) {
+  Parts const parts = split(interpreter, statement.arguments);
+  auto const file = join_file(interpreter, statement, parts);
+  if (!file) return;
+  if (parts.numbers.size() == 1 || parts.numbers.size() > 4) {
+    interpreter.error(
+        parts.numbers.size() == 1 ? place_behind(statement.last()) : span_of(parts.numbers[4], parts.numbers.back()),
+        fmt::format("render: expected 2 numbers, found {}", parts.numbers.size()), std::string(usage));
+    return;
+  }
+  Camera const* const camera = find_camera(interpreter, statement, parts.camera);
+
+  RenderCommand command;
+  command.file = *file;
+  if (!parts.numbers.empty()) {
+    command.resolution = read_resolution(interpreter, parts.numbers[0], parts.numbers[1]);
+    if (!command.resolution) return;
+    if (parts.numbers.size() > 2 && !read_extra_numbers(interpreter, parts.numbers.subspan(2), command)) return;
+  }
+  if (!camera) return;
+  command.camera = camera->name();
+  if (!command.resolution && !camera->resolution() && !interpreter.scene.resolution) {
+    interpreter.error(place_behind(statement.last()), "render: neither this statement nor the camera has a resolution",
+                      std::string(usage));
+    return;
+  }
+  interpreter.render(std::move(command));
+}
+
+}  // namespace lichtraum::esdf

@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include "core/read_file.hpp"
+#include "io/esdf/foreign_file.hpp"
+#include "io/esdf/interpreter.hpp"
+#include "lichtraum/esdf.hpp"
+
+namespace lichtraum {
+
+/// The result of one run over the text, and what is needed to run again for an animation.
+struct EsdfScript::State {
+  EsdfOptions options;
+  std::string text;  ///< empty when the scene does not change between its renders
+  esdf::Source source;
+  Scene scene;
+  std::vector<Diagnostic> diagnostics;
+  bool is_animated = false;
+};
+
+EsdfScript::EsdfScript(std::unique_ptr<State> state) : state_(std::move(state)) {}
+EsdfScript::~EsdfScript() = default;
+EsdfScript::EsdfScript(EsdfScript&&) noexcept = default;
+EsdfScript& EsdfScript::operator=(EsdfScript&&) noexcept = default;
+
+EsdfScript EsdfScript::from_file(std::filesystem::path const& path, EsdfOptions const& options) {
+  std::filesystem::path const folder = path.has_parent_path() ? path.parent_path() : ".";
+  return from_text(read_file(path), path.string(), options, folder);
+}
+
+EsdfScript EsdfScript::from_text(std::string text, std::string name, EsdfOptions const& options,
+                                 std::filesystem::path const& folder) {
+  // Nothing of a foreign file is worth keeping, so options.keep_going changes nothing here.
+  if (auto const foreign = esdf::recognise_foreign_file(text)) {
+    throw SceneError({Diagnostic{Severity::error, {std::move(name), 1, 0}, 1, foreign->message, {}, foreign->hint}});
+  }
+  auto state = std::make_unique<State>();
+  state->options = options;
+  state->text = std::move(text);
+  esdf::normalise_line_breaks(state->text);
+  state->source = {state->text, std::move(name), folder, mesh_formats()};
+
+  esdf::Interpreter interpreter(state->source, state->options);
+  interpreter.run();
+  state->diagnostics = interpreter.take_diagnostics();
+  if (interpreter.has_errors() && !options.keep_going) throw SceneError(std::move(state->diagnostics));
+  state->scene = std::move(interpreter.scene);
+  state->is_animated = interpreter.is_animated();
+  if (!state->is_animated) {
+    state->source.text = {};
+    state->text = {};
+  }
+  return EsdfScript(std::move(state));
+}
+
+std::vector<Diagnostic> const& EsdfScript::diagnostics() const { return state_->diagnostics; }
+
+Scene const& EsdfScript::scene() const { return state_->scene; }
+
+Scene EsdfScript::take_scene() && { return std::move(state_->scene); }
+
+void EsdfScript::play(std::function<bool(Scene const&, RenderCommand const&)> const& draw) const {
+  if (state_->is_animated) {
+    esdf::Interpreter(state_->source, state_->options).run(&draw);
+    return;
+  }
+  for (RenderCommand const& command : state_->scene.renders) {
+    if (!draw(state_->scene, command)) return;
+  }
+}
+
+Scene load_esdf(std::filesystem::path const& path, EsdfOptions const& options) {
+  return EsdfScript::from_file(path, options).take_scene();
+}
+
+}  // namespace lichtraum

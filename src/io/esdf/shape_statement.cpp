@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "core/ascii.hpp"
+#include "io/esdf/interpreter.hpp"
+#include "io/esdf/mesh_statement.hpp"
+#include "io/esdf/statements.hpp"
+#include "lichtraum/shapes.hpp"
+
+// define shape sphere <name> [center] <radius> <material>
+// define shape box <name> [p1] [p2] <material>
+// define shape triangle <name> [a] [b] [c] <material>
+// define shape composite <name> <child> ...
+
+namespace lichtraum::esdf {
+namespace {
+
+Signature const sphere_signature{{{"the center", 3}, {"the radius", 1}}, true};
+Signature const box_signature{{{"p1", 3}, {"p2", 3}}, true};
+Signature const triangle_signature{{{"a", 3}, {"b", 3}, {"c", 3}}, true};
+
+/// Name, N numbers, material: the numbers. Reports what is wrong.
+template <std::size_t N>
+bool read_primitive(Interpreter& interpreter, Statement const& statement, Signature const& signature,
+                    std::array<double, N>& values) {
+  if (statement.size() == N + 2 && read_numbers(interpreter, statement.arguments.subspan(1, N), values)) return true;
+  if (statement.size() != N + 2) report_wrong_count(interpreter, statement, signature);
+  if (statement.size() > 0) interpreter.mark_faulty(Kind::shape, statement[0]);
+  return false;
+}
+
+void define_sphere(Interpreter& interpreter, Statement const& statement) {
+  std::array<double, 4> v{};
+  if (!read_primitive(interpreter, statement, sphere_signature, v)) return;
+  double const radius = std::abs(v[3]);
+  bool good = radius > 0;
+  if (!good) {
+    interpreter.error(statement[4], "sphere: the radius must not be 0");
+  } else if (v[3] < 0) {
+    good = interpreter.dialect_warning(statement[4], fmt::format("sphere: the radius {} is negative", statement[4]),
+                                       "its absolute value is taken");
+  }
+  if (!good) {
+    interpreter.mark_faulty(Kind::shape, statement[0]);
+    return;
+  }
+  interpreter.define(statement[0], std::make_shared<Sphere>(std::string(statement[0]), Vec3(v[0], v[1], v[2]), radius,
+                                                            interpreter.material(statement[5])));
+}
+
+void define_box(Interpreter& interpreter, Statement const& statement) {
+  std::array<double, 6> v{};
+  if (!read_primitive(interpreter, statement, box_signature, v)) return;
+  interpreter.define(statement[0], std::make_shared<Box>(std::string(statement[0]), Vec3(v[0], v[1], v[2]),
+                                                         Vec3(v[3], v[4], v[5]), interpreter.material(statement[7])));
+}
+
+void define_triangle(Interpreter& interpreter, Statement const& statement) {
+  std::array<double, 9> v{};
+  if (!read_primitive(interpreter, statement, triangle_signature, v)) return;
+  interpreter.define(statement[0], std::make_shared<Triangle>(std::string(statement[0]), Vec3(v[0], v[1], v[2]),
+                                                              Vec3(v[3], v[4], v[5]), Vec3(v[6], v[7], v[8]),
+                                                              interpreter.material(statement[10])));
+}
+
+// Children are looked up now, and a composite is complete when it becomes visible to others: no cycle can come about.
+void define_composite(Interpreter& interpreter, Statement const& statement) {
+  if (statement.size() < 2) {
+    interpreter.error(place_behind(statement.last()),
+                      fmt::format("composite: expected a name and at least one child, found {}",
+                                  statement.size() == 0 ? "nothing" : "no child"));
+    if (statement.size() > 0) interpreter.mark_faulty(Kind::shape, statement[0]);
+    return;
+  }
+  Token const name = statement[0];
+  Composite::Children children;
+  children.reserve(statement.size() - 1);
+  for (Token const child : statement.arguments.subspan(1)) {
+    if (auto const* const shape = interpreter.scene.shapes.find(child)) {
+      children.push_back(*shape);
+    } else if (child == name) {
+      interpreter.error(child, fmt::format("composite {} cannot contain itself", in_quotes(name)));
+    } else if (!interpreter.is_faulty(Kind::shape, child)) {
+      interpreter.report_undefined("shape", Kind::shape, child, interpreter.scene.shapes);
+    }
+  }
+  interpreter.define(name, std::make_shared<Composite>(std::string(name), std::move(children)));
+}
+
+void refuse_shape(Interpreter& interpreter, Statement const& statement) {
+  interpreter.error(statement.keyword, fmt::format("a {} is not supported", statement.what),
+                    "the shapes are sphere, box, triangle and composite");
+  if (statement.size() > 0) interpreter.mark_faulty(Kind::shape, statement[0]);
+}
+
+constexpr Keyword shape_table[] = {
+    {"triangle", define_triangle},     {"sphere", define_sphere},     {"box", define_box},
+    {"composite", define_composite},   {"mesh", define_mesh},         {"obj", define_obj, false},
+    {"cylinder", refuse_shape, false}, {"cone", refuse_shape, false}, {"plane", refuse_shape, false},
+};
+
+std::string hint_for_unknown_kind(Interpreter& interpreter, Statement const& statement) {
+  std::vector<std::string_view> known;
+  for (Keyword const& keyword : shape_kinds()) known.push_back(keyword.word);
+  std::string const lower = to_lower_ascii(statement[0]);
+  if (lower != statement[0] && find_keyword(shape_kinds(), lower)) return "keywords are lower case: " + lower;
+  std::string hint = interpreter.suggest(statement[0], known);
+  return hint.empty() ? "the shapes are sphere, box, triangle and composite" : hint;
+}
+
+}  // namespace
+
+std::span<Keyword const> shape_kinds() { return shape_table; }
+
+void define_shape(Interpreter& interpreter, Statement const& statement) {
+  if (statement.arguments.empty()) {
+    interpreter.error(place_behind(statement.keyword), "shape: expected what kind of shape, found nothing",
+                      "the shapes are sphere, box, triangle and composite");
+    return;
+  }
+  Token const word = statement[0];
+  Statement const inner{word, word, statement.arguments.subspan(1)};
+  Keyword const* const kind = find_keyword(shape_table, word);
+  if (kind && kind->execute == refuse_shape) {
+    refuse_shape(interpreter, inner);
+  } else if (kind && (kind->is_standard || interpreter.dialect(word, fmt::format("'define shape {}'", word)))) {
+    kind->execute(interpreter, inner);
+  } else {
+    if (!kind) {
+      interpreter.error(word, fmt::format("unknown shape {}", in_quotes(word)),
+                        hint_for_unknown_kind(interpreter, statement));
+    }
+    if (inner.size() > 0) interpreter.mark_faulty(Kind::shape, inner[0]);
+  }
+}
+
+}  // namespace lichtraum::esdf

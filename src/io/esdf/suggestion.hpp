@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/edit_distance.hpp"
+
+namespace lichtraum::esdf {
+
+/// Finds what somebody probably meant. Looks at a bounded number of names in its life, so that a file with many
+/// mistakes and many names costs no more than a file with one.
+class Suggester {
+ public:
+  /// Takes a name into account for the word being looked for.
+  void consider(std::string_view name) {
+    if (budget_ == 0) return;
+    --budget_;
+    std::size_t const distance = edit_distance(word_, name, limit_);
+    if (distance < best_distance_) {
+      best_distance_ = distance;
+      best_ = name;
+    }
+  }
+  template <class Names>
+  void consider_all(Names const& names) {
+    for (auto const& item : names) {
+      if (budget_ == 0) return;
+      if constexpr (requires { item->name(); }) {
+        consider(item->name());
+      } else if constexpr (requires { item.name(); }) {
+        consider(item.name());
+      } else {
+        consider(item);
+      }
+    }
+  }
+
+  /// Starts a search for `word`, which must outlive it.
+  void look_for(std::string_view word) {
+    word_ = word;
+    // One slip in three letters, at most three: 'bleu' is blue, 'box' is not 'row'.
+    limit_ = std::min<std::size_t>(std::max<std::size_t>(word.size() / 3, 1), 3);
+    if (word.size() < 2) limit_ = 0;
+    best_distance_ = limit_ + 1;
+    best_ = {};
+  }
+  /// The nearest name considered, or an empty text.
+  std::string_view best() const { return best_; }
+
+ private:
+  std::size_t budget_ = 1'000'000;
+  std::size_t limit_ = 0;
+  std::size_t best_distance_ = 0;
+  std::string_view word_;
+  std::string_view best_;
+};
+
+std::string did_you_mean(std::string_view name);
+
+}  // namespace lichtraum::esdf

@@ -10,6 +10,7 @@
 #define DEVICE_STRUCT_SIZE(type, bytes) typedef char size_of_##type##_is_##bytes[(sizeof(type) == (bytes)) ? 1 : -1]
 #define DEVICE_NAMESPACE_BEGIN
 #define DEVICE_NAMESPACE_END
+#define SHARED_FUNCTION static inline
 
 #else
 
@@ -18,6 +19,7 @@
 #define DEVICE_STRUCT_SIZE(type, bytes) static_assert(sizeof(type) == (bytes), "size differs from the device's " #type)
 #define DEVICE_NAMESPACE_BEGIN namespace lichtraum::device {
 #define DEVICE_NAMESPACE_END }
+#define SHARED_FUNCTION inline
 
 namespace lichtraum::device {
 using uint = std::uint32_t;

@@ -29,9 +29,15 @@ struct DeviceList {
   std::vector<std::string> warnings;  ///< why a platform or device cannot be used, and what to install
 };
 
-/// Looks at every OpenCL platform. Platforms known to abort the whole process are tried in a child process first, where
-/// that could happen. Never throws for a broken platform: it is left out, with a warning.
-DeviceList find_devices();
+enum class ProbeInChild {
+  when_suspicious,  ///< costs nothing where no platform is known to abort its process
+  always,           ///< 30 ms more
+};
+
+/// Looks at every OpenCL platform. PoCL aborts the whole process when it cannot read /sys or memory is short, so the
+/// platforms are tried in a child process first where that could happen. Never throws for a broken platform: it is left
+/// out, with a warning.
+DeviceList find_devices(ProbeInChild probe = ProbeInChild::when_suspicious);
 
 /// `selector`: empty (the best), an index, "cpu", "gpu", "reference", or a part of a device's name in any case.
 /// Throws Error{no_device} that lists what there is.

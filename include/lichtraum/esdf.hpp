@@ -23,9 +23,9 @@ enum class MaterialExtra { reflectance, transmittance, opacity, ior, ignore };
 struct EsdfOptions {
   TransformOrder transform_order = TransformOrder::parent;
   RotationSense rotation = RotationSense::right;
-  bool strict = false;      ///< the standard and lichtraum's key=value extensions only, no dialects
-  bool keep_going = false;  ///< leave faulty statements out instead of failing
-  std::vector<MaterialExtra> material_extras;        ///< empty: extra numbers are ignored with a warning
+  bool strict = false;                         ///< the standard and lichtraum's key=value extensions only, no dialects
+  bool keep_going = false;                     ///< leave faulty statements out instead of failing
+  std::vector<MaterialExtra> material_extras;  ///< empty: extra numbers are ignored with a warning
   std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the scene's that may be read
   std::size_t max_diagnostics = 100;
 };

@@ -18,9 +18,9 @@ struct ImageEncoding {
 
 /// One row of the table of picture formats.
 struct ImageFormat {
-  std::string_view name;                   ///< "png"
+  std::string_view name;                     ///< "png"
   std::vector<std::string_view> extensions;  ///< lower case with the dot: {".jpg", ".jpeg"}
-  bool is_linear_float;                    ///< stores radiance as it is: neither tone map nor transfer apply
+  bool is_linear_float;                      ///< stores radiance as it is: neither tone map nor transfer apply
   std::string (*encode)(Image const& image, ImageEncoding const& encoding);  ///< the file's bytes
 };
 

@@ -50,6 +50,13 @@ struct RayCounts {
   std::uint64_t secondary = 0;    ///< mirror and glass
   std::uint64_t camera_hits = 0;  ///< camera rays that hit something
   std::uint64_t total() const { return camera + shadow + secondary; }
+  RayCounts& operator+=(RayCounts const& other) {
+    camera += other.camera;
+    shadow += other.shadow;
+    secondary += other.secondary;
+    camera_hits += other.camera_hits;
+    return *this;
+  }
 };
 
 struct RenderStatistics {
@@ -64,6 +71,7 @@ struct SceneStatistics {
   std::uint64_t instances = 0;
   std::uint64_t bvh_nodes = 0;
   std::uint64_t device_bytes = 0;
+  std::uint64_t unrepresentable = 0;  ///< primitives left out because their coordinates do not fit the device's floats
   double flatten_ms = 0;
   double build_ms = 0;   ///< acceleration structures
   double upload_ms = 0;  ///< to the device
@@ -71,8 +79,8 @@ struct SceneStatistics {
 
 /// Called from the thread that renders, several times a second.
 struct RenderProgress {
-  double fraction = 0;       ///< 0..1
-  std::uint64_t rays = 0;    ///< so far
+  double fraction = 0;     ///< 0..1
+  std::uint64_t rays = 0;  ///< so far
   double elapsed_seconds = 0;
 };
 /// Returns false to stop: render then returns with `complete` false.
@@ -99,8 +107,8 @@ class Renderer {
   virtual Vec3 bounds_min() const = 0;
   virtual Vec3 bounds_max() const = 0;
 
-  /// Traces request.region of the picture into `image` (size: request.resolution; other pixels are left alone). The same
-  /// request gives the same bytes, however the work is cut. When stopped early, finished tiles are in `image`, the
+  /// Traces request.region of the picture into `image` (size: request.resolution; other pixels are left alone). The
+  /// same request gives the same bytes, however the work is cut. When stopped early, finished tiles are in `image`, the
   /// others are black and `result.complete` is false.
   virtual RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress = {}) = 0;
 };

@@ -31,11 +31,11 @@ struct Scene {
   Registry<std::shared_ptr<Shape>> shapes;
   Registry<Light> lights;
   Registry<Camera> cameras;
-  Rgb background{0};                    ///< what a ray sees that hits nothing
-  ToneMap tone_map = ToneMap::none;     ///< what `automatic` means for this scene
-  std::optional<Resolution> resolution; ///< for cameras and renders that give none
-  std::string filename;                 ///< for renders that give none; may be empty
-  std::vector<RenderCommand> renders;   ///< in the order written
+  Rgb background{0};                     ///< what a ray sees that hits nothing
+  ToneMap tone_map = ToneMap::none;      ///< what `automatic` means for this scene
+  std::optional<Resolution> resolution;  ///< for cameras and renders that give none
+  std::string filename;                  ///< for renders that give none; may be empty
+  std::vector<RenderCommand> renders;    ///< in the order written
 
   /// What is drawn: every shape that no composite of this scene names, in the order of definition.
   std::vector<std::shared_ptr<Shape const>> roots() const;

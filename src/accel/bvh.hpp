@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "scene/bounds.hpp"
+#include "shared/bvh.h"
+
+namespace lichtraum {
+
+/// A primitive as the builder sees it.
+struct BuildPrimitive {
+  Bounds bounds;  ///< finite
+  device::PrimitiveReference reference;
+};
+
+/// The canonical hierarchy of one object: binary, with its root at nodes[0]. Nodes lie in depth-first order, and each
+/// leaf's references next to each other. Without primitives the root has two absent children.
+struct Bvh {
+  std::vector<device::BvhNode> nodes;
+  std::vector<device::PrimitiveReference> references;
+  Bounds bounds;
+};
+
+/// Top-down with the surface area heuristic over bins of centroids (Wald 2007, "On fast construction of SAH-based
+/// bounding volume hierarchies"), on every core. The same tree whatever the number of threads; no path of it is longer
+/// than BVH_MAX_DEPTH. Takes O(n log n) time for any input, identical primitives included. Reorders its argument.
+Bvh build_bvh(std::vector<BuildPrimitive>&& primitives);
+
+}  // namespace lichtraum

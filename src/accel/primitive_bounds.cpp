@@ -1,0 +1,64 @@
+#include "accel/primitive_bounds.hpp"
+
+namespace lichtraum {
+namespace {
+
+/// Matrices reach the device rounded to float: pad by what that can move a point.
+constexpr double matrix_rounding = 1e-6;
+
+Vec3 vec3(float const (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+Transform host_transform(device::AffineTransform const& t) {
+  auto const row = [](device::float4 const& r) { return glm::dvec4(r.x, r.y, r.z, r.w); };
+  return Transform::from_matrix(glm::transpose(Mat4(row(t.row_x), row(t.row_y), row(t.row_z), glm::dvec4(0, 0, 0, 1))));
+}
+
+Bounds around(Vec3 const& center, Vec3 const& extent) {
+  Vec3 const padded = extent + matrix_rounding * (extent + glm::abs(center));
+  Bounds bounds;
+  bounds.add(center - padded);
+  bounds.add(center + padded);
+  return bounds;
+}
+
+/// The extent along each axis of the mapped box that reaches `extent` from its centre.
+Vec3 mapped_extent(Mat3 const& m, Vec3 const& extent) {
+  return glm::abs(m[0]) * extent.x + glm::abs(m[1]) * extent.y + glm::abs(m[2]) * extent.z;
+}
+
+}  // namespace
+
+Bounds bounds_of(device::TrianglePrimitive const& triangle) {
+  Bounds bounds;
+  for (auto const& vertex : triangle.vertices) bounds.add(vec3(vertex));
+  return bounds;
+}
+
+Bounds bounds_of(device::SpherePrimitive const& sphere) {
+  // The device finds hits up to its own rounding away from the exact sphere.
+  return around(vec3(sphere.center), Vec3(sphere.radius));
+}
+
+Bounds bounds_of(device::EllipsoidPrimitive const& ellipsoid) {
+  Transform const object_from_unit = host_transform(ellipsoid.unit_from_object).inverse();
+  // The image of the unit ball reaches as far along an axis as the matrix's row is long.
+  Mat3 const rows = glm::transpose(Mat3(object_from_unit.matrix()));
+  Vec3 const extent(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
+  return around(object_from_unit.point(Vec3(0)), extent);
+}
+
+Bounds bounds_of(device::BoxPrimitive const& box) {
+  Transform const object_from_box = host_transform(box.box_from_object).inverse();
+  Vec3 const min = vec3(box.min), max = vec3(box.max);
+  Vec3 const extent = mapped_extent(Mat3(object_from_box.matrix()), 0.5 * (max - min));
+  return around(object_from_box.point(0.5 * (min + max)), extent);
+}
+
+Bounds map_bounds(Transform const& world_from_object, Bounds const& object_bounds) {
+  if (object_bounds.is_empty()) return {};
+  Vec3 const min = vec3(object_bounds.min), max = vec3(object_bounds.max);
+  Vec3 const extent = mapped_extent(Mat3(world_from_object.matrix()), 0.5 * (max - min));
+  return around(world_from_object.point(0.5 * (min + max)), extent);
+}
+
+}  // namespace lichtraum

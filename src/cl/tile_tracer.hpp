@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+
+#include "compile/scene_buffers.hpp"
+#include "lichtraum/image.hpp"
+#include "lichtraum/renderer.hpp"
+#include "shared/frame.h"
+
+namespace lichtraum {
+
+/// One OpenCL device with a scene on it, tracing tiles of a picture. No OpenCL type shows.
+class TileTracer {
+ public:
+  /// Throws DeviceError when the device described by `device` is gone or fails.
+  explicit TileTracer(DeviceInfo const& device);
+  ~TileTracer();
+
+  /// Makes the scene the device's own. CPU devices read it where it is, without a copy.
+  /// Throws Error{no_device} with the numbers when it does not fit.
+  void upload(SceneBuffers scene);
+  SceneBuffers const& scene() const;
+  std::uint64_t device_bytes() const;
+
+  /// Starts a picture. `image` must stay until end_frame, which makes the device's work visible in it.
+  void begin_frame(device::FrameParameters const& frame, Image& image);
+  /// Traces a tile and waits for it. The tile's first_sample must be 0, or follow on what was traced before.
+  RayCounts trace(device::Tile const& tile);
+  void end_frame();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace lichtraum

@@ -1,0 +1,37 @@
+#include "render/check_request.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "lichtraum/error.hpp"
+
+namespace lichtraum {
+namespace {
+
+void require(bool holds, std::string const& message) {
+  if (!holds) throw Error(ErrorKind::usage, message);
+}
+
+}  // namespace
+
+void check_request(RenderRequest const& request) {
+  auto const [width, height] = request.resolution;
+  require(width > 0 && height > 0, fmt::format("a picture of {}x{} has no pixels", width, height));
+
+  Region const& r = request.region;
+  bool const is_inside =
+      r.x >= 0 && r.y >= 0 && r.width > 0 && r.height > 0 && r.x <= width - r.width && r.y <= height - r.height;
+  require(is_inside, fmt::format("the region {},{},{},{} does not lie in the picture of {}x{}", r.x, r.y, r.width,
+                                 r.height, width, height));
+
+  int const count = request.sampling.count;
+  require(count > 0, fmt::format("{} samples per pixel: at least 1 is needed", count));
+  if (request.sampling.pattern == Sampling::Pattern::grid) {
+    auto const side = int(std::lround(std::sqrt(double(count))));
+    require(std::int64_t(side) * side == count, fmt::format("a grid of {} samples is no square", count));
+  }
+  require(request.max_depth >= 0, fmt::format("a depth of {} is negative", request.max_depth));
+}
+
+}  // namespace lichtraum

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "lichtraum/renderer.hpp"
+
+namespace lichtraum {
+
+/// Throws Error{usage} that says what makes no sense: a picture without pixels, a region outside it, no samples, a grid
+/// whose count is no square, a negative depth.
+void check_request(RenderRequest const& request);
+
+}  // namespace lichtraum

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "lichtraum/scene.hpp"
+
+namespace lichtraum {
+
+/// All roots of the scene, or the shape called `root` alone when that is not empty. Throws Error{usage} for an unknown
+/// name.
+std::vector<std::shared_ptr<Shape const>> drawn_roots(Scene const& scene, std::string_view root);
+
+}  // namespace lichtraum

@@ -1,0 +1,117 @@
+#include "render/opencl_renderer.hpp"
+
+#include <chrono>
+
+#include "cl/tile_tracer.hpp"
+#include "render/drawn_roots.hpp"
+#include "render/frame_parameters.hpp"
+#include "render/tile_plan.hpp"
+#include "scene/flatten.hpp"
+
+namespace lichtraum {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// A tile should take this long: short enough that a user who interrupts does not wait, long enough that launches
+/// (30 microseconds) do not count.
+constexpr double tile_seconds = 0.05;
+/// Pixels times samples of the first tile, when nothing is known about the scene's cost.
+constexpr double first_budget = 1 << 14;
+/// One tile's ray counters take 16 bytes a pixel and should stay in the cache.
+constexpr double max_budget = 1 << 18;
+
+/// How much work the next tile gets, from how long the last one took.
+double next_budget(double budget, double seconds) {
+  double const ideal = budget * tile_seconds / std::max(seconds, 1e-6);
+  return std::clamp(ideal, std::max(64.0, budget / 64), std::min(max_budget, budget * 16));
+}
+
+void clear(Image& image, Region const& region) {
+  for (int y = region.y; y < region.y + region.height; ++y) {
+    std::fill_n(image.pixel(region.x, y), 3 * region.width, 0.0f);
+  }
+}
+
+class OpenClRenderer final : public Renderer {
+ public:
+  explicit OpenClRenderer(DeviceInfo const& device) : device_(device), tracer_(device) {}
+
+  DeviceInfo const& device() const override { return device_; }
+
+  SceneStatistics set_scene(Scene const& scene, std::string_view root) override {
+    scene_ = &scene;
+    SceneStatistics statistics;
+    auto start = Clock::now();
+    FlatScene flat = flatten(drawn_roots(scene, root));
+    statistics.flatten_ms = 1e3 * seconds_since(start);
+
+    start = Clock::now();
+    SceneBuffers buffers = compile_scene(std::move(flat), scene.lights);
+    statistics.build_ms = 1e3 * seconds_since(start);
+    statistics.triangles = buffers.triangles.size();
+    statistics.spheres = buffers.spheres.size() + buffers.ellipsoids.size();
+    statistics.boxes = buffers.boxes.size();
+    statistics.instances = buffers.instances.size();
+    statistics.bvh_nodes = buffers.nodes.size();
+    statistics.unrepresentable = buffers.unrepresentable;
+    light_count_ = device::uint(buffers.lights.size());
+
+    start = Clock::now();
+    tracer_.upload(std::move(buffers));
+    statistics.upload_ms = 1e3 * seconds_since(start);
+    statistics.device_bytes = tracer_.device_bytes();
+    return statistics;
+  }
+
+  Vec3 bounds_min() const override {
+    auto const& min = tracer_.scene().world_bounds.min;
+    return {min[0], min[1], min[2]};
+  }
+  Vec3 bounds_max() const override {
+    auto const& max = tracer_.scene().world_bounds.max;
+    return {max[0], max[1], max[2]};
+  }
+
+  RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress) override {
+    auto const frame = frame_parameters(request, *scene_, tracer_.scene().root_node, light_count_);
+    if (image.size() != request.resolution) image = Image(request.resolution);
+    clear(image, request.region);
+
+    RenderResult result;
+    RayCounts& rays = result.statistics.rays;
+    double const all_rays =
+        double(request.region.width) * double(request.region.height) * double(request.sampling.count);
+    auto const start = Clock::now();
+    tracer_.begin_frame(frame, image);
+    TilePlan plan(request.region, request.sampling.count);
+    double budget = first_budget;
+    while (!plan.is_done() && result.complete) {
+      auto const tile_start = Clock::now();
+      rays += tracer_.trace(plan.next(budget));
+      budget = next_budget(budget, seconds_since(tile_start));
+      if (progress) result.complete = progress({double(rays.camera) / all_rays, rays.total(), seconds_since(start)});
+    }
+    tracer_.end_frame();
+    result.complete = result.complete || plan.is_done();
+    if (!plan.is_between_pixels()) clear(image, plan.current_pixels());
+    result.statistics.trace_ms = 1e3 * seconds_since(start);
+    return result;
+  }
+
+ private:
+  DeviceInfo device_;
+  TileTracer tracer_;
+  Scene const* scene_ = nullptr;
+  device::uint light_count_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Renderer> make_opencl_renderer(DeviceInfo const& device) {
+  return std::make_unique<OpenClRenderer>(device);
+}
+
+}  // namespace lichtraum

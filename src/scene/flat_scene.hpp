@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lichtraum/scene.hpp"
+#include "scene/bounds.hpp"
+#include "shared/geometry.h"
+
+namespace lichtraum {
+
+/// Primitives in one common frame, in the structs that the device reads.
+struct FlatObject {
+  std::vector<device::TrianglePrimitive> triangles;
+  std::vector<device::SpherePrimitive> spheres;
+  std::vector<device::EllipsoidPrimitive> ellipsoids;
+  std::vector<device::BoxPrimitive> boxes;
+
+  std::size_t primitive_count() const { return triangles.size() + spheres.size() + ellipsoids.size() + boxes.size(); }
+};
+
+/// One occurrence of objects[object] in the world. Instances do not nest.
+struct FlatInstance {
+  std::uint32_t object = 0;
+  Transform world_from_object;
+};
+
+/// The scene graph without the graph: what is drawn, as two levels of plain lists.
+struct FlatScene {
+  /// objects[0] is the world: what occurs once, baked into world space. The others are what instances show.
+  std::vector<FlatObject> objects;
+  std::vector<FlatInstance> instances;
+  /// What PrimitiveTag::material and PrimitiveTag::shape count in. A shape is listed once for each time it was baked.
+  std::vector<std::shared_ptr<Material const>> materials;
+  std::vector<Shape const*> shapes;
+  /// Primitives left out because their coordinates do not fit a float.
+  std::uint64_t unrepresentable = 0;
+};
+
+}  // namespace lichtraum

@@ -1,0 +1,154 @@
+#include "scene/flatten.hpp"
+
+#include <memory>
+
+#include "support/catch.hpp"
+
+using namespace lichtraum;
+
+namespace {
+
+std::shared_ptr<Material> grey() { return std::make_shared<Material>("grey", Rgb(0.1), Rgb(0.5), Rgb(0), 1); }
+
+std::shared_ptr<Sphere> sphere(Vec3 const& center = Vec3(0), double radius = 1) {
+  return std::make_shared<Sphere>("sphere", center, radius, grey());
+}
+
+/// A composite of `count` spheres in a row along x.
+std::shared_ptr<Composite> row_of_spheres(int count) {
+  auto row = std::make_shared<Composite>("row");
+  for (int i = 0; i < count; ++i) row->add(sphere({double(i), 0, 0}, 0.25));
+  return row;
+}
+
+Vec3 center(device::SpherePrimitive const& s) { return {s.center[0], s.center[1], s.center[2]}; }
+
+}  // namespace
+
+TEST_CASE("flatten bakes a sphere under a similarity as a sphere", "[unit][flatten]") {
+  auto shape = sphere({1, 0, 0}, 0.5);
+  shape->rotate(90, {0, 0, 1});
+  shape->scale(-2);  // mirrors as well
+  shape->translate({0, 0, 7});
+  FlatScene const flat = flatten({shape});
+  REQUIRE(flat.objects.size() == 1);
+  REQUIRE(flat.objects[0].spheres.size() == 1);
+  CHECK(glm::distance(center(flat.objects[0].spheres[0]), Vec3(0, -2, 7)) < 1e-6);
+  CHECK(flat.objects[0].spheres[0].radius == 1.0f);
+}
+
+TEST_CASE("flatten bakes a sphere under a per-axis scale as an ellipsoid with its matrix", "[unit][flatten]") {
+  auto shape = sphere({1, 1, 1}, 2);
+  shape->scale(Vec3(1, 2, 4));
+  FlatScene const flat = flatten({shape});
+  REQUIRE(flat.objects[0].spheres.empty());
+  REQUIRE(flat.objects[0].ellipsoids.size() == 1);
+  auto const& m = flat.objects[0].ellipsoids[0].unit_from_object;
+  auto const unit = [&](Vec3 const& p) {
+    auto const row = [&](device::float4 const& r) { return r.x * p.x + r.y * p.y + r.z * p.z + r.w; };
+    return Vec3(row(m.row_x), row(m.row_y), row(m.row_z));
+  };
+  // The centre and the ends of the three axes of the ellipsoid, by hand.
+  CHECK(glm::length(unit({1, 2, 4})) < 1e-6);
+  CHECK(glm::distance(unit({3, 2, 4}), Vec3(1, 0, 0)) < 1e-6);
+  CHECK(glm::distance(unit({1, 6, 4}), Vec3(0, 1, 0)) < 1e-6);
+  CHECK(glm::distance(unit({1, 2, 12}), Vec3(0, 0, 1)) < 1e-6);
+}
+
+TEST_CASE("flatten multiplies matrices down the graph", "[unit][flatten]") {
+  auto shape = sphere();
+  auto inner = std::make_shared<Composite>("inner", Composite::Children{shape});
+  auto outer = std::make_shared<Composite>("outer", Composite::Children{inner});
+  shape->translate({1, 0, 0});
+  inner->scale(3);
+  outer->rotate(90, {0, 0, 1});
+  FlatScene const flat = flatten({outer});
+  REQUIRE(flat.objects[0].spheres.size() == 1);
+  CHECK(glm::distance(center(flat.objects[0].spheres[0]), Vec3(0, 3, 0)) < 1e-6);
+  CHECK(flat.objects[0].spheres[0].radius == 3.0f);
+}
+
+TEST_CASE("flatten makes an object of a composite that occurs several times", "[unit][flatten]") {
+  auto row = row_of_spheres(10);
+  row->translate({0, 0, -5});
+  auto left = std::make_shared<Composite>("left", Composite::Children{row});
+  auto right = std::make_shared<Composite>("right", Composite::Children{row});
+  right->translate({100, 0, 0});
+  FlatScene const flat = flatten({left, right, sphere()});
+  REQUIRE(flat.objects.size() == 2);
+  CHECK(flat.objects[0].spheres.size() == 1);
+  CHECK(flat.objects[1].spheres.size() == 10);
+  CHECK(center(flat.objects[1].spheres[3]) == Vec3(3, 0, 0));
+  REQUIRE(flat.instances.size() == 2);
+  CHECK(flat.instances[0].object == 1);
+  CHECK(flat.instances[0].world_from_object.point(Vec3(0)) == Vec3(0, 0, -5));
+  CHECK(flat.instances[1].world_from_object.point(Vec3(0)) == Vec3(100, 0, -5));
+}
+
+TEST_CASE("flatten copies what is too small to be an object", "[unit][flatten]") {
+  auto row = row_of_spheres(2);
+  auto twice = std::make_shared<Composite>("twice", Composite::Children{row, row});
+  FlatScene const flat = flatten({twice});
+  CHECK(flat.instances.empty());
+  CHECK(flat.objects.size() == 1);
+  CHECK(flat.objects[0].spheres.size() == 4);
+}
+
+TEST_CASE("flatten draws a child once per path", "[unit][flatten]") {
+  // Ten levels of a composite that names the one below twice: 2^10 rows of 8 spheres.
+  std::shared_ptr<Composite> top = row_of_spheres(8);
+  for (int level = 0; level < 10; ++level) {
+    top = std::make_shared<Composite>("level", Composite::Children{top, top});
+  }
+  FlatScene const flat = flatten({top});
+  std::uint64_t drawn = flat.objects[0].primitive_count();
+  for (FlatInstance const& instance : flat.instances) drawn += flat.objects[instance.object].primitive_count();
+  CHECK(drawn == 8 * 1024);
+}
+
+TEST_CASE("flatten refuses a graph that unfolds to more than memory holds", "[unit][flatten]") {
+  std::shared_ptr<Composite> top = row_of_spheres(8);
+  for (int level = 0; level < 1000; ++level) {
+    top = std::make_shared<Composite>("level", Composite::Children{top, top});
+  }
+  try {
+    flatten({top});
+    FAIL("nothing was thrown");
+  } catch (Error const& error) {
+    CHECK(error.kind() == ErrorKind::scene);
+    CHECK(std::string(error.what()).find("more than 10^18") != std::string::npos);
+  }
+}
+
+TEST_CASE("flatten walks a chain of 100,000 composites", "[unit][flatten]") {
+  std::shared_ptr<Shape> top = sphere();
+  for (int level = 0; level < 100'000; ++level) {
+    top = std::make_shared<Composite>("level", Composite::Children{top});
+    if (level % 1000 == 0) top->translate({1, 0, 0});
+  }
+  FlatScene const flat = flatten({top});
+  REQUIRE(flat.objects[0].spheres.size() == 1);
+  CHECK(center(flat.objects[0].spheres[0]) == Vec3(100, 0, 0));
+}
+
+TEST_CASE("flatten leaves out and counts what does not fit a float", "[unit][flatten]") {
+  FlatScene const flat = flatten({sphere({1e300, 0, 0}), sphere()});
+  CHECK(flat.unrepresentable == 1);
+  CHECK(flat.objects[0].spheres.size() == 1);
+}
+
+TEST_CASE("flatten numbers materials once and says which shape a primitive came from", "[unit][flatten]") {
+  auto const red = std::make_shared<Material>("red", Rgb(1, 0, 0), Rgb(1, 0, 0), Rgb(0), 1);
+  auto const blue = std::make_shared<Material>("blue", Rgb(0, 0, 1), Rgb(0, 0, 1), Rgb(0), 1);
+  auto const box = std::make_shared<Box>("box", Vec3(1), Vec3(-1), blue);
+  auto const ball = std::make_shared<Sphere>("ball", Vec3(0), 1, red);
+  auto const triangle = std::make_shared<Triangle>("triangle", Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0), blue);
+  FlatScene const flat = flatten({ball, box, triangle});
+  REQUIRE(flat.materials.size() == 2);
+  FlatObject const& world = flat.objects[0];
+  CHECK(flat.materials[world.spheres[0].tag.material] == red);
+  CHECK(flat.materials[world.boxes[0].tag.material] == blue);
+  CHECK(flat.materials[world.triangles[0].tag.material] == blue);
+  CHECK(flat.shapes[world.boxes[0].tag.shape] == box.get());
+  CHECK(flat.shapes[world.triangles[0].tag.shape] == triangle.get());
+}

@@ -26,6 +26,9 @@ DEVICE_STRUCT_SIZE(PinholeCamera, 64);
 /* Mirrored and refracted rays that can change a pixel by less than this share of what they see are not followed. */
 #define MIN_RAY_WEIGHT 0.0009765625f
 
+/* For FrameParameters.ray_epsilon: 16 rounding units of float, several times what the device code can be off. */
+#define DEFAULT_RAY_EPSILON 9.5367431640625e-7f
+
 /* Everything about the picture that is the same for each of its pixels. */
 typedef struct {
   PinholeCamera camera;

@@ -1,10 +1,11 @@
 /* Pictures: one work-item a pixel of a tile, in a 2D range rounded up to the work-group's size.
  *
- *   film   the whole picture, height x width x 3 floats, row 0 at the top. It holds the sum of the samples so far; they
- *          are added one by one in their order, and with the last of frame->sample_count the mean is taken, tone mapped
- *          and transferred in place. So the bytes are the same however pixels and samples are cut into tiles, as long
- * as each pixel's samples are launched in order, starting with sample 0. rays   how many rays this launch traced, one
- * entry a pixel of the tile, row by row.
+ * `film` is the whole picture, height x width x 3 floats, row 0 at the top. It holds the sum of the samples so far;
+ * they are added one by one in their order, and with the last of frame->sample_count the mean is taken, tone mapped and
+ * transferred in place. So the bytes are the same however pixels and samples are cut into tiles, as long as each
+ * pixel's samples are launched in order, starting with sample 0.
+ *
+ * `rays` says how many rays this launch traced: one entry a pixel of the tile, row by row.
  *
  * An array of the scene without elements may be any buffer, but not null. Compile with -D RAY_STACK_SIZE=n, n >
  * frame->max_depth (8 without). */

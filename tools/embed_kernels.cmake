@@ -3,6 +3,14 @@
 # Writes a C++ file that defines the table declared in src/cl/embedded_kernels.hpp: every program with its includes put
 # in line, each file once. #line directives keep the compiler's messages pointing at the real file and line.
 
+cmake_minimum_required(VERSION 3.22)
+
+# A CMake list splits at semicolons and swallows brackets and backslashes: put them out of the way while there are lines.
+string(ASCII 1 backslash)
+string(ASCII 2 semicolon)
+string(ASCII 3 left_bracket)
+string(ASCII 4 right_bracket)
+
 function(append_with_includes path)
   get_property(seen GLOBAL PROPERTY seen_files)
   file(RELATIVE_PATH name ${KERNEL_DIR} ${path})
@@ -11,11 +19,10 @@ function(append_with_includes path)
   endif()
   set_property(GLOBAL APPEND PROPERTY seen_files ${name})
   file(READ ${path} text)
-  # A CMake list splits at semicolons and swallows brackets and backslashes: put them out of the way while there are lines.
-  string(REPLACE "\\" "\x01" text "${text}")
-  string(REPLACE ";" "\x02" text "${text}")
-  string(REPLACE "[" "\x03" text "${text}")
-  string(REPLACE "]" "\x04" text "${text}")
+  string(REPLACE "\\" "${backslash}" text "${text}")
+  string(REPLACE ";" "${semicolon}" text "${text}")
+  string(REPLACE "[" "${left_bracket}" text "${text}")
+  string(REPLACE "]" "${right_bracket}" text "${text}")
   string(REPLACE "\n" ";" lines "${text}")
   set_property(GLOBAL APPEND_STRING PROPERTY program_text "#line 1 \"${name}\"\n")
   set(number 0)
@@ -39,10 +46,10 @@ foreach(program IN LISTS PROGRAMS)
   set_property(GLOBAL PROPERTY program_text "")
   append_with_includes(${program})
   get_property(text GLOBAL PROPERTY program_text)
-  string(REPLACE "\x01" "\\" text "${text}")
-  string(REPLACE "\x02" ";" text "${text}")
-  string(REPLACE "\x03" "[" text "${text}")
-  string(REPLACE "\x04" "]" text "${text}")
+  string(REPLACE "${backslash}" "\\" text "${text}")
+  string(REPLACE "${semicolon}" ";" text "${text}")
+  string(REPLACE "${left_bracket}" "[" text "${text}")
+  string(REPLACE "${right_bracket}" "]" text "${text}")
   # Compilers limit the length of one string literal, not of what adjacent ones add up to.
   string(REGEX REPLACE "(\n#line )" ")kernel\"\nR\"kernel(\\1" text "${text}")
   string(APPEND cpp "constexpr char ${name}_source[] = R\"kernel(${text})kernel\";\n")

@@ -42,6 +42,7 @@ device::FrameParameters frame_parameters(RenderRequest const& request, Scene con
   frame.light_count = light_count;
   frame.tone_map = device_tone_map(request.tone_map == ToneMap::automatic ? scene.tone_map : request.tone_map);
   frame.transfer = request.transfer == Transfer::srgb ? TRANSFER_SRGB : TRANSFER_LINEAR;
+  frame.ray_epsilon = DEFAULT_RAY_EPSILON;
   frame.root_node = root_node;
   return frame;
 }

@@ -14,10 +14,6 @@
 namespace lichtraum::esdf {
 namespace {
 
-std::string plural(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string listed(std::vector<std::string> const& items, std::string_view last_word) {
   std::string result;
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -34,7 +30,7 @@ std::size_t sum_of(std::initializer_list<Parameter> const& numbers) {
 }
 
 /// "is m missing?", "are Ks and m missing?", "is a part of Kd missing?"
-std::string what_is_missing(Signature const& signature, std::size_t found) {
+std::string what_is_missing(Signature const& signature, std::size_t found, bool has_material) {
   std::vector<std::string> missing;
   std::size_t begin = 0;
   for (Parameter const& parameter : signature.numbers) {
@@ -43,6 +39,7 @@ std::string what_is_missing(Signature const& signature, std::size_t found) {
     if (found > begin && found < end) missing.push_back(fmt::format("a part of {}", parameter.name));
     begin = end;
   }
+  if (signature.takes_material && !has_material) missing.emplace_back("the material");
   if (missing.empty()) return "";
   return fmt::format("{} {} missing?", missing.size() == 1 ? "is" : "are", listed(missing, "and"));
 }
@@ -84,7 +81,9 @@ void report_wrong_count(Interpreter& interpreter, Statement const& statement, Si
                   signature.takes_material ? " and a material" : "");
   if (statement.arguments.empty()) {
     interpreter.error(place_behind(statement.keyword),
-                      fmt::format("{}: expected a name and {}, found nothing", statement.what, wanted));
+                      fmt::format("{}: expected a name{} {}, found nothing", statement.what,
+                                  signature.takes_material ? "," : " and", wanted),
+                      std::string(signature.usage));
     return;
   }
 
@@ -100,25 +99,25 @@ void report_wrong_count(Interpreter& interpreter, Statement const& statement, Si
     return;
   }
 
-  // 'found 5 numbers', 'found 5 numbers and a material', 'found 5 numbers and 3 more words'
-  std::string found = plural(numbers, "number");
-  if (words == 1 && signature.takes_material)
+  // 'found 5', 'found 5 and a material', 'found 5 and 3 more words'
+  std::string found = std::to_string(numbers);
+  if (words == 1 && signature.takes_material) {
     found += " and a material";
-  else if (words == 1)
+  } else if (words == 1) {
     found += fmt::format(" and {}", in_quotes(*first_word));
-  else if (words > 1)
+  } else if (words > 1) {
     found += fmt::format(" and {} more words", words);
+  }
 
   std::string missing;
   Token at;
-  bool const name_is_number = looks_like_number(statement[0]);
-  if (numbers < expected) {
-    missing = name_is_number && numbers + 1 == expected ? "is the name missing?" : what_is_missing(signature, numbers);
+  bool const lacks_number = numbers < expected;
+  if (lacks_number && numbers + 1 == expected && looks_like_number(statement[0])) {
+    missing = "is the name missing?";
+    at = statement[0];
+  } else if (lacks_number || (signature.takes_material && words == 0 && numbers == expected)) {
+    if (words < 2) missing = what_is_missing(signature, numbers, words > 0);  // else a word is wrong, not the count
     at = words > 0 ? *first_word : place_behind(statement.last());
-    if (words > 1) missing.clear();  // what is wrong is the word, not the count
-  } else if (signature.takes_material && words == 0 && numbers == expected) {
-    missing = "is the material missing?";
-    at = place_behind(statement.last());
   } else {
     std::size_t good = expected;
     for (std::size_t const count : signature.other_counts) {
@@ -127,7 +126,7 @@ void report_wrong_count(Interpreter& interpreter, Statement const& statement, Si
     if (numbers == expected && signature.takes_material) ++good;
     at = statement.rest(1 + std::min(good, tokens.size() - 1));
   }
-  std::string hint;
+  std::string hint(signature.usage);
   bool const has_comment = std::any_of(first_word, tokens.end(), [](Token t) { return t.substr(0, 2) == "//"; });
   if (has_comment) hint = "a comment behind a statement starts with '#'";
   interpreter.error(at,

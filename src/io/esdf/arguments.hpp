@@ -44,6 +44,7 @@ struct Signature {
   std::initializer_list<Parameter> numbers;
   bool takes_material = false;
   std::initializer_list<std::size_t> other_counts = {};  ///< numbers that dialects take as well
+  std::string_view usage = {};                           ///< a hint where the count alone says little
 };
 
 /// Reports that `statement` (name, numbers, and a material where there is one) has not what `signature` takes.

@@ -12,7 +12,8 @@
 namespace lichtraum::esdf {
 namespace {
 
-Signature const signature{{{"the opening angle", 1}}, false, {3, 4, 7, 9, 10}};
+Signature const signature{
+    {{"the opening angle", 1}}, false, {3, 4, 7, 9, 10}, "define camera <name> <degrees> [<width> <height>]"};
 
 Vec3 unit(Vec3 const& v) { return v / glm::length(v); }
 

@@ -16,7 +16,10 @@
 namespace lichtraum::esdf {
 namespace {
 
-Signature const sdf_signature{{{"the position", 3}, {"La", 3}, {"Ld", 3}}, false, {7, 6}};
+Signature const sdf_signature{{{"the position", 3}, {"La", 3}, {"Ld", 3}},
+                              false,
+                              {7, 6},
+                              "define light <name> <x> <y> <z> <La: r g b> <Ld: r g b>"};
 Signature const diffuse_signature{{{"the position", 3}, {"Ld", 3}}};
 Signature const ambient_signature{{{"La", 3}}};
 

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lichtraum/esdf.hpp"
+
+namespace lichtraum::test {
+
+/// The scene at the end of `text`; a faulty text fails the test.
+Scene scene_of(std::string const& text, EsdfOptions const& options = {});
+
+/// Everything found in `text`, whether it loads or not. The file is called "s.sdf".
+std::vector<Diagnostic> findings(std::string const& text, EsdfOptions const& options = {});
+
+/// The same as a reader sees it, without the notes on dialects.
+std::string shown(std::string const& text, EsdfOptions const& options = {});
+
+/// Whether `text` loads.
+bool loads(std::string const& text, EsdfOptions const& options = {});
+
+std::size_t count_errors(std::vector<Diagnostic> const& diagnostics);
+
+/// A material "red" and a camera "eye", for scenes that need some.
+extern std::string const red;
+extern std::string const eye;
+
+/// The whole of a file below the project's folder.
+std::string read_project_file(std::filesystem::path const& path);
+
+}  // namespace lichtraum::test

@@ -1,0 +1,149 @@
+#include <string>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/esdf.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+namespace {
+
+struct Case {
+  std::string text;
+  std::string expected;
+};
+
+// esdf_diagnostics.txt: a text, "-->", what is shown for it, "---", the next one.
+std::vector<Case> read_cases() {
+  std::string const file = read_project_file("tests/unit/esdf_diagnostics.txt");
+  std::vector<Case> cases;
+  for (std::size_t at = 0; at < file.size();) {
+    std::size_t const arrow = file.find("-->\n", at);
+    REQUIRE(arrow != std::string::npos);
+    std::size_t const end = file.find("---\n", arrow);
+    cases.push_back({file.substr(at, arrow - at), file.substr(arrow + 4, end - arrow - 4)});
+    at = end == std::string::npos ? file.size() : end + 4;
+  }
+  return cases;
+}
+
+}  // namespace
+
+TEST_CASE("every diagnostic to the column, word and hint", "[unit][esdf]") {
+  auto const cases = read_cases();
+  REQUIRE(cases.size() > 90);
+  for (Case const& c : cases) {
+    INFO(c.text);
+    CHECK(shown(c.text) == c.expected);
+  }
+}
+
+TEST_CASE("no problem hides another one", "[unit][esdf]") {
+  std::string const text =
+      "nonsense\n" + red + "define shape sphere s 0 0 0 red\ntransform s scale 0\n" + eye + "render eye a.png 640\n";
+  auto const found = findings(text);
+  REQUIRE(found.size() == 4);
+  CHECK(found[0].location.line == 1);
+  CHECK(found[1].location.line == 3);
+  CHECK(found[2].location.line == 4);
+  CHECK(found[3].location.line == 6);
+}
+
+TEST_CASE("what refers to a faulty definition is no second error", "[unit][esdf]") {
+  CHECK(findings("define material red 1\ndefine shape sphere s 0 0 0 1 red\n").size() == 1);
+  CHECK(findings(red + "define shape sphere s 0 red\ndefine shape composite c s\ntransform s scale 2\n").size() == 1);
+  CHECK(findings("define shape teapot t 1 2 3\ndefine shape composite c t\n").size() == 1);
+  CHECK(findings("define camera eye 200\ntransform eye scale 2\nrender eye a.png 1 1\n").size() == 1);
+}
+
+TEST_CASE("many problems are cut with a note", "[unit][esdf]") {
+  std::string text;
+  for (int i = 0; i < 250; ++i) text += "nonsense\n";
+  auto const found = findings(text);
+  REQUIRE(found.size() == 101);
+  CHECK(found[99].location.line == 100);
+  CHECK(found[100].severity == Severity::note);
+  CHECK(found[100].message == "too many errors: from line 101 on the file was not checked");
+
+  EsdfOptions options;
+  options.max_diagnostics = 3;
+  CHECK(findings(text, options).size() == 4);
+  options.keep_going = true;
+  auto const kept = findings(text, options);
+  REQUIRE(kept.size() == 4);
+  CHECK(kept[3].message == "too many to show: 247 more errors");
+  options.max_diagnostics = 0;
+  CHECK(findings(text, options).size() == 2);
+}
+
+TEST_CASE("warnings do not crowd out errors", "[unit][esdf]") {
+  std::string text;
+  for (int i = 0; i < 150; ++i) text += "define material m" + std::to_string(i) + " 1 0 0 1 0 0 1 0 0 10 1\n";
+  text += "nonsense\n";
+  auto const found = findings(text);
+  REQUIRE(found.size() == 101);
+  CHECK(count_errors(found) == 1);
+  CHECK(found[99].message == "unknown statement 'nonsense'");
+  CHECK(found[100].message == "too many to show: 51 more warnings");
+}
+
+TEST_CASE("foreign files are recognised", "[unit][esdf]") {
+  struct Foreign {
+    std::string text;
+    std::string message;
+  };
+  for (Foreign const& foreign : {Foreign{"{\\rtf1\\ansi\n\\f0 # materials\\\n", "an RTF document"},
+                                 {"<?xml version=\"1.0\"?>\n", "an XML document"},
+                                 {"\n  <!DOCTYPE html>\n", "an HTML or XML document"},
+                                 {std::string("\xFF\xFE#\0", 4), "UTF-16 text"},
+                                 {"\x89PNG\r\n", "a PNG picture"},
+                                 {"P6\n4 4\n255\n", "a PPM picture"},
+                                 {"%PDF-1.4", "a PDF document"},
+                                 {"{\"asset\": {}}", "a JSON document (a glTF model?)"},
+                                 {"glTF\x02", "a binary glTF model"},
+                                 {std::string("\x7F"
+                                              "ELF\0\0",
+                                              6),
+                                  "a binary file"},
+                                 {"# a\n" + std::string(1, '\0') + "\n", "a binary file"}}) {
+    for (bool const keep_going : {false, true}) {
+      EsdfOptions options;
+      options.keep_going = keep_going;
+      auto const found = findings(foreign.text, options);
+      REQUIRE(found.size() == 1);
+      CHECK(found[0].severity == Severity::error);
+      CHECK(found[0].location.line == 1);
+      CHECK(found[0].message == "this is " + foreign.message + ", not an eSDF scene");
+      CHECK_FALSE(found[0].hint.empty());
+    }
+  }
+}
+
+TEST_CASE("control characters and bytes that are not UTF-8", "[unit][esdf]") {
+  CHECK_THAT(shown("define camera e\x1Bye 45\n"), contains_text("s.sdf:1:16: error: control character U+001B\n"));
+  std::string const late_nul = std::string(5000, '#') + "\ncamera a" + std::string(1, '\0') + " 45\n";
+  CHECK_THAT(shown(late_nul), contains_text("s.sdf:2:9: error: control character U+0000\n"));
+  CHECK(shown("# caf\xE9 and \x01\n").empty());
+  std::string const latin = "camera k\xFCgel 45\ncamera b\xE4r 45\n";
+  auto const found = findings(latin);
+  REQUIRE(found.size() == 1);  // said once
+  CHECK(found[0].severity == Severity::warning);
+  CHECK(found[0].location.column == 8);
+  EsdfOptions strict;
+  strict.strict = true;
+  CHECK(count_errors(findings(latin, strict)) == 2);
+  CHECK(findings("camera kügel 45\n").empty());
+}
+
+TEST_CASE("long tokens and lines are cut in messages", "[unit][esdf]") {
+  auto const found = findings(std::string(1'000'000, 'x') + "\n");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].message.size() < 100);
+  CHECK(found[0].source_line.size() < 10'000);
+  CHECK(format_diagnostic(found[0]).size() < 2'000);
+  auto const far = findings("define shape composite c" + std::string(1'000'000, ' ') + "nobody\n");
+  REQUIRE(far.size() == 1);
+  CHECK(far[0].location.column == 1'000'025);
+  CHECK(far[0].source_line.empty());
+}

@@ -8,9 +8,6 @@
 
 namespace lichtraum::test {
 
-std::string const red = "define material red 1 0 0 1 0 0 1 0 0 10\n";
-std::string const eye = "define camera eye 45\n";
-
 Scene scene_of(std::string const& text, EsdfOptions const& options) {
   INFO(text);
   return EsdfScript::from_text(text, "s.sdf", options).take_scene();

@@ -23,8 +23,8 @@ bool loads(std::string const& text, EsdfOptions const& options = {});
 std::size_t count_errors(std::vector<Diagnostic> const& diagnostics);
 
 /// A material "red" and a camera "eye", for scenes that need some.
-extern std::string const red;
-extern std::string const eye;
+inline std::string const red = "define material red 1 0 0 1 0 0 1 0 0 10\n";
+inline std::string const eye = "define camera eye 45\n";
 
 /// The whole of a file below the project's folder.
 std::string read_project_file(std::filesystem::path const& path);

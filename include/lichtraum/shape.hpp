@@ -18,7 +18,7 @@ class ShapeVisitor;
 struct Hit {
   double t = std::numeric_limits<double>::infinity();  ///< in units of the ray's direction
   Vec3 normal{0};                                      ///< geometric, unit length, outward (triangle: by its winding)
-  Shape const* shape = nullptr;                        ///< the sphere, box or triangle, never the composite above it
+  Shape const* shape = nullptr;                        ///< the sphere, box, triangle or mesh, never the composite above
 };
 
 /// A node of the scene graph (the composite pattern's component). A shape may be a child of several composites, or

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "lichtraum/mesh_geometry.hpp"
 #include "lichtraum/shape.hpp"
 
 namespace lichtraum {
@@ -57,6 +58,25 @@ class Triangle final : public Shape {
   std::array<Vec3, 3> vertices_;
 };
 
+/// Triangles of one material, hit from both sides. Shows its geometry under its own transform; several meshes may share
+/// one geometry, and one mesh may be the child of several composites.
+class Mesh final : public Shape {
+ public:
+  /// Throws std::invalid_argument when `geometry` is null, an index is out of range, or an attribute list is neither
+  /// empty nor as long as the positions.
+  Mesh(std::string name, std::shared_ptr<MeshGeometry const> geometry, std::shared_ptr<Material const> material);
+  std::shared_ptr<MeshGeometry const> const& geometry() const { return geometry_; }
+
+  bool intersect(Ray const& ray, float& t) const override;
+  bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
+  void accept(ShapeVisitor& visitor) const override;
+
+ private:
+  std::shared_ptr<MeshGeometry const> geometry_;
+  Vec3 min_;  // of the positions, in the mesh's own frame
+  Vec3 max_;
+};
+
 /// A group of shapes under one transform.
 class Composite final : public Shape {
  public:
@@ -87,6 +107,7 @@ class ShapeVisitor {
   virtual void visit(Sphere const& sphere) = 0;
   virtual void visit(Box const& box) = 0;
   virtual void visit(Triangle const& triangle) = 0;
+  virtual void visit(Mesh const& mesh) = 0;
   virtual void visit(Composite const& composite) = 0;
 
  protected:

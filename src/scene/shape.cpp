@@ -30,6 +30,12 @@ class Printer final : public ShapeVisitor {
     print_material(triangle);
   }
 
+  void visit(Mesh const& mesh) override {
+    std::size_t const count = mesh.geometry()->triangle_count();
+    out_ << fmt::format("mesh '{}': {} {}", mesh.name(), count, count == 1 ? "triangle" : "triangles");
+    print_material(mesh);
+  }
+
   void visit(Composite const& composite) override {
     std::size_t const count = composite.children().size();
     out_ << fmt::format("composite '{}': {} {}", composite.name(), count, count == 1 ? "child" : "children");

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lichtraum/math.hpp"
+
+namespace lichtraum {
+
+using Float2 = std::array<float, 2>;
+using Float3 = std::array<float, 3>;
+using Float4 = std::array<float, 4>;
+
+/// Triangles and what is needed to shade them, in single precision and in a frame of their own. Every Mesh that shows
+/// them shares them, so an instance costs no copy. An attribute list is empty or has one element for each position.
+struct MeshGeometry {
+  std::vector<Float3> positions;
+  std::vector<std::uint32_t> indices;  ///< three per triangle, into the attributes; counter-clockwise seen from outside
+
+  std::vector<Float3> normals;                 ///< unit length, outward; empty: flat, as the triangles lie
+  std::vector<Float4> tangents;                ///< xyz unit length, w = +1 or -1: the sign of the bitangent
+  std::vector<std::vector<Float2>> texcoords;  ///< sets 0..n; (0, 0) is the image's first texel, the top left one
+  std::vector<Float4> colors;                  ///< linear red, green, blue and alpha, multiplied with the base colour
+
+  std::size_t triangle_count() const { return indices.size() / 3; }
+  std::array<Vec3, 3> triangle(std::size_t number) const;
+};
+
+}  // namespace lichtraum

@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <glm/common.hpp>
+#include <limits>
+#include <stdexcept>
+
+#include "lichtraum/shapes.hpp"
+#include "scene/hit_triangle.hpp"
+#include "scene/leaf_hit.hpp"
+
+namespace lichtraum {
+namespace {
+
+Vec3 to_vec3(Float3 const& v) { return {v[0], v[1], v[2]}; }
+
+void check(MeshGeometry const& geometry) {
+  std::size_t const count = geometry.positions.size();
+  auto const fits = [count](auto const& attribute) { return attribute.empty() || attribute.size() == count; };
+  bool const all_fit = fits(geometry.normals) && fits(geometry.tangents) && fits(geometry.colors) &&
+                       std::all_of(geometry.texcoords.begin(), geometry.texcoords.end(), fits);
+  if (!all_fit) throw std::invalid_argument("a mesh needs as many elements of each attribute as positions");
+  if (geometry.indices.size() % 3 != 0) throw std::invalid_argument("a mesh needs three indices per triangle");
+  std::uint32_t largest = 0;
+  for (std::uint32_t const index : geometry.indices) largest = std::max(largest, index);
+  if (!geometry.indices.empty() && largest >= count) throw std::invalid_argument("an index of a mesh is out of range");
+}
+
+/// Whether the ray meets the box with t_min <= t <= t_max (slabs: Kay and Kajiya 1986). A NaN counts as met: the box is
+/// only there to save time.
+bool may_hit_box(Ray const& ray, Vec3 const& min, Vec3 const& max, double t_min, double t_max) {
+  for (int axis = 0; axis < 3; ++axis) {
+    double near = (min[axis] - ray.origin[axis]) / ray.direction[axis];
+    double far = (max[axis] - ray.origin[axis]) / ray.direction[axis];
+    if (near > far) std::swap(near, far);
+    // A few rounding errors of slack, so that the box is no smaller than the triangles in it.
+    constexpr double slack = 1e-14;
+    near -= slack * std::abs(near);
+    far += slack * std::abs(far);
+    if (near > t_min) t_min = near;
+    if (far < t_max) t_max = far;
+  }
+  return !(t_min > t_max);
+}
+
+}  // namespace
+
+std::array<Vec3, 3> MeshGeometry::triangle(std::size_t number) const {
+  std::uint32_t const* const corners = &indices[3 * number];
+  return {to_vec3(positions[corners[0]]), to_vec3(positions[corners[1]]), to_vec3(positions[corners[2]])};
+}
+
+Mesh::Mesh(std::string name, std::shared_ptr<MeshGeometry const> geometry, std::shared_ptr<Material const> material)
+    : Shape(std::move(name), std::move(material)),
+      geometry_(std::move(geometry)),
+      min_(std::numeric_limits<double>::infinity()),
+      max_(-std::numeric_limits<double>::infinity()) {
+  if (!geometry_) throw std::invalid_argument("a mesh needs a geometry");
+  check(*geometry_);
+  for (Float3 const& p : geometry_->positions) {
+    min_ = glm::min(min_, to_vec3(p));
+    max_ = glm::max(max_, to_vec3(p));
+  }
+}
+
+bool Mesh::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
+  Ray const local = object_from_world(ray);
+  if (!may_hit_box(local, min_, max_, t_min, hit.t)) return false;
+  TriangleHit found{hit.t, Vec3(0)};
+  bool any = false;
+  for (std::size_t i = 0; i < geometry_->triangle_count(); ++i) {
+    any = hit_triangle(local, geometry_->triangle(i), t_min, found) || any;
+  }
+  if (any) hit = leaf_hit(*this, found.t, found.normal);
+  return any;
+}
+
+bool Mesh::intersect(Ray const& ray, float& t) const { return intersect_closest(*this, ray, t); }
+
+void Mesh::accept(ShapeVisitor& visitor) const { visitor.visit(*this); }
+
+}  // namespace lichtraum

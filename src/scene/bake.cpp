@@ -1,6 +1,8 @@
 #include "scene/bake.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/matrix.hpp>
 #include <optional>
 
 #include "scene/device_conversion.hpp"
@@ -40,7 +42,7 @@ class Baker final : public ShapeVisitor {
   Baker(Transform const& object_from_shape, device::PrimitiveTag tag, FlatObject& object)
       : object_from_shape_(object_from_shape), tag_(tag), object_(object) {}
 
-  bool fits() const { return fits_; }
+  std::uint64_t left_out() const { return left_out_; }
 
   void visit(Sphere const& sphere) override {
     if (auto const scale = similarity_scale(object_from_shape_)) {
@@ -48,16 +50,14 @@ class Baker final : public ShapeVisitor {
       store(object_from_shape_.point(sphere.center()), primitive.center);
       primitive.radius = float(*scale * sphere.radius());
       primitive.tag = tag_;
-      fits_ = all_finite(primitive.center) && std::isnormal(primitive.radius);
-      if (fits_) object_.spheres.push_back(primitive);
+      append(primitive, all_finite(primitive.center) && std::isnormal(primitive.radius), object_.spheres);
     } else {
       device::EllipsoidPrimitive primitive{};
       auto const object_from_unit =
           object_from_shape_ * Transform::translation(sphere.center()) * Transform::scaling(Vec3(sphere.radius()));
       primitive.unit_from_object = device_transform(object_from_unit.inverse());
       primitive.tag = tag_;
-      fits_ = is_finite(primitive.unit_from_object);
-      if (fits_) object_.ellipsoids.push_back(primitive);
+      append(primitive, is_finite(primitive.unit_from_object), object_.ellipsoids);
     }
   }
 
@@ -67,35 +67,85 @@ class Baker final : public ShapeVisitor {
     store(box.min(), primitive.min);
     store(box.max(), primitive.max);
     primitive.tag = tag_;
-    fits_ = is_finite(primitive.box_from_object) && all_finite(primitive.min) && all_finite(primitive.max);
-    if (fits_) object_.boxes.push_back(primitive);
+    append(primitive, is_finite(primitive.box_from_object) && all_finite(primitive.min) && all_finite(primitive.max),
+           object_.boxes);
   }
 
   void visit(Triangle const& triangle) override {
     device::TrianglePrimitive primitive{};
+    bool fits = true;
     for (std::size_t i = 0; i < 3; ++i) {
-      store(object_from_shape_.point(triangle.vertices()[i]), primitive.vertices[i]);
-      fits_ = fits_ && all_finite(primitive.vertices[i]);
+      store(object_from_shape_.point(triangle.vertices()[i]), primitive.vertices[place_of_corner(i)]);
+      fits = fits && all_finite(primitive.vertices[place_of_corner(i)]);
     }
     primitive.tag = tag_;
-    if (fits_) object_.triangles.push_back(primitive);
+    append(primitive, fits, object_.triangles);
+  }
+
+  void visit(Mesh const& mesh) override {
+    MeshGeometry const& geometry = *mesh.geometry();
+    std::vector<Float3> const positions = mapped(geometry.positions);
+    std::size_t const first = object_.triangles.size();
+    std::size_t const places[] = {place_of_corner(0), place_of_corner(1), place_of_corner(2)};
+    object_.triangles.resize(first + geometry.triangle_count());
+    device::TrianglePrimitive* next = object_.triangles.data() + first;
+    for (std::size_t i = 0; i + 2 < geometry.indices.size(); i += 3) {
+      device::TrianglePrimitive& primitive = *next;
+      bool fits = true;
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        Float3 const& p = positions[geometry.indices[i + corner]];
+        std::copy(p.begin(), p.end(), primitive.vertices[places[corner]]);
+        fits = fits && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+      }
+      primitive.tag = tag_;
+      if (fits) {
+        ++next;
+      } else {
+        ++left_out_;
+      }
+    }
+    object_.triangles.resize(std::size_t(next - object_.triangles.data()));
   }
 
   void visit(Composite const&) override {}  // no leaf: flatten unfolds it
 
  private:
+  template <class T>
+  void append(T const& primitive, bool fits, std::vector<T>& list) {
+    if (fits) {
+      list.push_back(primitive);
+    } else {
+      ++left_out_;
+    }
+  }
+
+  /// Mirroring would turn the winding round: then the last two corners change places.
+  std::size_t place_of_corner(std::size_t corner) const { return is_mirrored_ && corner != 0 ? 3 - corner : corner; }
+
+  std::vector<Float3> mapped(std::vector<Float3> const& points) const {
+    std::vector<Float3> result;
+    result.reserve(points.size());
+    for (Float3 const& p : points) {
+      Vec3 const mapped = object_from_shape_.point({p[0], p[1], p[2]});
+      result.push_back({float(mapped.x), float(mapped.y), float(mapped.z)});
+    }
+    return result;
+  }
+
   Transform const& object_from_shape_;
   device::PrimitiveTag tag_;
   FlatObject& object_;
-  bool fits_ = true;
+  bool is_mirrored_ = glm::determinant(Mat3(object_from_shape_.matrix())) < 0;
+  std::uint64_t left_out_ = 0;
 };
 
 }  // namespace
 
-bool bake(Shape const& shape, Transform const& object_from_shape, device::PrimitiveTag tag, FlatObject& object) {
+std::uint64_t bake(Shape const& shape, Transform const& object_from_shape, device::PrimitiveTag tag,
+                   FlatObject& object) {
   Baker baker(object_from_shape, tag, object);
   shape.accept(baker);
-  return baker.fits();
+  return baker.left_out();
 }
 
 }  // namespace lichtraum

@@ -16,7 +16,8 @@ constexpr std::uint64_t min_object_primitives = 8;
 /// Up to this, an object is unfolded although something inside it is shared as well: instances do not nest.
 constexpr std::uint64_t max_unfolded_primitives = 1 << 16;
 
-/// Which composites become objects: of those that occur several times, the topmost that hold a plain tree or little.
+/// Which composites and meshes become objects: of those that occur several times, the topmost that hold a plain tree or
+/// little.
 bool becomes_object(GraphNode const& node) {
   return node.occurrences > 1 && node.primitives >= min_object_primitives &&
          (node.is_tree || node.primitives <= max_unfolded_primitives);
@@ -29,10 +30,9 @@ struct UnfoldedCounts {
 
 UnfoldedCounts count_unfolded(GraphOrder const& order, std::vector<std::shared_ptr<Shape const>> const& roots) {
   UnfoldedCounts counts;
-  std::vector<std::uint64_t> paths(order.nodes.size(), 0);  // to each composite, from a root, through no object
+  std::vector<std::uint64_t> paths(order.nodes.size(), 0);  // to each node, from a root, through no object
   auto const arrive = [&](Shape const& shape, std::uint64_t count) {
-    auto const* composite = as_composite(shape);
-    std::uint64_t& sum = composite ? paths[order.index.at(composite)] : counts.primitives;
+    std::uint64_t& sum = is_graph_node(shape) ? paths[order.index.at(&shape)] : counts.primitives;
     sum = saturating_add(sum, count);
   };
   for (auto const& root : roots) arrive(*root, 1);
@@ -42,8 +42,10 @@ UnfoldedCounts count_unfolded(GraphOrder const& order, std::vector<std::shared_p
     if (becomes_object(node)) {
       counts.instances = saturating_add(counts.instances, paths[i]);
       counts.primitives = saturating_add(counts.primitives, node.primitives);
-    } else {
+    } else if (node.composite) {
       for (auto const& child : node.composite->children()) arrive(*child, paths[i]);
+    } else {
+      counts.primitives = saturating_add(counts.primitives, saturating_multiply(node.primitives, paths[i]));
     }
   }
   return counts;
@@ -78,7 +80,7 @@ class Flattener {
     // Objects are found while the world is unfolded; inside them nothing is an instance.
     for (std::size_t i = 0; i < object_roots_.size(); ++i) {
       scene_.objects.emplace_back();
-      for (auto const& child : object_roots_[i]->children()) unfold(*child, Transform(), i + 1);
+      unfold_object(*object_roots_[i], i + 1);
     }
   }
 
@@ -91,6 +93,15 @@ class Flattener {
     std::size_t next_child;
     Transform object_from_composite;
   };
+
+  /// In the object's own frame: its transform is in each instance.
+  void unfold_object(Shape const& shape, std::size_t object) {
+    if (auto const* composite = as_composite(shape)) {
+      for (auto const& child : composite->children()) unfold(*child, Transform(), object);
+    } else {
+      add_leaf(shape, Transform(), object);
+    }
+  }
 
   void unfold(Shape const& root, Transform const& object_from_parent, std::size_t object) {
     open_.clear();
@@ -108,20 +119,23 @@ class Flattener {
 
   void arrive(Shape const& shape, Transform const& object_from_parent, std::size_t object) {
     Transform const object_from_shape = object_from_parent * shape.world_from_object();
-    auto const* composite = as_composite(shape);
-    if (!composite) {
-      if (!bake(shape, object_from_shape, tag_of(shape), scene_.objects[object])) ++scene_.unrepresentable;
-    } else if (object == 0 && becomes_object(order_[composite])) {
-      scene_.instances.push_back({object_of(*composite), object_from_shape});
-    } else {
+    if (object == 0 && is_graph_node(shape) && becomes_object(order_[&shape])) {
+      scene_.instances.push_back({object_of(shape), object_from_shape});
+    } else if (auto const* composite = as_composite(shape)) {
       open_.push_back({composite, 0, object_from_shape});
+    } else {
+      add_leaf(shape, object_from_shape, object);
     }
   }
 
-  /// The number of the object that shows `composite` in its own frame (each instance has the composite's transform).
-  std::uint32_t object_of(Composite const& composite) {
-    auto const [found, is_new] = object_numbers_.emplace(&composite, std::uint32_t(object_roots_.size() + 1));
-    if (is_new) object_roots_.push_back(&composite);
+  void add_leaf(Shape const& shape, Transform const& object_from_shape, std::size_t object) {
+    scene_.unrepresentable += bake(shape, object_from_shape, tag_of(shape), scene_.objects[object]);
+  }
+
+  /// The number of the object that shows `shape` in its own frame (each instance has the shape's transform).
+  std::uint32_t object_of(Shape const& shape) {
+    auto const [found, is_new] = object_numbers_.emplace(&shape, std::uint32_t(object_roots_.size() + 1));
+    if (is_new) object_roots_.push_back(&shape);
     return found->second;
   }
 
@@ -139,8 +153,8 @@ class Flattener {
   GraphOrder order_;
   FlatScene scene_;
   std::vector<Open> open_;
-  std::vector<Composite const*> object_roots_;
-  std::unordered_map<Composite const*, std::uint32_t> object_numbers_;
+  std::vector<Shape const*> object_roots_;
+  std::unordered_map<Shape const*, std::uint32_t> object_numbers_;
   std::unordered_map<Material const*, std::uint32_t> material_numbers_;
 };
 

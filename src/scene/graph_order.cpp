@@ -1,29 +1,32 @@
 #include "scene/graph_order.hpp"
 
+#include <typeinfo>
+
 namespace lichtraum {
 namespace {
 
-/// Appends `root` and all composites below it that are not in the order yet: a depth-first walk with its own stack.
-void append_in_postorder(Composite const& root, GraphOrder& order) {
+/// Appends `root` and all nodes below it that are not in the order yet: a depth-first walk with its own stack.
+void append_in_postorder(Shape const& root, GraphOrder& order) {
   struct Visit {
+    Shape const* shape;
     Composite const* composite;
     std::size_t next_child = 0;
   };
   std::vector<Visit> open;
-  auto const enter = [&](Composite const& composite) {
+  auto const enter = [&](Shape const& shape) {
     // Claimed at once, so that a second edge to it does not enter it again; its place is known when it is left.
-    if (order.index.emplace(&composite, 0).second) open.push_back({&composite});
+    if (order.index.emplace(&shape, 0).second) open.push_back({&shape, as_composite(shape)});
   };
   enter(root);
   while (!open.empty()) {
     Visit& visit = open.back();
-    if (visit.next_child < visit.composite->children().size()) {
+    if (visit.composite && visit.next_child < visit.composite->children().size()) {
       Shape const& child = *visit.composite->children()[visit.next_child++];
-      if (auto const* below = as_composite(child)) enter(*below);
+      if (is_graph_node(child)) enter(child);
       continue;
     }
-    order.index[visit.composite] = std::uint32_t(order.nodes.size());
-    order.nodes.push_back({visit.composite});
+    order.index[visit.shape] = std::uint32_t(order.nodes.size());
+    order.nodes.push_back({visit.shape, visit.composite});
     open.pop_back();
   }
 }
@@ -33,35 +36,47 @@ void count_edge(GraphNode& node, std::uint64_t paths) {
   ++node.edges_in;
 }
 
+void count_below(GraphNode& node, GraphOrder const& order) {
+  if (!node.composite) {
+    node.primitives = as_mesh(*node.shape)->geometry()->triangle_count();
+    return;
+  }
+  for (auto const& child : node.composite->children()) {
+    if (!is_graph_node(*child)) {
+      node.primitives = saturating_add(node.primitives, 1);
+      continue;
+    }
+    GraphNode const& below = order[child.get()];
+    node.primitives = saturating_add(node.primitives, below.primitives);
+    node.is_tree = node.is_tree && below.is_tree && below.edges_in == 1;
+  }
+}
+
 }  // namespace
 
-Composite const* as_composite(Shape const& shape) { return dynamic_cast<Composite const*>(&shape); }
+// Both classes are final: a comparison of types, where a dynamic_cast would search.
+Composite const* as_composite(Shape const& shape) {
+  return typeid(shape) == typeid(Composite) ? static_cast<Composite const*>(&shape) : nullptr;
+}
+Mesh const* as_mesh(Shape const& shape) {
+  return typeid(shape) == typeid(Mesh) ? static_cast<Mesh const*>(&shape) : nullptr;
+}
 
 GraphOrder order_graph(std::vector<std::shared_ptr<Shape const>> const& roots) {
   GraphOrder order;
   for (auto const& root : roots) {
-    if (auto const* composite = as_composite(*root)) append_in_postorder(*composite, order);
+    if (is_graph_node(*root)) append_in_postorder(*root, order);
   }
   for (auto const& root : roots) {
-    if (auto const* composite = as_composite(*root)) count_edge(order[composite], 1);
+    if (is_graph_node(*root)) count_edge(order[root.get()], 1);
   }
   for (auto parent = order.nodes.rbegin(); parent != order.nodes.rend(); ++parent) {  // parents first
+    if (!parent->composite) continue;
     for (auto const& child : parent->composite->children()) {
-      if (auto const* below = as_composite(*child)) count_edge(order[below], parent->occurrences);
+      if (is_graph_node(*child)) count_edge(order[child.get()], parent->occurrences);
     }
   }
-  for (GraphNode& node : order.nodes) {  // children first
-    for (auto const& child : node.composite->children()) {
-      auto const* composite = as_composite(*child);
-      if (!composite) {
-        node.primitives = saturating_add(node.primitives, 1);
-        continue;
-      }
-      GraphNode const& below = order[composite];
-      node.primitives = saturating_add(node.primitives, below.primitives);
-      node.is_tree = node.is_tree && below.is_tree && below.edges_in == 1;
-    }
-  }
+  for (GraphNode& node : order.nodes) count_below(node, order);  // children first
   return order;
 }
 

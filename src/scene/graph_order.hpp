@@ -13,20 +13,21 @@ namespace lichtraum {
 struct GraphNode {
   static constexpr std::uint64_t uncountable = std::uint64_t(1) << 62;
 
-  Composite const* composite = nullptr;
-  std::uint64_t occurrences = 0;  ///< paths from a root to this node
-  std::uint64_t primitives = 0;   ///< leaves below, one for each path
-  std::uint32_t edges_in = 0;     ///< how often composites (or the list of roots) name it
-  bool is_tree = true;            ///< no composite below is named twice
+  Shape const* shape = nullptr;
+  Composite const* composite = nullptr;  ///< null for a mesh
+  std::uint64_t occurrences = 0;         ///< paths from a root to this node
+  std::uint64_t primitives = 0;          ///< leaves and triangles of meshes below, one for each path
+  std::uint32_t edges_in = 0;            ///< how often composites (or the list of roots) name it
+  bool is_tree = true;                   ///< no node below is named twice
 };
 
-/// Every composite that can be reached from the roots.
+/// Every composite and mesh that can be reached from the roots: all that may hold more than one primitive.
 struct GraphOrder {
   std::vector<GraphNode> nodes;  ///< children before parents
-  std::unordered_map<Composite const*, std::uint32_t> index;
+  std::unordered_map<Shape const*, std::uint32_t> index;
 
-  GraphNode& operator[](Composite const* composite) { return nodes[index.at(composite)]; }
-  GraphNode const& operator[](Composite const* composite) const { return nodes[index.at(composite)]; }
+  GraphNode& operator[](Shape const* shape) { return nodes[index.at(shape)]; }
+  GraphNode const& operator[](Shape const* shape) const { return nodes[index.at(shape)]; }
 };
 
 /// Linear in the number of nodes and edges, without recursion.
@@ -34,6 +35,9 @@ GraphOrder order_graph(std::vector<std::shared_ptr<Shape const>> const& roots);
 
 /// `shape` when it is one, else null.
 Composite const* as_composite(Shape const& shape);
+Mesh const* as_mesh(Shape const& shape);
+/// Whether `shape` has a node in the order.
+inline bool is_graph_node(Shape const& shape) { return as_composite(shape) || as_mesh(shape); }
 
 /// The sum or product, at most `uncountable`.
 inline std::uint64_t saturating_add(std::uint64_t a, std::uint64_t b) {

@@ -11,8 +11,8 @@ struct TriangleHit {
   Vec3 normal;  ///< by the winding, not normalised
 };
 
-/// Whether `ray` hits the triangle with t_min < t < found.t; only then `found` is changed. Watertight: a ray that misses
-/// a triangle across an edge hits the neighbour that shares the edge. A triangle without area is never hit.
+/// Whether `ray` hits the triangle with t_min < t < found.t; only then `found` is changed. Watertight: a ray that
+/// misses a triangle across an edge hits the neighbour that shares the edge. A triangle without area is never hit.
 ///
 /// Three edge functions tell on which side of each edge the ray passes: scalar triple products of its direction and the
 /// edge's end points seen from its origin. Swapping the end points only swaps the sign, to the last bit (compare Woop,

@@ -152,3 +152,81 @@ TEST_CASE("flatten numbers materials once and says which shape a primitive came 
   CHECK(flat.shapes[world.boxes[0].tag.shape] == box.get());
   CHECK(flat.shapes[world.triangles[0].tag.shape] == triangle.get());
 }
+
+namespace {
+
+/// `count` triangles with outward side +z, side by side along x.
+std::shared_ptr<Mesh> strip_mesh(int count) {
+  auto geometry = std::make_shared<MeshGeometry>();
+  for (int i = 0; i < count; ++i) {
+    auto const x = float(i);
+    geometry->positions.insert(geometry->positions.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}});
+    for (int corner = 0; corner < 3; ++corner) geometry->indices.push_back(std::uint32_t(3 * i + corner));
+  }
+  return std::make_shared<Mesh>("mesh", geometry, grey());
+}
+
+Vec3 normal(device::TrianglePrimitive const& t) {
+  auto const corner = [&](int i) { return Vec3(t.vertices[i][0], t.vertices[i][1], t.vertices[i][2]); };
+  return glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+}
+
+}  // namespace
+
+TEST_CASE("flatten bakes a mesh that occurs once into the world", "[unit][flatten][mesh]") {
+  auto mesh = strip_mesh(20);
+  mesh->rotate(90, {0, 1, 0});
+  mesh->translate({0, 0, 5});
+  FlatScene const flat = flatten({mesh});
+  REQUIRE(flat.instances.empty());
+  REQUIRE(flat.objects[0].triangles.size() == 20);
+  CHECK(flat.objects[0].triangles[3].vertices[0][2] == Approx(2));
+  CHECK(flat.objects[0].triangles[19].vertices[1][2] == Approx(-15));
+  CHECK(glm::distance(normal(flat.objects[0].triangles[3]), Vec3(1, 0, 0)) < 1e-6);
+}
+
+TEST_CASE("flatten makes an object of a mesh that occurs several times", "[unit][flatten][mesh]") {
+  auto mesh = strip_mesh(20);
+  mesh->translate({0, 7, 0});
+  auto left = std::make_shared<Composite>("left", Composite::Children{mesh});
+  auto right = std::make_shared<Composite>("right", Composite::Children{mesh});
+  right->translate({100, 0, 0});
+  FlatScene const flat = flatten({left, right, mesh});
+  REQUIRE(flat.objects.size() == 2);
+  CHECK(flat.objects[0].triangles.empty());
+  CHECK(flat.objects[1].triangles.size() == 20);
+  CHECK(flat.objects[1].triangles[0].vertices[0][1] == 0.f);  // in its own frame
+  REQUIRE(flat.instances.size() == 3);
+  CHECK(flat.instances[0].world_from_object.point(Vec3(0)) == Vec3(0, 7, 0));
+  CHECK(flat.instances[1].world_from_object.point(Vec3(0)) == Vec3(100, 7, 0));
+  CHECK(flat.shapes.size() == 1);
+}
+
+TEST_CASE("flatten copies a small mesh instead of making instances", "[unit][flatten][mesh]") {
+  auto mesh = strip_mesh(2);
+  FlatScene const flat = flatten({std::make_shared<Composite>("twice", Composite::Children{mesh, mesh})});
+  CHECK(flat.instances.empty());
+  CHECK(flat.objects[0].triangles.size() == 4);
+}
+
+TEST_CASE("triangles keep their outward side when they are mirrored", "[unit][flatten][mesh]") {
+  auto mesh = strip_mesh(1);
+  mesh->scale(Vec3(-2, 1, 1));
+  auto triangle = std::make_shared<Triangle>("t", Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0), grey());
+  triangle->scale(Vec3(1, -3, 1));
+  FlatScene const flat = flatten({mesh, triangle});
+  CHECK(normal(flat.objects[0].triangles[0]) == Vec3(0, 0, 1));
+  CHECK(normal(flat.objects[0].triangles[1]) == Vec3(0, 0, 1));
+  // The reference tracer says the same.
+  Hit hit;
+  REQUIRE(mesh->closest_hit({{-0.5, 0.25, 1}, {0, 0, -1}}, 0, hit));
+  CHECK(hit.normal == Vec3(0, 0, 1));
+}
+
+TEST_CASE("flatten leaves out the triangles of a mesh that do not fit a float", "[unit][flatten][mesh]") {
+  auto mesh = strip_mesh(10);
+  mesh->scale(Vec3(1e38, 1, 1));  // x = 3.4e38 is the last that fits: the fourth triangle ends at 4e38
+  FlatScene const flat = flatten({mesh});
+  CHECK(flat.objects[0].triangles.size() == 3);
+  CHECK(flat.unrepresentable == 7);
+}

@@ -21,8 +21,8 @@ TEST_CASE("a mesh is hit where its triangles are", "[unit]") {
   std::uniform_real_distribution<double> uniform(-1, 1);
   auto geometry = std::make_shared<MeshGeometry>();
   std::vector<std::unique_ptr<Triangle>> triangles;
-  auto const transform = Transform::translation({1, 2, 3}) * Transform::rotation(40, {1, 2, -1}) *
-                         Transform::scaling({-1, 2, 0.5});
+  auto const transform =
+      Transform::translation({1, 2, 3}) * Transform::rotation(40, {1, 2, -1}) * Transform::scaling({-1, 2, 0.5});
   for (std::uint32_t i = 0; i < 60; ++i) {
     for (int corner = 0; corner < 3; ++corner) {
       geometry->positions.push_back({float(uniform(random)), float(uniform(random)), float(uniform(random))});
@@ -36,8 +36,9 @@ TEST_CASE("a mesh is hit where its triangles are", "[unit]") {
   mesh.apply(transform);
   int hits = 0;
   for (int i = 0; i < 500; ++i) {
-    Ray const ray{Vec3(1, 2, 3) + 4.0 * Vec3(uniform(random), uniform(random), uniform(random)),
-                  Vec3(uniform(random), uniform(random), uniform(random))};
+    Vec3 const center(1, 2, 3);
+    Vec3 const origin = center + 4.0 * Vec3(uniform(random), uniform(random), uniform(random));
+    Ray const ray{origin, center - origin + 0.5 * Vec3(uniform(random), uniform(random), uniform(random))};
     Hit expected;
     for (auto const& triangle : triangles) triangle->closest_hit(ray, 0.01, expected);
     Hit hit;

@@ -20,6 +20,8 @@ struct ImageEncoding {
 struct ImageFormat {
   std::string_view name;                     ///< "png"
   std::vector<std::string_view> extensions;  ///< lower case with the dot: {".jpg", ".jpeg"}
+  int max_bits;                              ///< per channel
+  int max_side;                              ///< pixels
   bool is_linear_float;                      ///< stores radiance as it is: neither tone map nor transfer apply
   std::string (*encode)(Image const& image, ImageEncoding const& encoding);  ///< the file's bytes
 };
@@ -27,7 +29,9 @@ struct ImageFormat {
 /// Every format that can be written.
 std::span<ImageFormat const> image_formats();
 
-/// By extension (any case). Throws Error{usage} that lists the known ones.
+/// By extension (any case); null when there is none or it is unknown.
+ImageFormat const* find_image_format(std::filesystem::path const& path);
+/// The same. Throws Error{usage} that lists the known ones.
 ImageFormat const& image_format_for(std::filesystem::path const& path);
 /// By name. Throws Error{usage} that lists the known ones.
 ImageFormat const& image_format_named(std::string_view name);

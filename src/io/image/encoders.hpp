@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "lichtraum/image_io.hpp"
+
+/// One function a format: the whole file as bytes. The same picture gives the same bytes, always: nothing here writes
+/// a time, a name or a version. Throws Error{internal} when the format's library fails.
+
+namespace lichtraum {
+
+/// P6, or P3 with ppm_ascii; 8 or 16 bit (http://netpbm.sourceforge.net/doc/ppm.html).
+std::string encode_ppm(Image const& image, ImageEncoding const& encoding);
+/// RGB, 8 or 16 bit.
+std::string encode_png(Image const& image, ImageEncoding const& encoding);
+/// YCbCr without chroma subsampling, 8 bit.
+std::string encode_jpeg(Image const& image, ImageEncoding const& encoding);
+/// Scan lines of 32-bit float R, G, B.
+std::string encode_exr(Image const& image, ImageEncoding const& encoding);
+/// PF, 32-bit float, little endian (http://www.pauldebevec.com/Research/HDR/PFM/).
+std::string encode_pfm(Image const& image, ImageEncoding const& encoding);
+
+}  // namespace lichtraum

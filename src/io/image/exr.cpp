@@ -1,0 +1,61 @@
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfOutputFile.h>
+
+#include <cstring>
+
+#include "io/image/encoders.hpp"
+#include "lichtraum/error.hpp"
+
+namespace lichtraum {
+namespace {
+
+/// A file in memory. OpenEXR goes back to fill in its table of line offsets.
+class StringStream final : public Imf::OStream {
+ public:
+  StringStream() : OStream("picture.exr") {}
+
+  void write(char const data[], int size) override {
+    auto const end = position_ + std::size_t(size);
+    if (end > bytes_.size()) bytes_.resize(end);
+    std::memcpy(bytes_.data() + position_, data, std::size_t(size));
+    position_ = end;
+  }
+  std::uint64_t tellp() override { return position_; }
+  void seekp(std::uint64_t position) override { position_ = position; }
+
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+  std::size_t position_ = 0;
+};
+
+}  // namespace
+
+std::string encode_exr(Image const& image, ImageEncoding const&) {
+  char const* const names[] = {"R", "G", "B"};
+  StringStream stream;
+  try {
+    Imf::Header header(image.width(), image.height());
+    header.compression() = Imf::ZIP_COMPRESSION;
+    header.zipCompressionLevel() = 1;
+    Imf::FrameBuffer frame;
+    for (int c = 0; c < 3; ++c) {
+      header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
+      auto* const base = reinterpret_cast<char*>(const_cast<float*>(image.data().data() + c));  // only read from
+      frame.insert(names[c],
+                   Imf::Slice(Imf::FLOAT, base, 3 * sizeof(float), 3 * sizeof(float) * std::size_t(image.width())));
+    }
+    Imf::OutputFile file(stream, header, 0);
+    file.setFrameBuffer(frame);
+    file.writePixels(image.height());
+  } catch (std::exception const& error) {
+    throw Error(ErrorKind::internal, std::string("OpenEXR: ") + error.what());
+  }
+  return stream.take();
+}
+
+}  // namespace lichtraum

@@ -1,0 +1,70 @@
+#include <png.h>
+#include <zlib.h>
+
+#include <memory>
+#include <vector>
+
+#include "io/image/encoders.hpp"
+#include "io/image/quantize.hpp"
+#include "lichtraum/error.hpp"
+
+namespace lichtraum {
+namespace {
+
+/// Compression, measured on one core with 1280 x 720 x 8 bit: a sphere on black / smooth / smooth with noise.
+///   level 1, Z_RLE, Up           8 ms  113 kB /  21 ms 611 kB /  22 ms 1.67 MB   <- this
+///   level 1, default, Up         9 ms  144 kB /  20 ms 555 kB /  41 ms 1.85 MB
+///   level 1, Z_HUFFMAN_ONLY, Up 17 ms  374 kB /  18 ms 625 kB /  20 ms 1.67 MB
+///   libpng's own choice         44 ms   83 kB / 147 ms 372 kB / 114 ms 1.60 MB
+void choose_fast_compression(png_structp png) {
+  png_set_compression_level(png, 1);
+  png_set_compression_strategy(png, Z_RLE);
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+  png_set_compression_buffer_size(png, std::size_t(1) << 20);
+}
+
+[[noreturn]] void fail(png_structp, char const* message) {
+  throw Error(ErrorKind::internal, std::string("libpng: ") + message);
+}
+
+struct Writer {
+  std::string bytes;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, [](png_structp, char const*) {});
+  png_infop info = png_create_info_struct(png);
+
+  Writer() {
+    png_set_write_fn(
+        png, &bytes,
+        [](png_structp p, png_bytep data, std::size_t size) {
+          static_cast<std::string*>(png_get_io_ptr(p))->append(reinterpret_cast<char const*>(data), size);
+        },
+        [](png_structp) {});
+  }
+  Writer(Writer const&) = delete;
+  Writer& operator=(Writer const&) = delete;
+  ~Writer() { png_destroy_write_struct(&png, &info); }
+};
+
+}  // namespace
+
+std::string encode_png(Image const& image, ImageEncoding const& encoding) {
+  Writer writer;
+  choose_fast_compression(writer.png);
+  auto const width = static_cast<png_uint_32>(image.width());
+  auto const height = static_cast<png_uint_32>(image.height());
+  png_set_user_limits(writer.png, 0x7fffffff, 0x7fffffff);  // libpng's own limit is a million
+  png_set_IHDR(writer.png, writer.info, width, height, encoding.bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(writer.png, writer.info);
+  std::size_t const count = 3 * std::size_t(image.width());
+  std::vector<unsigned char> row(count * (encoding.bits == 16 ? 2 : 1));
+  for (int y = 0; y < image.height(); ++y) {
+    encoding.bits == 16 ? quantize_16(image.pixel(0, y), count, row.data())
+                        : quantize_8(image.pixel(0, y), count, row.data());
+    png_write_row(writer.png, row.data());
+  }
+  png_write_end(writer.png, writer.info);
+  return std::move(writer.bytes);
+}
+
+}  // namespace lichtraum

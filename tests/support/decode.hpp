@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+/// Independent readers for what lichtraum writes.
+
+struct DecodedImage {
+  int width = 0;
+  int height = 0;
+  int max = 0;                ///< 255 or 65535; 0 for float formats
+  std::vector<float> values;  ///< height x width x 3, as stored, first row at the top
+
+  float at(int x, int y, int channel) const {
+    return values.at(3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) +
+                     static_cast<std::size_t>(channel));
+  }
+};
+
+/// By its first bytes: PPM (P3, P6), PNG, JPEG, OpenEXR or PFM. Throws std::runtime_error when it is none or broken.
+DecodedImage decode(std::string_view bytes);

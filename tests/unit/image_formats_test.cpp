@@ -1,0 +1,166 @@
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "lichtraum/error.hpp"
+#include "lichtraum/image_io.hpp"
+#include "support/catch.hpp"
+#include "support/decode.hpp"
+
+using namespace lichtraum;
+
+namespace {
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// Not square, not a multiple of anything, no row or column like another.
+Image sample_image() {
+  Image image(Resolution{37, 23});
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> value(0, 1);
+  for (float& v : image.data()) v = value(random);
+  return image;
+}
+
+Image one_pixel(float r, float g, float b) {
+  Image image(Resolution{1, 1});
+  image.data() = {r, g, b};
+  return image;
+}
+
+ImageEncoding with_bits(int bits) {
+  ImageEncoding encoding;
+  encoding.bits = bits;
+  return encoding;
+}
+
+std::string encode(Image const& image, std::string_view format, ImageEncoding const& encoding = {}) {
+  return image_format_named(format).encode(image, encoding);
+}
+
+/// Every value is the nearest of 0..max.
+void require_nearest(DecodedImage const& decoded, Image const& image, int max) {
+  REQUIRE(decoded.width == image.width());
+  REQUIRE(decoded.height == image.height());
+  REQUIRE(decoded.max == max);
+  for (std::size_t i = 0; i < image.data().size(); ++i) {
+    double const exact = double(image.data()[i]) * max;
+    if (std::abs(double(decoded.values[i]) - exact) > 0.5)
+      FAIL("value " << i << ": " << decoded.values[i] << " for " << exact);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("lossless integer formats store the nearest value", "[unit][image]") {
+  Image const image = sample_image();
+  for (int const bits : {8, 16}) {
+    int const max = bits == 8 ? 255 : 65535;
+    ImageEncoding encoding = with_bits(bits);
+    require_nearest(decode(encode(image, "png", encoding)), image, max);
+    require_nearest(decode(encode(image, "ppm", encoding)), image, max);
+    encoding.ppm_ascii = true;
+    std::string const text = encode(image, "ppm", encoding);
+    CHECK(text.substr(0, 3) == "P3\n");
+    require_nearest(decode(text), image, max);
+  }
+}
+
+TEST_CASE("values outside [0, 1], NaN and infinity are clamped", "[unit][image]") {
+  for (char const* const format : {"png", "ppm"}) {
+    for (int const bits : {8, 16}) {
+      float const max = bits == 8 ? 255.0f : 65535.0f;
+      auto const stored = [&](float r, float g, float b) {
+        return decode(encode(one_pixel(r, g, b), format, with_bits(bits))).values;
+      };
+      CHECK(stored(-0.5f, 1.5f, not_a_number) == std::vector<float>{0, max, 0});
+      CHECK(stored(infinity, -infinity, 1) == std::vector<float>{max, 0, max});
+      CHECK(stored(1e-30f, -0.0f, std::nextafter(1.0f, 0.0f)) == std::vector<float>{0, 0, max});
+    }
+  }
+}
+
+TEST_CASE("rounding is to the nearest, also right beside the middle", "[unit][image]") {
+  for (int k = 0; k < 255; ++k) {
+    float const middle = static_cast<float>((k + 0.5) / 255);
+    float const below = std::nextafter(std::nextafter(middle, 0.0f), 0.0f);
+    float const above = std::nextafter(std::nextafter(middle, 1.0f), 1.0f);
+    auto const values = decode(encode(one_pixel(below, above, 0), "ppm")).values;
+    CHECK(values[0] == float(k));
+    CHECK(values[1] == float(k + 1));
+  }
+}
+
+TEST_CASE("float formats store every value as it is, the first row at the top", "[unit][image]") {
+  Image image = sample_image();
+  image.pixel(3, 2)[0] = 1e30f;
+  image.pixel(3, 2)[1] = -2.5f;
+  image.pixel(3, 2)[2] = infinity;
+  for (char const* const format : {"exr", "pfm"}) {
+    DecodedImage const decoded = decode(encode(image, format));
+    REQUIRE(decoded.width == image.width());
+    REQUIRE(decoded.height == image.height());
+    CHECK(decoded.values == image.data());
+  }
+}
+
+TEST_CASE("JPEG keeps colours and places, and quality has its effect", "[unit][image]") {
+  Image image(Resolution{64, 32});
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      image.pixel(x, y)[0] = float(x) / 63;
+      image.pixel(x, y)[1] = float(y) / 31;
+      image.pixel(x, y)[2] = x < 32 ? 0.0f : 1.0f;
+    }
+  }
+  ImageEncoding encoding;
+  std::string const fine = encode(image, "jpg", encoding);
+  encoding.jpeg_quality = 10;
+  CHECK(encode(image, "jpg", encoding).size() < fine.size());
+  DecodedImage const decoded = decode(fine);
+  REQUIRE(decoded.width == 64);
+  REQUIRE(decoded.height == 32);
+  double sum = 0;
+  for (std::size_t i = 0; i < image.data().size(); ++i)
+    sum += std::abs(double(decoded.values[i]) - 255.0 * double(image.data()[i]));
+  CHECK(sum / double(image.data().size()) < 2.0);
+  // Chroma is stored for each pixel: the blue edge stays sharp.
+  CHECK(decoded.at(31, 16, 2) < 40);
+  CHECK(decoded.at(32, 16, 2) > 215);
+}
+
+TEST_CASE("the same picture gives the same bytes", "[unit][image]") {
+  Image const image = sample_image();
+  for (ImageFormat const& format : image_formats()) CHECK(format.encode(image, {}) == format.encode(image, {}));
+}
+
+TEST_CASE("single pixels and very long rows", "[unit][image]") {
+  for (ImageFormat const& format : image_formats()) {
+    for (Resolution const size : {Resolution{1, 1}, Resolution{1, 60000}, Resolution{60000, 1}}) {
+      DecodedImage const decoded = decode(format.encode(Image(size), {}));
+      CHECK(decoded.width == size.width);
+      CHECK(decoded.height == size.height);
+    }
+  }
+}
+
+TEST_CASE("formats are found by extension in any case, and by name", "[unit][image]") {
+  CHECK(image_format_for("a/b.c/picture.PNG").name == "png");
+  CHECK(image_format_for("x.jpeg").name == "jpg");
+  CHECK(image_format_for("x.JPG").name == "jpg");
+  CHECK(image_format_for("x.exr").is_linear_float);
+  CHECK(find_image_format("x.bmp") == nullptr);
+  CHECK(find_image_format("png") == nullptr);
+  CHECK(find_image_format("folder.png/x") == nullptr);
+  CHECK_THROWS_WITH(image_format_for("x.bmp"),
+                    contains_text("'.bmp'") && contains_text(".png, .ppm, .jpg, .jpeg, .exr, .pfm"));
+  CHECK_THROWS_WITH(image_format_for("picture"), contains_text("no extension") && contains_text(".exr"));
+  CHECK_THROWS_WITH(image_format_named("gif"), contains_text("'gif'") && contains_text("png, ppm, jpg, exr, pfm"));
+  try {
+    image_format_named("");
+    FAIL("nothing was thrown");
+  } catch (Error const& error) {
+    CHECK(error.kind() == ErrorKind::usage);
+  }
+}

@@ -1,4 +1,4 @@
-#include "io/sandboxed_path.hpp"
+#include "lichtraum/sandboxed_path.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/esdf/interpreter.hpp"
-#include "io/sandboxed_path.hpp"
+#include "lichtraum/sandboxed_path.hpp"
 
 // define shape mesh <name> <file> [<material>]
 // Dialect: define shape obj <file>, whose name is the file's.

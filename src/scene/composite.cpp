@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "lichtraum/shapes.hpp"
+#include "scene/graph_order.hpp"
 #include "scene/leaf_hit.hpp"
 
 // Nothing here recurses: how deep a graph is nested, a scene file decides.
@@ -52,7 +53,7 @@ bool Composite::holds(Composite const& sought) const {
     Composite const* const parent = pending.back();
     pending.pop_back();
     for (auto const& child : parent->children_) {
-      auto const* const composite = dynamic_cast<Composite const*>(child.get());
+      Composite const* const composite = as_composite(*child);
       if (!composite) continue;
       if (composite == &sought) return true;
       if (seen.insert(composite).second) pending.push_back(composite);
@@ -83,7 +84,7 @@ bool Composite::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
       continue;
     }
     Shape const& child = *level.composite->children_[level.next_child++];
-    if (auto const* const composite = dynamic_cast<Composite const*>(&child)) {
+    if (Composite const* const composite = as_composite(child)) {
       Level inner = enter(*composite, level.ray, level.normal_up);
       bool const was_last = level.next_child == level.composite->children_.size();
       if (was_last) {

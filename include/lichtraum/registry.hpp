@@ -24,6 +24,9 @@ class Registry {
   }
   ~Registry() { clear(); }
 
+  /// Prepares for `count` items, so that adding them costs less.
+  void reserve(std::size_t count) { index_.reserve(count); }
+
   /// Adds `item`; when its name is taken, changes nothing and returns false.
   bool insert(T item) {
     items_.push_back(std::move(item));

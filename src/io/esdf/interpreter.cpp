@@ -74,6 +74,9 @@ Interpreter::Interpreter(Source const& source_, EsdfOptions const& options_)
 
 void Interpreter::run(DrawFunction const* draw) {
   draw_ = draw;
+  // Large files are lists of shapes. A triangle's line has some 70 bytes or more.
+  constexpr std::size_t bytes_per_shape = 64;
+  scene.shapes.reserve(source.text.size() / bytes_per_shape);
   LineReader reader(source.text);
   Line line;
   while (!is_stopped_ && reader.next(line)) {

@@ -31,7 +31,11 @@ EsdfScript EsdfScript::from_text(std::string text, std::string name, EsdfOptions
                                  std::filesystem::path const& folder) {
   // Nothing of a foreign file is worth keeping, so options.keep_going changes nothing here.
   if (auto const foreign = esdf::recognise_foreign_file(text)) {
-    throw SceneError({Diagnostic{Severity::error, {std::move(name), 1, 0}, 1, foreign->message, {}, foreign->hint}});
+    Diagnostic problem;
+    problem.location = {std::move(name), 1, 0};
+    problem.message = foreign->message;
+    problem.hint = foreign->hint;
+    throw SceneError(std::vector<Diagnostic>{std::move(problem)});
   }
   auto state = std::make_unique<State>();
   state->options = options;

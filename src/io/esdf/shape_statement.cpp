@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/ascii.hpp"
+#include "core/parse_number.hpp"
 #include "io/esdf/interpreter.hpp"
 #include "io/esdf/mesh_statement.hpp"
 #include "io/esdf/statements.hpp"
@@ -27,6 +28,13 @@ Signature const triangle_signature{{{"a", 3}, {"b", 3}, {"c", 3}}, true};
 template <std::size_t N>
 bool read_primitive(Interpreter& interpreter, Statement const& statement, Signature const& signature,
                     std::array<double, N>& values) {
+  if (statement.size() == N + 2 && looks_like_number(statement.last()) && !looks_like_number(statement[1]) &&
+      interpreter.scene.materials.contains(statement[1])) {
+    interpreter.error(statement[1], fmt::format("{}: {} is not a number", statement.what, in_quotes(statement[1])),
+                      "the material is the last argument");
+    interpreter.mark_faulty(Kind::shape, statement[0]);
+    return false;
+  }
   if (statement.size() == N + 2 && read_numbers(interpreter, statement.arguments.subspan(1, N), values)) return true;
   if (statement.size() != N + 2) report_wrong_count(interpreter, statement, signature);
   if (statement.size() > 0) interpreter.mark_faulty(Kind::shape, statement[0]);

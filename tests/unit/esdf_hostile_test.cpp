@@ -1,0 +1,122 @@
+#include <string>
+
+#include "support/catch.hpp"
+#include "support/esdf.hpp"
+
+// Sizes at which anything quadratic would take hours, and anything recursive would run out of stack.
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+namespace {
+
+EsdfOptions const keep_going = [] {
+  EsdfOptions options;
+  options.keep_going = true;
+  return options;
+}();
+
+std::string name(int i) { return "c" + std::to_string(i); }
+
+}  // namespace
+
+TEST_CASE("composites nested 100,000 deep", "[unit][esdf][hostile]") {
+  std::string text = red + "define shape sphere c0 0 0 0 1 red\n";
+  for (int i = 1; i <= 100'000; ++i) {
+    text += "define shape composite " + name(i) + ' ' + name(i - 1) + '\n';
+    text += "transform " + name(i) + " translate 1 0 0\n";
+  }
+  Scene const scene = scene_of(text);
+  CHECK(scene.shapes.size() == 100'001);
+  CHECK(scene.roots().size() == 1);
+}
+
+TEST_CASE("a chain of composites that redefinitions turn round", "[unit][esdf][hostile]") {
+  constexpr int count = 100'000;
+  std::string text = red;
+  for (int i = 0; i < count; ++i) text += "define shape sphere " + name(i) + " 0 0 0 1 red\n";
+  // The first in the registry holds the second, and so on: the last to be destroyed is the top of the chain.
+  for (int i = count - 2; i >= 0; --i) text += "define shape composite " + name(i) + ' ' + name(i + 1) + '\n';
+  Scene const scene = scene_of(text, keep_going);
+  CHECK(scene.roots().size() == 1);
+}
+
+TEST_CASE("a composite with 1,000,000 children", "[unit][esdf][hostile]") {
+  std::string text = red + "define shape sphere s 0 0 0 1 red\ndefine shape composite c";
+  for (int i = 0; i < 1'000'000; ++i) text += " s";
+  Scene const scene = scene_of(text);
+  CHECK(dynamic_cast<Composite const&>(**scene.shapes.find("c")).children().size() == 1'000'000);
+}
+
+TEST_CASE("a million mistakes", "[unit][esdf][hostile]") {
+  std::string text = red;
+  for (int i = 0; i < 100'000; ++i) text += "define shape sphere sphere_number_" + std::to_string(i) + " 0 0 0 1 red\n";
+  for (int i = 0; i < 1'000'000; ++i) text += "transform sphere_numbre_" + std::to_string(i) + " scale 2\n";
+  CHECK(findings(text).size() == 101);
+  auto const kept = findings(text, keep_going);
+  REQUIRE(kept.size() == 101);
+  CHECK(kept[0].hint == "did you mean 'sphere_number_0'?");
+  CHECK(kept[100].message == "too many to show: 999900 more errors");
+}
+
+TEST_CASE("a million undefined children in one line", "[unit][esdf][hostile]") {
+  std::string text = "define shape composite c";
+  for (int i = 0; i < 1'000'000; ++i) text += " x" + std::to_string(i);
+  CHECK(findings(text).size() == 101);
+  CHECK(findings(text, keep_going).size() == 101);
+}
+
+TEST_CASE("a million duplicates", "[unit][esdf][hostile]") {
+  std::string text = red;
+  for (int i = 0; i < 1'000'000; ++i) text += "define shape sphere s 0 0 0 1 red\n";
+  Scene const scene = scene_of(text, keep_going);
+  CHECK(scene.shapes.size() == 1);
+}
+
+TEST_CASE("a million dialects and unnamed lights", "[unit][esdf][hostile]") {
+  std::string text;
+  for (int i = 0; i < 1'000'000; ++i) text += "ambient 1 0 0\n";
+  Scene const scene = scene_of(text);
+  CHECK(scene.lights.size() == 1'000'000);
+  CHECK(findings(text).size() == 100);
+}
+
+TEST_CASE("lines of 10 MB", "[unit][esdf][hostile]") {
+  constexpr std::size_t size = 10'000'000;
+  CHECK(findings("#" + std::string(size, 'x')).empty());
+  CHECK(findings(std::string(size, ' ')).empty());
+  CHECK(findings("define camera eye 45" + std::string(size, '\t')).empty());
+  CHECK(findings(std::string(size, 'x')).size() == 1);
+  CHECK(findings("define camera eye 4" + std::string(size, '5')).size() == 1);
+  CHECK(findings("define camera eye 4." + std::string(size, '5')).empty());
+  CHECK(findings("define camera " + std::string(size, 'x') + " 45").empty());
+  CHECK(findings("define shape sphere s 0 0 0 1 " + std::string(size, 'x')).size() == 1);
+  std::string braces;
+  while (braces.size() < size) braces += "{{ ";
+  CHECK(findings("x " + braces).size() == 1);
+  std::string numbers = "define material a";
+  while (numbers.size() < size) numbers += " 1";
+  CHECK(findings(numbers).size() == 1);
+  std::string words = "render eye";
+  while (words.size() < size) words += " x";
+  CHECK(findings(eye + words).size() == 1);
+}
+
+TEST_CASE("ten million empty lines, and lone carriage returns", "[unit][esdf][hostile]") {
+  for (std::string const end : {"\n", "\r", "\r\n"}) {
+    std::string text;
+    for (int i = 0; i < 10'000'000; ++i) text += end;
+    auto const found = findings(text + "nonsense");
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].location.line == 10'000'001);
+  }
+}
+
+TEST_CASE("an animation of many frames", "[unit][esdf][hostile]") {
+  std::string text = red + eye + "define shape sphere s 0 0 0 1 red\n";
+  for (int i = 0; i < 100'000; ++i) text += "render eye a.png 8 8\ntransform s rotate 1 y\n";
+  EsdfScript const script = EsdfScript::from_text(text, "s.sdf");
+  int frames = 0;
+  script.play([&](Scene const&, RenderCommand const&) { return ++frames, true; });
+  CHECK(frames == 100'000);
+}

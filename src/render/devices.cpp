@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+#include "cl/child_probe.hpp"
+#include "cl/opencl_devices.hpp"
+#include "lichtraum/device.hpp"
+#include "lichtraum/error.hpp"
+#include "lichtraum/renderer.hpp"
+#include "render/opencl_renderer.hpp"
+#include "render/reference_renderer.hpp"
+
+namespace lichtraum {
+namespace {
+
+constexpr char const* install_hint =
+    "install a platform: on Debian and Ubuntu the package pocl-opencl-icd, for a GPU its "
+    "vendor's OpenCL driver";
+
+int rank(DeviceKind kind) {
+  switch (kind) {
+    case DeviceKind::gpu:
+      return 0;
+    case DeviceKind::cpu:
+      return 1;
+    case DeviceKind::accelerator:
+      return 2;
+    case DeviceKind::reference:
+      return 3;
+  }
+  return 4;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return lower;
+}
+
+bool matches(DeviceInfo const& device, std::string const& selector) {
+  if (selector == "cpu") return device.kind == DeviceKind::cpu;
+  if (selector == "gpu") return device.kind == DeviceKind::gpu;
+  if (selector == "reference") return device.kind == DeviceKind::reference;
+  int index = 0;
+  char const* const end = selector.data() + selector.size();
+  if (auto const [stop, error] = std::from_chars(selector.data(), end, index); error == std::errc() && stop == end) {
+    return device.index == index;
+  }
+  return lower_case(device.name).find(selector) != std::string::npos;
+}
+
+}  // namespace
+
+DeviceList find_devices(ProbeInChild probe) {
+  DeviceList list;
+  auto const add_opencl_devices = [&] {
+    if (probe == ProbeInChild::always || is_opencl_suspicious()) {
+      if (auto const reason = opencl_kills_a_child()) {
+        list.warnings.push_back(
+            fmt::format("OpenCL cannot be used here: it was tried in a child process, and {}", *reason));
+        return;
+      }
+    }
+    for (OpenClDevice& found : find_opencl_devices(list.warnings)) list.devices.push_back(std::move(found.info));
+    if (list.devices.empty()) list.warnings.push_back(fmt::format("no OpenCL device was found: {}", install_hint));
+  };
+  add_opencl_devices();
+  std::stable_sort(list.devices.begin(), list.devices.end(),
+                   [](auto const& a, auto const& b) { return rank(a.kind) < rank(b.kind); });
+  list.devices.push_back(reference_device());
+  for (std::size_t i = 0; i < list.devices.size(); ++i) list.devices[i].index = int(i);
+  return list;
+}
+
+DeviceInfo const& select_device(DeviceList const& list, std::string_view selector) {
+  if (selector.empty()) return list.devices.front();
+  auto const lower = lower_case(selector);
+  std::string known;
+  for (DeviceInfo const& device : list.devices) {
+    if (matches(device, lower)) return device;
+    known += fmt::format("\n  {}  {}", device.index, device.name);
+  }
+  throw Error(ErrorKind::no_device,
+              fmt::format("no device is called '{}'. There are (an index, cpu, gpu, reference or a "
+                          "part of a name selects one):{}",
+                          selector, known));
+}
+
+std::unique_ptr<Renderer> make_renderer(DeviceInfo const& device) {
+  if (device.kind == DeviceKind::reference) return make_reference_renderer(device);
+  return make_opencl_renderer(device);
+}
+
+}  // namespace lichtraum

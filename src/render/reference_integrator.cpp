@@ -10,8 +10,8 @@
 namespace lichtraum {
 namespace {
 
-/// How far, relative to the coordinates that went into it, a computed hit point may lie off its surface. A double has 16
-/// digits; the others are for cancellation, as where a small scene stands on a sphere of a million units.
+/// How far, relative to the coordinates that went into it, a computed hit point may lie off its surface. A double has
+/// 16 digits; the others are for cancellation, as where a small scene stands on a sphere of a million units.
 constexpr double ray_epsilon = 1e-9;
 
 double largest_coordinate(Vec3 const& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }

@@ -6,8 +6,8 @@
 namespace lichtraum {
 
 /// The radiance that arrives along a camera ray of unit direction: Whitted's algorithm (Whitted 1980) with Phong's
-/// reflection, as material.hpp says it. At most `max_depth` mirrored or refracted rays follow one another. The rays traced
-/// are added to `counts`.
+/// reflection, as material.hpp says it. At most `max_depth` mirrored or refracted rays follow one another. The rays
+/// traced are added to `counts`.
 Rgb trace_radiance(ReferenceScene const& scene, Ray const& camera_ray, int max_depth, RayCounts& counts);
 
 }  // namespace lichtraum

@@ -122,9 +122,9 @@ TEST_CASE("what stands strictly between a point and a light casts a shadow", "[u
     return trace(scene, {0, 0, 5}, {0, 0, -1}).radiance.r;
   };
   double const lit = std::sqrt(0.5);
-  CHECK(seen_with_screen_at(2) == 0);                       // on the way
-  CHECK(seen_with_screen_at(2 + 0.71) == Approx(lit));      // just beside it: 0.502 off
-  CHECK(seen_with_screen_at(2 - 0.70) == 0);                // just on it: 0.495 off
+  CHECK(seen_with_screen_at(2) == 0);                   // on the way
+  CHECK(seen_with_screen_at(2 + 0.71) == Approx(lit));  // just beside it: 0.502 off
+  CHECK(seen_with_screen_at(2 - 0.70) == 0);            // just on it: 0.495 off
   ReferenceScene behind;
   add_square(behind, 0, matt(Rgb(1)));
   add_square(behind, 5, matt(Rgb(1)));  // beyond the light

@@ -39,9 +39,9 @@ TEST_CASE("seeded samples are pcg4d's bits as exact fractions", "[unit][sampling
 
 TEST_CASE("each of pixel, sample and both halves of the seed moves the sample", "[unit][sampling]") {
   auto const base = seeded_pixel_offset(3, 4, 5, 6, 7);
-  for (auto const& other : {seeded_pixel_offset(2, 4, 5, 6, 7), seeded_pixel_offset(3, 5, 5, 6, 7),
-                            seeded_pixel_offset(3, 4, 6, 6, 7), seeded_pixel_offset(3, 4, 5, 7, 7),
-                            seeded_pixel_offset(3, 4, 5, 6, 8)}) {
+  for (auto const& other :
+       {seeded_pixel_offset(2, 4, 5, 6, 7), seeded_pixel_offset(3, 5, 5, 6, 7), seeded_pixel_offset(3, 4, 6, 6, 7),
+        seeded_pixel_offset(3, 4, 5, 7, 7), seeded_pixel_offset(3, 4, 5, 6, 8)}) {
     CHECK(other.x != base.x);
     CHECK(other.y != base.y);
   }

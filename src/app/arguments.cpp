@@ -1,0 +1,162 @@
+#include "app/arguments.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+
+#include "app/values.hpp"
+
+namespace lichtraum::app {
+namespace {
+
+/// CLI11's layout with less on each line: `--size WxH`, without types, counts and defaults.
+class Formatter final : public CLI::Formatter {
+ public:
+  Formatter() { column_width(30); }
+  std::string make_option_opts(CLI::Option const* option) const override {
+    return option->get_type_size() == 0 ? "" : " " + option->get_type_name();
+  }
+  std::string make_usage(CLI::App const* app, std::string) const override {
+    std::string text = "\nUsage: " + app->get_name() + " [OPTION]...";
+    for (CLI::Option const* const option : app->get_options()) {
+      if (option->get_positional()) text += fmt::format(" {}", option->get_type_name());
+    }
+    return text + "\n\n";
+  }
+  std::string make_group(std::string group, bool is_positional,
+                         std::vector<CLI::Option const*> options) const override {
+    std::string text = CLI::Formatter::make_group(group, is_positional, options);
+    text.erase(0, text.find_first_not_of('\n'));
+    return text;
+  }
+  // They are in the usage line, and the description says what they are.
+  std::string make_positionals(CLI::App const*) const override { return ""; }
+  std::string make_footer(CLI::App const* app) const override { return "Examples:\n" + app->get_footer(); }
+};
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      std::size_t const replaced = diagonal + (a[i - 1] != b[j - 1]);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+std::vector<std::string> option_names(CLI::App const& parser) {
+  std::vector<std::string> names;
+  for (CLI::Option const* const option : parser.get_options()) {
+    for (std::string const& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+[[noreturn]] void fail(CLI::App const& parser, std::string const& what) {
+  throw Error(ErrorKind::usage, fmt::format("{} ({} --help shows how)", what, parser.get_name()));
+}
+
+void refuse_unknown_options(CLI::App const& parser) {
+  std::vector<std::string> const unknown = parser.remaining();
+  if (unknown.empty()) return;
+  std::string const option = unknown.front().substr(0, unknown.front().find('='));
+  if (option.empty() || option.front() != '-') fail(parser, fmt::format("do not know what to do with '{}'", option));
+  std::string const suggestion = nearest(option, option_names(parser));
+  if (suggestion.empty()) fail(parser, fmt::format("there is no option '{}'", option));
+  fail(parser, fmt::format("there is no option '{}': did you mean {}?", option, suggestion));
+}
+
+}  // namespace
+
+std::string nearest(std::string_view word, std::vector<std::string> const& known) {
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (std::string const& candidate : known) {
+    std::size_t const distance = edit_distance(word, candidate);
+    if (distance < best_distance) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+std::unique_ptr<CLI::App> make_parser(std::string const& command, std::string const& description,
+                                      std::string const& examples) {
+  auto parser = std::make_unique<CLI::App>(description, "lichtraum " + command);
+  parser->formatter(std::make_shared<Formatter>());
+  parser->footer(examples);
+  parser->allow_extras();   // they are reported in our own words
+  parser->set_help_flag();  // added last, see parse
+  return parser;
+}
+
+bool parse(CLI::App& parser, std::vector<std::string> arguments) {
+  parser.set_help_flag("-h,--help", "Show this help")->group("General");
+  std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+  try {
+    parser.parse(arguments);
+  } catch (CLI::CallForHelp const&) {
+    write_standard_output(parser.help());
+    return false;
+  } catch (CLI::RequiredError const&) {
+    refuse_unknown_options(parser);
+    fail(parser, "no file is given");
+  } catch (CLI::ArgumentMismatch const& error) {
+    refuse_unknown_options(parser);
+    std::string const text = error.what();
+    fail(parser, fmt::format("{} needs a value", text.substr(0, text.find(':'))));
+  } catch (CLI::ParseError const& error) {
+    refuse_unknown_options(parser);
+    fail(parser, error.what());
+  }
+  refuse_unknown_options(parser);
+  return true;
+}
+
+std::string parse_name(std::string_view text) {
+  if (text.empty()) throw std::invalid_argument("expected a name");
+  return std::string(text);
+}
+
+void add_verbosity(CLI::App& parser, Console& console) {
+  parser
+      .add_flag_callback(
+          "-q,--quiet", [&] { console.set_verbosity(Verbosity::quiet); }, "Say nothing but errors")
+      ->group("General");
+  parser
+      .add_flag_callback(
+          "-v,--verbose", [&] { console.set_verbosity(Verbosity::verbose); }, "Say more: notes, timings")
+      ->group("General");
+}
+
+void add_language_options(CLI::App& parser, EsdfOptions& options) {
+  std::string const group = "Scene language";
+  parser.add_flag("--strict", options.strict, "Accept the standard only, no dialects")->group(group);
+  parser.add_flag("--keep-going", options.keep_going, "Leave faulty statements out and go on")->group(group);
+  add_value(parser, "--transform-order", options.transform_order, parse_transform_order, "ORDER",
+            "Frame a transform happens in: parent\n(default) or local", group);
+  add_value(parser, "--rotation", options.rotation, parse_rotation, "SENSE",
+            "Rotations are right- (default) or left-handed:\nright or left", group);
+  add_value(parser, "--material-extras", options.material_extras, parse_material_extras, "WORDS",
+            "What numbers after a material's m mean, such as\nopacity,ior; words: reflectance,\ntransmittance, "
+            "opacity, ior, ignore",
+            group);
+  parser
+      .add_option_function<std::vector<std::string>>(
+          "--allow-path",
+          [&options](std::vector<std::string> const& folders) {
+            for (std::string const& folder : folders) options.allowed_paths.emplace_back(parse_name(folder));
+          },
+          "Folder that a scene may read and write besides\nits own (may be repeated)")
+      ->type_name("FOLDER")
+      ->allow_extra_args(false)
+      ->group(group);
+}
+
+}  // namespace lichtraum::app

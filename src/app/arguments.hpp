@@ -1,0 +1,58 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/console.hpp"
+#include "lichtraum/error.hpp"
+#include "lichtraum/esdf.hpp"
+
+/// What the subcommands' command lines have in common.
+
+namespace lichtraum::app {
+
+/// A parser with lichtraum's layout of --help. `command` is "render", `examples` the end of its help.
+std::unique_ptr<CLI::App> make_parser(std::string const& command, std::string const& description,
+                                      std::string const& examples);
+
+/// Parses what follows the subcommand. Prints the help and returns false when asked for it. Throws Error{usage} with
+/// one line that says what is wrong and what to do.
+bool parse(CLI::App& parser, std::vector<std::string> arguments);
+
+/// An option with one value (the last one given counts). `parse_value` makes it from text, and throws
+/// std::invalid_argument that says what it expects.
+template <class Target, class Parse>
+void add_value(CLI::App& parser, std::string const& names, Target& target, Parse parse_value,
+               std::string const& value_name, std::string const& description, std::string const& group) {
+  std::string const long_name = names.substr(names.find("--"));
+  parser
+      .add_option_function<std::string>(
+          names,
+          [&target, parse_value, long_name](std::string const& text) {
+            try {
+              target = parse_value(text);
+            } catch (std::invalid_argument const& error) {
+              throw Error(ErrorKind::usage, long_name + ": " + error.what() + ", not '" + text + "'");
+            }
+          },
+          description)
+      ->type_name(value_name)
+      ->take_last()
+      ->group(group);
+}
+
+/// A text that is taken as it is, but not empty.
+std::string parse_name(std::string_view text);
+
+/// -q and -v.
+void add_verbosity(CLI::App& parser, Console& console);
+
+/// How eSDF files are read: --strict, --keep-going, --transform-order, --rotation, --material-extras, --allow-path.
+void add_language_options(CLI::App& parser, EsdfOptions& options);
+
+/// The known word nearest to a misspelt one; empty when none is near.
+std::string nearest(std::string_view word, std::vector<std::string> const& known);
+
+}  // namespace lichtraum::app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/console.hpp"
+
+namespace lichtraum::app {
+
+using Arguments = std::vector<std::string>;
+
+/// One subcommand. `run` takes what follows the subcommand's name and returns the process's exit code; it throws Error.
+struct Command {
+  std::string_view name;
+  std::string_view arguments;
+  std::string_view summary;
+  int (*run)(Arguments const& arguments, Console& console);
+};
+
+int render_command(Arguments const& arguments, Console& console);
+int check_command(Arguments const& arguments, Console& console);
+int info_command(Arguments const& arguments, Console& console);
+int devices_command(Arguments const& arguments, Console& console);
+int doctor_command(Arguments const& arguments, Console& console);
+
+inline constexpr Command commands[] = {
+    {"render", "SCENE...", "draw scenes to pictures", render_command},
+    {"check", "SCENE...", "report what is wrong in scenes, draw nothing", check_command},
+    {"info", "FILE", "tell what is in a scene", info_command},
+    {"devices", "", "list what can draw", devices_command},
+    {"doctor", "", "test every device, say what is missing", doctor_command},
+};
+
+}  // namespace lichtraum::app

@@ -1,0 +1,97 @@
+#include "app/console.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+namespace lichtraum::app {
+namespace {
+
+constexpr std::string_view red = "\x1b[1;31m";
+constexpr std::string_view magenta = "\x1b[1;35m";
+constexpr std::string_view cyan = "\x1b[1;36m";
+constexpr std::string_view plain = "\x1b[0m";
+
+bool wants_colour() {
+  char const* const no_color = std::getenv("NO_COLOR");
+  char const* const term = std::getenv("TERM");
+  return (!no_color || !*no_color) && (!term || std::strcmp(term, "dumb") != 0);
+}
+
+void write_standard_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+struct Label {
+  std::string_view word;
+  std::string_view colour;
+};
+
+Label label_of(Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      return {"error:", red};
+    case Severity::warning:
+      return {"warning:", magenta};
+    case Severity::note:
+      return {"note:", cyan};
+  }
+  return {};
+}
+
+}  // namespace
+
+Console::Console() : is_terminal_(::isatty(STDERR_FILENO) == 1), is_coloured_(is_terminal_ && wants_colour()) {}
+
+void Console::labelled(std::string_view label, std::string_view colour, std::string_view message) const {
+  write_standard_error(is_coloured_ ? fmt::format("lichtraum: {}{}{} {}\n", colour, label, plain, message)
+                                    : fmt::format("lichtraum: {} {}\n", label, message));
+}
+
+void Console::data(std::string_view text) const { write_standard_error(text); }
+
+void Console::error(std::string_view message) const { labelled("error:", red, message); }
+
+void Console::warning(std::string_view message) const {
+  if (!is_quiet()) labelled("warning:", magenta, message);
+}
+
+void Console::info(std::string_view message) const {
+  if (!is_quiet()) write_standard_error(fmt::format("{}\n", message));
+}
+
+void Console::detail(std::string_view message) const {
+  if (is_verbose()) write_standard_error(fmt::format("{}\n", message));
+}
+
+void Console::show(std::vector<Diagnostic> const& diagnostics) const {
+  for (Diagnostic const& diagnostic : diagnostics) {
+    if (diagnostic.severity == Severity::warning && is_quiet()) continue;
+    if (diagnostic.severity == Severity::note && !is_verbose()) continue;
+    std::string text = format_diagnostic(diagnostic);
+    Label const label = label_of(diagnostic.severity);
+    std::size_t const place = text.find(label.word);
+    if (is_coloured_ && place < text.find('\n')) {
+      text.insert(place + label.word.size(), plain);
+      text.insert(place, label.colour);
+    }
+    write_standard_error(text);
+  }
+}
+
+void write_standard_output(std::string_view bytes) {
+  while (!bytes.empty()) {
+    ssize_t const written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      std::string const reason = errno == EPIPE    ? "nobody reads it any more"
+                                 : errno == ENOSPC ? "the disk is full"
+                                                   : std::strerror(errno);
+      throw Error(ErrorKind::io, fmt::format("cannot write to standard output: {}", reason));
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+}  // namespace lichtraum::app

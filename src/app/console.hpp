@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lichtraum/error.hpp"
+
+namespace lichtraum::app {
+
+enum class Verbosity { quiet, normal, verbose };
+
+/// What the program says while it works. All of it goes to standard error: standard output is for results. Coloured on
+/// a terminal, unless NO_COLOR is set (https://no-color.org).
+class Console {
+ public:
+  Console();
+
+  void set_verbosity(Verbosity verbosity) { verbosity_ = verbosity; }
+  bool is_verbose() const { return verbosity_ == Verbosity::verbose; }
+  bool is_quiet() const { return verbosity_ == Verbosity::quiet; }
+  bool is_terminal() const { return is_terminal_; }
+
+  void data(std::string_view text) const;        ///< as it is, always
+  void error(std::string_view message) const;    ///< always shown
+  void warning(std::string_view message) const;  ///< not with --quiet
+  void info(std::string_view message) const;     ///< not with --quiet
+  void detail(std::string_view message) const;   ///< only with --verbose
+
+  /// Errors always, warnings unless --quiet, notes only with --verbose.
+  void show(std::vector<Diagnostic> const& diagnostics) const;
+
+ private:
+  void labelled(std::string_view label, std::string_view colour, std::string_view message) const;
+
+  bool is_terminal_;
+  bool is_coloured_;
+  Verbosity verbosity_ = Verbosity::normal;
+};
+
+/// To standard output, at once. Throws Error{io} when it is closed or full.
+void write_standard_output(std::string_view bytes);
+
+}  // namespace lichtraum::app

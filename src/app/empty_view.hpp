@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lichtraum/esdf.hpp"
+#include "lichtraum/renderer.hpp"
+
+/// Explains a picture in which no camera ray met anything.
+
+namespace lichtraum::app {
+
+/// "the scene is 71 degrees to the left of the view": where the box between `bounds_min` and `bounds_max` lies for the
+/// camera.
+std::string describe_direction(Camera const& camera, Vec3 const& bounds_min, Vec3 const& bounds_max);
+
+/// A reading of the same file under another convention, and the options that choose it: "--rotation left".
+struct Convention {
+  EsdfOptions options;
+  std::string arguments;
+};
+std::vector<Convention> other_conventions(EsdfOptions const& options);
+
+}  // namespace lichtraum::app

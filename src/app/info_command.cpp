@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/arguments.hpp"
+#include "app/commands.hpp"
+#include "app/scene_source.hpp"
+#include "app/scene_summary.hpp"
+
+namespace lichtraum::app {
+namespace {
+
+constexpr char const* description =
+    "Tells what is in a scene, as it is at the end of the file. FILE is an eSDF file, or -\n"
+    "for standard input.";
+
+constexpr char const* examples =
+    "  lichtraum info hello.sdf\n"
+    "  lichtraum info hello.sdf --json\n";
+
+}  // namespace
+
+int info_command(Arguments const& arguments, Console& console) {
+  std::string file;
+  bool json = false;
+  EsdfOptions language;
+  auto const parser = make_parser("info", description, examples);
+  parser->add_option("file", file, "an eSDF file")->required()->type_name("FILE");
+  parser->add_flag("--json", json, "Print JSON")->group("Output");
+  add_language_options(*parser, language);
+  add_verbosity(*parser, console);
+  if (!parse(*parser, arguments)) return 0;
+
+  SceneSource const source(file);
+  EsdfScript const script = source.load(language);
+  console.show(script.diagnostics());
+  SceneSummary const summary = summarise(script.scene());
+  write_standard_output(json ? to_json(summary, source.name()) : to_text(summary, source.name()));
+  return 0;
+}
+
+}  // namespace lichtraum::app

@@ -1,0 +1,121 @@
+#include "app/output_names.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "lichtraum/error.hpp"
+#include "lichtraum/sandboxed_path.hpp"
+
+namespace lichtraum::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse_pattern(std::string const& pattern) {
+  throw Error(ErrorKind::usage,
+              fmt::format("--output: '{}': a % stands for the picture's number and is written %d or %04d, once; "
+                          "%% is a percent sign",
+                          pattern));
+}
+
+bool is_stream(fs::path const& path) {
+  std::error_code ignored;
+  fs::file_status const status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+}  // namespace
+
+fs::path Output::partial_path() const {
+  fs::path partial = path;
+  partial.replace_extension(".partial" + path.extension().string());
+  return partial;
+}
+
+OutputNames::OutputNames(OutputOptions options) : options_(std::move(options)) {
+  std::string const& pattern = options_.file;
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    std::string& part = number_format_.empty() ? before_number_ : after_number_;
+    if (pattern[i] != '%') {
+      part += pattern[i];
+    } else if (pattern.compare(i, 2, "%%") == 0) {
+      part += pattern[++i];
+    } else {
+      std::size_t const end = pattern.find('d', i);
+      std::string const width = end == std::string::npos ? "x" : pattern.substr(i + 1, end - i - 1);
+      bool const is_good = width.empty() || (width.size() == 2 && width[0] == '0' &&
+                                             std::isdigit(static_cast<unsigned char>(width[1])) != 0);
+      if (!is_good || !number_format_.empty()) refuse_pattern(pattern);
+      number_format_ = "{:" + width + "}";
+      i = end;
+    }
+  }
+  if (options_.file.empty() || options_.file == "-") return;
+  ImageFormat const* const by_extension = find_image_format(options_.file);
+  // A device or pipe has no extension to choose: PNG, as on standard output.
+  if (!by_extension && !options_.format && number_format_.empty() && is_stream(path_of(""))) {
+    options_.format = &image_format_named("png");
+  }
+  if (!options_.format) image_format_for(options_.file);  // throws for an unknown one
+  if (options_.format && by_extension && by_extension != options_.format) {
+    throw Error(ErrorKind::usage, fmt::format("--format {} contradicts the name '{}': leave one of them out",
+                                              options_.format->name, options_.file));
+  }
+}
+
+bool OutputNames::has_one_name() const {
+  return !options_.file.empty() && options_.file != "-" && number_format_.empty();
+}
+
+Output OutputNames::next(std::string const& name_in_scene) {
+  ++number_;
+  return options_.file.empty() ? from_scene(name_in_scene) : from_command_line();
+}
+
+fs::path OutputNames::path_of(std::string const& number) const {
+  fs::path const file = before_number_ + number + after_number_;
+  return options_.folder == "." ? file : options_.folder / file;
+}
+
+Output OutputNames::from_command_line() {
+  Output output;
+  if (options_.file == "-") {
+    output.format = options_.format ? options_.format : &image_format_named("png");
+    output.shown = "standard output";
+    return output;
+  }
+  std::string const number = number_format_.empty() ? "" : fmt::format(fmt::runtime(number_format_), number_);
+  output.path = path_of(number);
+  output.format = options_.format ? options_.format : &image_format_for(output.path);
+  output.shown = output.path.string();
+  return output;
+}
+
+Output OutputNames::from_scene(std::string const& name) const {
+  Output output;
+  fs::path file = name;
+  output.format = find_image_format(file);
+  if (!output.format) {
+    output.format = options_.format ? options_.format : &image_format_named("png");
+    file += fmt::format(".{}", output.format->name);
+    if (!options_.format) {
+      output.note =
+          fmt::format("'{}' names no picture format that can be written: '{}' is written instead", name, file.string());
+    }
+  } else if (options_.format && options_.format != output.format) {
+    output.format = options_.format;
+    file.replace_extension(output.format->extensions.front());
+  }
+  SandboxedPath const place = resolve_sandboxed(options_.folder, file, options_.allowed_paths);
+  if (!place) {
+    throw Error(ErrorKind::scene,
+                fmt::format("a scene may not write '{}': {} (-o FILE names the picture, --allow-path FOLDER permits)",
+                            name, place.reason));
+  }
+  output.path = place.path;
+  output.shown = (file.is_absolute() || options_.folder == "." ? file : options_.folder / file).string();
+  return output;
+}
+
+}  // namespace lichtraum::app

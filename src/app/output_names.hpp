@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lichtraum/image_io.hpp"
+
+namespace lichtraum::app {
+
+/// What the command line says about where pictures go.
+struct OutputOptions {
+  std::string file;                     ///< -o: a name, a pattern with %d, "-" for standard output; empty: the scene's
+  ImageFormat const* format = nullptr;  ///< --format
+  std::filesystem::path folder = ".";   ///< --output-dir
+  std::vector<std::filesystem::path> allowed_paths;  ///< folders that a scene may write besides `folder`
+};
+
+/// Where one picture goes.
+struct Output {
+  std::filesystem::path path;  ///< empty: standard output
+  ImageFormat const* format = nullptr;
+  std::string shown;  ///< for messages
+  std::string note;   ///< what was decided that the user did not ask for; may be empty
+
+  bool is_standard_output() const { return path.empty(); }
+  /// Where an unfinished picture goes: picture.partial.png.
+  std::filesystem::path partial_path() const;
+};
+
+/// Names pictures, one after the other.
+class OutputNames {
+ public:
+  /// Throws Error{usage} for a faulty pattern, and when the file's extension contradicts the format.
+  explicit OutputNames(OutputOptions options);
+
+  /// Whether pictures would overwrite each other when there is more than one.
+  bool has_one_name() const;
+
+  /// For the next picture; `name_in_scene` is what the scene calls it. Throws Error{scene} for a name that leads out of
+  /// the output folder.
+  Output next(std::string const& name_in_scene);
+
+ private:
+  std::filesystem::path path_of(std::string const& number) const;
+  Output from_command_line();
+  Output from_scene(std::string const& name) const;
+
+  OutputOptions options_;
+  std::string before_number_;
+  std::string after_number_;
+  std::string number_format_;  // of fmt, empty without a pattern
+  int number_ = 0;             // of the last picture named
+};
+
+}  // namespace lichtraum::app

@@ -1,0 +1,137 @@
+#include "app/picture_plan.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "app/arguments.hpp"
+
+namespace lichtraum::app {
+namespace {
+
+constexpr Resolution default_resolution{640, 480};
+constexpr int default_depth = 5;
+
+/// What the machine has, or this process's control group may use where that is less.
+double memory_bytes() {
+  double bytes = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGE_SIZE));
+  double limit = 0;
+  if (std::ifstream("/sys/fs/cgroup/memory.max") >> limit) bytes = std::min(bytes, limit);
+  return bytes;
+}
+
+std::string human(double bytes) {
+  for (char const* const unit : {"bytes", "kB", "MB", "GB", "TB", "PB"}) {
+    if (bytes < 1000) return fmt::format("{:.3g} {}", bytes, unit);
+    bytes /= 1000;
+  }
+  return fmt::format("{:.3g} EB", bytes);
+}
+
+std::string list_cameras(Scene const& scene) {
+  std::string list;
+  for (Camera const& camera : scene.cameras) list += fmt::format("{}{}", list.empty() ? "" : ", ", camera.name());
+  return list;
+}
+
+Camera const& find_camera(Scene const& scene, SceneSource const& source, RenderOptions const& options,
+                          std::string const& name_in_scene) {
+  if (scene.cameras.empty()) {
+    throw Error(ErrorKind::scene, fmt::format("{}: there is no camera, so nothing can be drawn; 'define camera eye 45' "
+                                              "puts one at the origin that looks along -z",
+                                              source.name()));
+  }
+  std::string const& name = options.camera.empty() ? name_in_scene : options.camera;
+  if (name.empty()) return scene.cameras.front();
+  if (Camera const* const camera = scene.cameras.find(name)) return *camera;
+  throw Error(options.camera.empty() ? ErrorKind::scene : ErrorKind::usage,
+              fmt::format("{}: there is no camera '{}'; there are: {}", source.name(), name, list_cameras(scene)));
+}
+
+Resolution choose_size(Scene const& scene, Camera const& camera, RenderCommand const& command,
+                       RenderOptions const& options) {
+  if (options.size) return *options.size;
+  if (command.resolution) return *command.resolution;
+  if (camera.resolution()) return *camera.resolution();
+  return scene.resolution.value_or(default_resolution);
+}
+
+Sampling choose_sampling(RenderCommand const& command, RenderOptions const& options) {
+  if (options.sampling) return *options.sampling;
+  int const count = command.samples.value_or(1);
+  return {count == 1 ? Sampling::Pattern::grid : Sampling::Pattern::seeded, count};
+}
+
+Region choose_region(Resolution const& size, RenderOptions const& options) {
+  if (!options.region) return {0, 0, size.width, size.height};
+  Region const& r = *options.region;
+  if (r.x > size.width - r.width || r.y > size.height - r.height) {
+    throw Error(ErrorKind::usage, fmt::format("--region: {},{},{},{} does not lie in the picture of {}x{} pixels", r.x,
+                                              r.y, r.width, r.height, size.width, size.height));
+  }
+  return r;
+}
+
+void check_encoding(PicturePlan const& plan) {
+  ImageFormat const& format = *plan.output.format;
+  if (plan.encoding.bits > format.max_bits) {
+    throw Error(ErrorKind::usage, fmt::format("--bits {}: '{}' has {} bits a channel; .png and .ppm have 16",
+                                              plan.encoding.bits, plan.output.shown, format.max_bits));
+  }
+  if (std::max(plan.region.width, plan.region.height) > format.max_side) {
+    throw Error(ErrorKind::usage, fmt::format("'{}': a {} has at most {} pixels a side, not {}x{}", plan.output.shown,
+                                              format.name, format.max_side, plan.region.width, plan.region.height));
+  }
+}
+
+PicturePlan plan_picture(Scene const& scene, SceneSource const& source, RenderCommand const& command,
+                         RenderOptions const& options, OutputNames& names) {
+  Camera const& camera = find_camera(scene, source, options, command.camera);
+  PicturePlan plan;
+  plan.camera = camera.name();
+  plan.size = choose_size(scene, camera, command, options);
+  check_memory(plan.size, options.size ? ErrorKind::usage : ErrorKind::scene);
+  plan.region = choose_region(plan.size, options);
+  plan.sampling = choose_sampling(command, options);
+  plan.depth = options.depth.value_or(command.depth.value_or(default_depth));
+  plan.output = names.next(command.file);
+  plan.encoding = options.encoding;
+  check_encoding(plan);
+  if (!plan.output.is_standard_output()) check_writable(plan.output.path);
+  return plan;
+}
+
+}  // namespace
+
+void check_memory(Resolution const& size, ErrorKind kind) {
+  // Three floats a pixel for the picture, as much again while it is encoded.
+  double const needed = 24.0 * size.width * size.height;
+  double const available = memory_bytes();
+  if (needed <= available) return;
+  throw Error(kind, fmt::format("a picture of {}x{} pixels needs {} of memory; this machine has {}", size.width,
+                                size.height, human(needed), human(available)));
+}
+
+std::vector<PicturePlan> plan_pictures(EsdfScript const& script, SceneSource const& source,
+                                       RenderOptions const& options, OutputNames& names) {
+  Scene const& scene = script.scene();
+  std::vector<RenderCommand> commands = scene.renders;
+  if (commands.empty()) {
+    RenderCommand command;
+    command.file = scene.filename.empty() ? source.stem() + ".png" : scene.filename;
+    commands.push_back(command);
+  }
+  if (commands.size() > 1 && names.has_one_name()) {
+    throw Error(ErrorKind::usage,
+                fmt::format("{} draws {} pictures, and --output names one file: write a number into the name, such as "
+                            "-o picture-%04d.png",
+                            source.name(), commands.size()));
+  }
+  std::vector<PicturePlan> plans;
+  for (RenderCommand const& command : commands) plans.push_back(plan_picture(scene, source, command, options, names));
+  return plans;
+}
+
+}  // namespace lichtraum::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/render_options.hpp"
+#include "app/scene_source.hpp"
+
+namespace lichtraum::app {
+
+/// One picture of a scene, everything decided and checked before anything is drawn.
+struct PicturePlan {
+  std::string camera;
+  Output output;
+  ImageEncoding encoding;
+  Resolution size;
+  Region region;
+  Sampling sampling;
+  int depth = 0;
+};
+
+/// A plan for each `render` of the script, in order; for a script without any, one of its only (or first) camera. What
+/// the command line says wins over the render statement, that over the camera, that over the scene's defaults, those
+/// over 640x480, one sample a pixel and depth 5.
+/// Throws Error{usage}, Error{scene} and Error{cannot_create}, the last when a file could not be written.
+std::vector<PicturePlan> plan_pictures(EsdfScript const& script, SceneSource const& source,
+                                       RenderOptions const& options, OutputNames& names);
+
+/// Throws Error{`kind`} with the numbers when a picture of that size needs more memory than the machine has.
+void check_memory(Resolution const& size, ErrorKind kind);
+
+}  // namespace lichtraum::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "app/console.hpp"
+#include "lichtraum/renderer.hpp"
+
+namespace lichtraum::app {
+
+/// "hello.png  [=====>      ]  42 %  12.3 Mrays/s  3 s left" in the last line of a terminal: nothing in a pipe, with
+/// --quiet, or when the work takes less than 0.3 seconds.
+class ProgressBar {
+ public:
+  ProgressBar(Console const& console, std::string title);
+  ~ProgressBar();
+  ProgressBar(ProgressBar const&) = delete;
+  ProgressBar& operator=(ProgressBar const&) = delete;
+
+  void update(RenderProgress const& progress);
+
+ private:
+  bool is_wanted_;
+  std::string title_;
+  double next_seconds_ = 0.3;
+  bool is_drawn_ = false;
+};
+
+/// The bar's line for a terminal of `columns`.
+std::string progress_line(std::string const& title, RenderProgress const& progress, int columns);
+
+}  // namespace lichtraum::app

@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+
+#include "app/arguments.hpp"
+#include "app/commands.hpp"
+#include "app/exit_code.hpp"
+#include "app/renderer_choice.hpp"
+#include "app/scene_drawing.hpp"
+#include "app/values.hpp"
+
+namespace lichtraum::app {
+namespace {
+
+constexpr char const* description =
+    "Draws scenes to pictures. SCENE is an eSDF file, or - for standard input. A scene\n"
+    "names its pictures itself; one that does not is drawn to <scene>.png.";
+
+constexpr char const* examples =
+    "  lichtraum render hello.sdf\n"
+    "  lichtraum render hello.sdf -o hello.exr --size 1920x1080 --samples 4x4\n"
+    "  lichtraum render film.sdf -o frames/%04d.png\n"
+    "  lichtraum render old.sdf --rotation left --transform-order local\n"
+    "  lichtraum render - -o - --format ppm < hello.sdf > hello.ppm\n"
+    "  lichtraum render a.sdf b.sdf --output-dir pictures --json -q\n";
+
+void add_output_options(CLI::App& parser, RenderOptions& options) {
+  std::string const group = "Output";
+  auto const path = [](std::string const& text) { return std::filesystem::path(parse_name(text)); };
+  auto const format = [](std::string const& text) { return &image_format_named(text); };
+  add_value(parser, "-o,--output", options.output.file, parse_name, "FILE",
+            "Write to FILE: a name with .png, .ppm, .jpg,\n.exr or .pfm; %04d numbers pictures; - is\nstandard output",
+            group);
+  add_value(parser, "--format", options.output.format, format, "NAME", "png, ppm, jpg, exr or pfm, whatever the name",
+            group);
+  add_value(parser, "--output-dir", options.output.folder, path, "FOLDER", "Where pictures go (default: here)", group);
+  auto const bits = [&options](std::string const& text) {
+    options.has_bits = true;
+    return parse_bits(text);
+  };
+  add_value(parser, "--bits", options.encoding.bits, bits, "8|16", "Bits a channel, 16 for .png and .ppm", group);
+  auto const quality = [&options](std::string const& text) {
+    options.has_quality = true;
+    return parse_quality(text);
+  };
+  add_value(parser, "--quality", options.encoding.jpeg_quality, quality, "1-100", "Of .jpg (default: 92)", group);
+  parser.add_flag("--ppm-ascii", options.encoding.ppm_ascii, "Write .ppm as text")->group(group);
+  parser
+      .add_flag("--json", options.json, "Print statistics as JSON, to standard output\n(to standard error with -o -)")
+      ->group(group);
+}
+
+void add_picture_options(CLI::App& parser, RenderOptions& options) {
+  std::string const group = "Picture";
+  add_value(parser, "--size", options.size, parse_size, "WxH",
+            "Pixels, such as 1280x720 (default: the scene's,\nelse 640x480)", group);
+  add_value(parser, "--region", options.region, parse_region, "X,Y,W,H", "Draw and write this part of it only", group);
+  add_value(parser, "--camera", options.camera, parse_name, "NAME", "Look through this camera", group);
+  add_value(parser, "--root", options.root, parse_name, "NAME", "Draw this shape and what is below it only", group);
+}
+
+void add_quality_options(CLI::App& parser, RenderOptions& options) {
+  std::string const group = "Quality";
+  add_value(parser, "--samples", options.sampling, parse_samples, "N|NxN",
+            "Samples a pixel: 16 random ones, or a grid such\nas 4x4 (default: 1, the pixel's centre)", group);
+  add_value(parser, "--depth", options.depth, parse_depth, "N", "Mirrors and glass in a row (default: 5)", group);
+  add_value(parser, "--seed", options.seed, parse_seed, "N", "Of random samples (default: 0)", group);
+  auto const tone_map = [&options](std::string const& text) {
+    options.has_development = true;
+    return parse_tone_map(text);
+  };
+  auto const transfer = [&options](std::string const& text) {
+    options.has_development = true;
+    return parse_transfer(text);
+  };
+  add_value(parser, "--tonemap", options.tone_map, tone_map, "NAME",
+            "auto (default: what the scene's lights need),\nnone or reinhard", group);
+  add_value(parser, "--transfer", options.transfer, transfer, "NAME", "linear (default) or srgb", group);
+  add_value(parser, "--device", options.device, parse_name, "NAME",
+            "Index, part of a name, cpu, gpu or reference\n(default: the best)", group);
+}
+
+bool parse_render(Arguments const& arguments, RenderOptions& options, Console& console) {
+  auto const parser = make_parser("render", description, examples);
+  parser->add_option("scene", options.scenes, "eSDF files")->required()->type_name("SCENE...");
+  add_output_options(*parser, options);
+  add_picture_options(*parser, options);
+  add_quality_options(*parser, options);
+  add_language_options(*parser, options.language);
+  add_verbosity(*parser, console);
+  if (!parse(*parser, arguments)) return false;
+
+  options.output.allowed_paths = options.language.allowed_paths;
+  if (std::count(options.scenes.begin(), options.scenes.end(), "-") > 1) {
+    throw Error(ErrorKind::usage, "standard input (-) is named more than once");
+  }
+  return true;
+}
+
+}  // namespace
+
+int render_command(Arguments const& arguments, Console& console) {
+  RenderOptions options;
+  if (!parse_render(arguments, options, console)) return 0;
+  OutputNames names(options.output);
+  if (options.scenes.size() > 1 && names.has_one_name()) {
+    throw Error(ErrorKind::usage,
+                "--output names one file, and there are several scenes: write a number into the name, "
+                "such as -o picture-%04d.png");
+  }
+  if (options.size) check_memory(*options.size, ErrorKind::usage);
+
+  auto const start = std::chrono::steady_clock::now();
+  auto const renderer = choose_renderer(options.device, console);
+  console.detail(fmt::format("device {}: {}", renderer->device().index, renderer->device().name));
+  RunReport report;
+  report.device = renderer->device();
+
+  int code = 0;
+  std::size_t failed = 0;
+  for (std::string const& scene : options.scenes) {
+    SceneReport& scene_report = report.scenes.emplace_back();
+    scene_report.file = scene;
+    ErrorKind kind{};
+    try {
+      draw_scene(SceneSource(scene), options, names, *renderer, console, scene_report);
+      continue;
+    } catch (SceneError const& error) {
+      console.show(error.diagnostics());
+      scene_report.error = error.what();
+      kind = error.kind();
+    } catch (Error const& error) {
+      console.error(error.what());
+      scene_report.error = error.what();
+      kind = error.kind();
+    }
+    ++failed;
+    if (code == 0 || kind == ErrorKind::interrupted) code = exit_code(kind);
+    if (kind == ErrorKind::interrupted) break;
+  }
+  if (failed > 0 && options.scenes.size() > 1 && code != exit_code(ErrorKind::interrupted)) {
+    console.error(fmt::format("{} of {} scenes could not be drawn", failed, options.scenes.size()));
+  }
+  report.total_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  if (options.json) {
+    std::string const json = to_json(report);
+    options.output.file == "-" ? console.data(json) : write_standard_output(json);
+  }
+  return code;
+}
+
+}  // namespace lichtraum::app

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/output_names.hpp"
+#include "lichtraum/esdf.hpp"
+#include "lichtraum/renderer.hpp"
+
+namespace lichtraum::app {
+
+/// What `lichtraum render` is asked for. What is not given comes from the scene.
+struct RenderOptions {
+  std::vector<std::string> scenes;
+  EsdfOptions language;
+
+  OutputOptions output;
+  ImageEncoding encoding;
+  bool has_bits = false;  // given on the command line, not the default
+  bool has_quality = false;
+  bool has_development = false;  // --tonemap or --transfer
+
+  std::optional<Resolution> size;
+  std::optional<Region> region;
+  std::string camera;
+  std::string root;
+
+  std::optional<Sampling> sampling;
+  std::optional<int> depth;
+  std::uint64_t seed = 0;
+  ToneMap tone_map = ToneMap::automatic;
+  Transfer transfer = Transfer::linear;
+  std::string device;
+
+  bool json = false;
+};
+
+}  // namespace lichtraum::app

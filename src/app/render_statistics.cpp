@@ -1,0 +1,86 @@
+#include "app/render_statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/device_text.hpp"
+
+namespace lichtraum::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json picture_json(PictureReport const& report) {
+  RayCounts const& rays = report.render.rays;
+  Region const& region = report.plan.region;
+  return {{"output", report.written_to.empty() ? Json() : Json(report.written_to)},
+          {"complete", report.is_complete},
+          {"format", report.plan.output.format->name},
+          {"camera", report.plan.camera},
+          {"width", report.plan.size.width},
+          {"height", report.plan.size.height},
+          {"region", {region.x, region.y, region.width, region.height}},
+          {"samples", report.plan.sampling.count},
+          {"depth", report.plan.depth},
+          {"triangles", report.scene.triangles},
+          {"spheres", report.scene.spheres},
+          {"boxes", report.scene.boxes},
+          {"instances", report.scene.instances},
+          {"bvh_nodes", report.scene.bvh_nodes},
+          {"device_bytes", report.scene.device_bytes},
+          {"flatten_ms", report.scene.flatten_ms},
+          {"build_ms", report.scene.build_ms},
+          {"upload_ms", report.scene.upload_ms},
+          {"trace_ms", report.render.trace_ms},
+          {"write_ms", report.write_ms},
+          {"rays",
+           {{"camera", rays.camera},
+            {"camera_hits", rays.camera_hits},
+            {"shadow", rays.shadow},
+            {"secondary", rays.secondary},
+            {"total", rays.total()}}},
+          {"mrays_per_second", report.mrays_per_second()}};
+}
+
+}  // namespace
+
+std::string to_json(RunReport const& report) {
+  Json scenes = Json::array();
+  for (SceneReport const& scene : report.scenes) {
+    Json pictures = Json::array();
+    for (PictureReport const& picture : scene.pictures) pictures.push_back(picture_json(picture));
+    scenes.push_back({{"file", scene.file},
+                      {"load_ms", scene.load_ms},
+                      {"pictures", pictures},
+                      {"error", scene.error.empty() ? Json() : Json(scene.error)}});
+  }
+  Json const json{{"lichtraum", LICHTRAUM_VERSION},
+                  {"device",
+                   {{"index", report.device.index},
+                    {"kind", kind_name(report.device.kind)},
+                    {"name", report.device.name},
+                    {"platform", report.device.platform}}},
+                  {"scenes", scenes},
+                  {"total_ms", report.total_ms}};
+  // File names and messages need not be UTF-8, JSON must be.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string summary(PictureReport const& report) {
+  return fmt::format("{}: {}x{}, {:.3g} ms, {:.3g} Mrays/s", report.written_to, report.plan.region.width,
+                     report.plan.region.height, report.render.trace_ms, report.mrays_per_second());
+}
+
+std::string details(PictureReport const& report) {
+  SceneStatistics const& s = report.scene;
+  RayCounts const& rays = report.render.rays;
+  return fmt::format(
+      "  scene: {} triangles, {} spheres, {} boxes, {} instances, {} nodes, {} bytes on the device\n"
+      "  flatten {:.3g} ms, build {:.3g} ms, upload {:.3g} ms, trace {:.3g} ms, write {:.3g} ms\n"
+      "  rays: {} camera ({} hit something), {} shadow, {} mirror and glass",
+      s.triangles, s.spheres, s.boxes, s.instances, s.bvh_nodes, s.device_bytes, s.flatten_ms, s.build_ms, s.upload_ms,
+      report.render.trace_ms, report.write_ms, rays.camera, rays.camera_hits, rays.shadow, rays.secondary);
+}
+
+}  // namespace lichtraum::app

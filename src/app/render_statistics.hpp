@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/picture_plan.hpp"
+
+namespace lichtraum::app {
+
+/// What was measured of one picture.
+struct PictureReport {
+  PicturePlan plan;
+  std::string written_to;  ///< empty when nothing was written
+  bool is_complete = false;
+  SceneStatistics scene;
+  RenderStatistics render;
+  double write_ms = 0;  ///< encoding and writing
+
+  double mrays_per_second() const {
+    return render.trace_ms > 0 ? double(render.rays.total()) / render.trace_ms * 1e-3 : 0;
+  }
+};
+
+struct SceneReport {
+  std::string file;
+  double load_ms = 0;
+  std::vector<PictureReport> pictures;
+  std::string error;  ///< empty when all went well
+};
+
+struct RunReport {
+  DeviceInfo device;
+  std::vector<SceneReport> scenes;
+  double total_ms = 0;
+};
+
+/// For --json.
+std::string to_json(RunReport const& report);
+
+/// "hello.png: 640x480, 3.1 ms, 221 Mrays/s".
+std::string summary(PictureReport const& report);
+/// Everything that was measured, for --verbose.
+std::string details(PictureReport const& report);
+
+}  // namespace lichtraum::app

@@ -1,0 +1,43 @@
+#include "app/scene_source.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace lichtraum::app {
+namespace {
+
+constexpr std::size_t max_standard_input_bytes = std::size_t(1) << 30;
+
+std::string read_standard_input() {
+  std::string text;
+  std::string buffer(std::size_t(1) << 16, '\0');
+  for (;;) {
+    ssize_t const count = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+    if (count == 0) return text;
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw Error(ErrorKind::io, fmt::format("cannot read standard input: {}", std::strerror(errno)));
+    text.append(buffer, 0, static_cast<std::size_t>(count));
+    if (text.size() > max_standard_input_bytes) {
+      throw Error(ErrorKind::io, "standard input is longer than 1 GiB: give the scene as a file");
+    }
+  }
+}
+
+}  // namespace
+
+SceneSource::SceneSource(std::string argument) : name_(std::move(argument)) {
+  if (name_ != "-") return;
+  name_ = "<stdin>";
+  text_ = read_standard_input();
+}
+
+std::string SceneSource::stem() const { return text_ ? "stdin" : std::filesystem::path(name_).stem().string(); }
+
+EsdfScript SceneSource::load(EsdfOptions const& options) const {
+  return text_ ? EsdfScript::from_text(*text_, name_, options) : EsdfScript::from_file(name_, options);
+}
+
+}  // namespace lichtraum::app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "lichtraum/esdf.hpp"
+
+namespace lichtraum::app {
+
+/// A scene that the command line names: a file, or "-" for standard input. It can be loaded more than once.
+class SceneSource {
+ public:
+  /// Reads standard input to its end for "-". Throws Error{io}.
+  explicit SceneSource(std::string argument);
+
+  /// For messages: the file as given, or "<stdin>".
+  std::string const& name() const { return name_; }
+  /// The file's name without folder and extension, or "stdin": what a picture is called when nothing else says.
+  std::string stem() const;
+
+  /// Same exceptions as EsdfScript::from_file.
+  EsdfScript load(EsdfOptions const& options) const;
+
+ private:
+  std::string name_;
+  std::optional<std::string> text_;  // of standard input
+};
+
+}  // namespace lichtraum::app

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/scene_summary.hpp"
+
+namespace lichtraum::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool is_empty(SceneSummary const& s) { return !(s.bounds_min.x <= s.bounds_max.x); }
+
+std::string triple(Vec3 const& v) { return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z); }
+Json triple_json(Vec3 const& v) { return {v.x, v.y, v.z}; }
+
+std::string number(std::uint64_t count) {
+  return count >= SceneSummary::uncountable ? "more than 4e18" : std::to_string(count);
+}
+
+Json counts_json(ShapeCounts const& c) {
+  return {{"spheres", c.spheres},
+          {"boxes", c.boxes},
+          {"triangles", c.triangles},
+          {"meshes", c.meshes},
+          {"mesh_triangles", c.mesh_triangles},
+          {"composites", c.composites}};
+}
+
+std::string size_text(std::optional<Resolution> const& size) {
+  return size ? fmt::format(", {}x{}", size->width, size->height) : "";
+}
+
+Json size_json(std::optional<Resolution> const& size) { return size ? Json{size->width, size->height} : Json(); }
+
+}  // namespace
+
+std::string to_text(SceneSummary const& summary, std::string const& file) {
+  Scene const& scene = *summary.scene;
+  std::string text = file + "\n";
+  auto const row = [&](std::string_view what, std::uint64_t defined, std::uint64_t drawn) {
+    if (defined > 0) text += fmt::format("  {:<16}{:>10}  {:>14}\n", what, number(defined), number(drawn));
+  };
+  text += fmt::format("  {:<16}{:>10}  {:>14}\n", "shapes", "defined", "drawn");
+  row("spheres", summary.defined.spheres, summary.drawn.spheres);
+  row("boxes", summary.defined.boxes, summary.drawn.boxes);
+  row("triangles", summary.defined.triangles, summary.drawn.triangles);
+  row("meshes", summary.defined.meshes, summary.drawn.meshes);
+  row("mesh triangles", summary.defined.mesh_triangles, summary.drawn.mesh_triangles);
+  row("composites", summary.defined.composites, summary.drawn.composites);
+  text += fmt::format("  materials       {:>10}\n", scene.materials.size());
+  text += fmt::format("  lights          {:>10}\n", scene.lights.size());
+  for (Camera const& camera : scene.cameras) {
+    text += fmt::format("  camera          {}, {:g} degrees wide{}\n", camera.name(), camera.fov_x_degrees(),
+                        size_text(camera.resolution()));
+  }
+  for (RenderCommand const& command : scene.renders) {
+    text +=
+        fmt::format("  picture         {} through {}{}\n", command.file, command.camera, size_text(command.resolution));
+  }
+  text += fmt::format("  ambient light   {}\n", triple(scene.ambient()));
+  text += fmt::format("  background      {}\n", triple(scene.background));
+  text += is_empty(summary)
+              ? "  bounds          nothing is drawn\n"
+              : fmt::format("  bounds          {} to {}\n", triple(summary.bounds_min), triple(summary.bounds_max));
+  return text;
+}
+
+std::string to_json(SceneSummary const& summary, std::string const& file) {
+  Scene const& scene = *summary.scene;
+  Json lights = Json::array();
+  for (Light const& light : scene.lights) {
+    Json json{{"name", light.name()},
+              {"kind", light.kind() == LightKind::ambient ? "ambient" : "point"},
+              {"la", triple_json(light.la())}};
+    if (light.kind() == LightKind::point) {
+      json["position"] = triple_json(light.position());
+      json["ld"] = triple_json(light.ld());
+    }
+    lights.push_back(std::move(json));
+  }
+  Json cameras = Json::array();
+  for (Camera const& camera : scene.cameras) {
+    cameras.push_back({{"name", camera.name()},
+                       {"fov_x_degrees", camera.fov_x_degrees()},
+                       {"position", triple_json(camera.world_from_camera().point(Vec3(0)))},
+                       {"size", size_json(camera.resolution())}});
+  }
+  Json renders = Json::array();
+  for (RenderCommand const& command : scene.renders) {
+    renders.push_back({{"camera", command.camera}, {"file", command.file}, {"size", size_json(command.resolution)}});
+  }
+  Json const bounds = is_empty(summary)
+                          ? Json()
+                          : Json{{"min", triple_json(summary.bounds_min)}, {"max", triple_json(summary.bounds_max)}};
+  Json const json{{"file", file},
+                  {"shapes", {{"defined", counts_json(summary.defined)}, {"drawn", counts_json(summary.drawn)}}},
+                  {"materials", scene.materials.size()},
+                  {"lights", lights},
+                  {"cameras", cameras},
+                  {"renders", renders},
+                  {"ambient", triple_json(scene.ambient())},
+                  {"background", triple_json(scene.background)},
+                  {"bounds", bounds}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace lichtraum::app

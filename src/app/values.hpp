@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lichtraum/esdf.hpp"
+#include "lichtraum/renderer.hpp"
+
+/// Values of options from text. Each throws std::invalid_argument that says what was expected.
+
+namespace lichtraum::app {
+
+Resolution parse_size(std::string_view text);                             ///< 640x480
+Region parse_region(std::string_view text);                               ///< x,y,width,height
+Sampling parse_samples(std::string_view text);                            ///< 16: seeded; 4x4: a grid
+int parse_depth(std::string_view text);                                   ///< 0..1000
+std::uint64_t parse_seed(std::string_view text);                          ///< any 64-bit number
+int parse_bits(std::string_view text);                                    ///< 8 or 16
+int parse_quality(std::string_view text);                                 ///< 1..100
+ToneMap parse_tone_map(std::string_view text);                            ///< auto, none, reinhard
+Transfer parse_transfer(std::string_view text);                           ///< linear, srgb
+TransformOrder parse_transform_order(std::string_view text);              ///< parent, local
+RotationSense parse_rotation(std::string_view text);                      ///< right, left
+std::vector<MaterialExtra> parse_material_extras(std::string_view text);  ///< words with commas between
+
+}  // namespace lichtraum::app

@@ -1,0 +1,89 @@
+#include "lichtraum/camera.hpp"
+
+#include <set>
+
+#include "reference.hpp"
+#include "shared/frame.h"
+#include "shared/sampling.h"
+#include "support/catch.hpp"
+#include "support/opencl_probe.hpp"
+#include "support/skip.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+namespace {
+struct PixelSample {
+  device::uint x, y, sample, unused;
+};
+}  // namespace
+
+TEST_CASE("Camera rays go through the image point", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  Random random(1);
+  std::size_t const count = scaled_count(20000);
+  std::vector<device::PinholeCamera> cameras;
+  std::vector<float4> points, origins(count), directions(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    double const scale = std::pow(10., random.uniform(-6, 6));
+    cameras.push_back({to_float4(random.in_cube(1e6)), to_float4(random.in_cube(scale)),
+                       to_float4(random.in_cube(scale * 1e-3)), to_float4(random.in_cube(scale * 1e-3))});
+    points.push_back({float(random.uniform(0, 4000)), float(random.uniform(0, 4000)), 0, 0});
+  }
+  ProbeProgram("camera.cl").run("probe_camera_ray", count, {in(cameras), in(points), out(origins), out(directions)});
+  for (std::size_t i = 0; i < count; ++i) {
+    auto const& camera = cameras[i];
+    Vec3 const expected = to_vec3(camera.corner) + double(points[i].x) * to_vec3(camera.step_x) +
+                          double(points[i].y) * to_vec3(camera.step_y);
+    // The terms may cancel: their size counts.
+    double const terms = glm::length(to_vec3(camera.corner)) + points[i].x * glm::length(to_vec3(camera.step_x)) +
+                         points[i].y * glm::length(to_vec3(camera.step_y));
+    double const tolerance = 8 * rounding_unit * terms / glm::length(expected);
+    Vec3 const direction = to_vec3(directions[i]);
+    if (to_vec3(origins[i]) != to_vec3(camera.origin) ||
+        glm::length(direction - glm::normalize(expected)) > tolerance || std::abs(glm::length(direction) - 1) > 3e-7) {
+      FAIL("ray " << i);
+    }
+  }
+}
+
+TEST_CASE("Samples lie in the middles of the grid's cells, one in the centre", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  ProbeProgram const program("camera.cl");
+  for (device::uint const side : {1u, 2u, 3u, 7u, 64u, 1000u}) {
+    std::vector<device::FrameParameters> frame(1);
+    frame[0].sampling = side == 1 ? SAMPLING_SEEDED : SAMPLING_GRID;
+    frame[0].sample_count = side * side;
+    std::vector<PixelSample> samples;
+    for (device::uint i : {0u, side - 1, side * side / 2, side * side - 1}) samples.push_back({5, 6, i, 0});
+    std::vector<device::PixelOffset> offsets(samples.size());
+    program.run("probe_sample_in_pixel", samples.size(), {in(frame), in(samples), out(offsets)});
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      CHECK(offsets[i].x == Approx((samples[i].sample % side + 0.5) / side).epsilon(1e-6));
+      CHECK(offsets[i].y == Approx((samples[i].sample / side + 0.5) / side).epsilon(1e-6));
+    }
+  }
+}
+
+TEST_CASE("Seeded samples are the host's, to the bit", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  Random random(2);
+  std::size_t const count = scaled_count(100000);
+  std::vector<device::FrameParameters> frame(1);
+  frame[0].sampling = SAMPLING_SEEDED;
+  frame[0].sample_count = 4;
+  frame[0].seed_low = 0xdeadbeef;
+  frame[0].seed_high = 17;
+  std::vector<PixelSample> samples(count);
+  for (auto& s : samples) {
+    s = {device::uint(random.index(100000)), device::uint(random.index(100000)), device::uint(random.index(5000)), 0};
+  }
+  std::vector<device::PixelOffset> offsets(count);
+  ProbeProgram("camera.cl").run("probe_sample_in_pixel", count, {in(frame), in(samples), out(offsets)});
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    auto const expected = device::seeded_pixel_offset(samples[i].x, samples[i].y, samples[i].sample, 0xdeadbeef, 17);
+    different += expected.x != offsets[i].x || expected.y != offsets[i].y;
+  }
+  CHECK(different == 0);
+}

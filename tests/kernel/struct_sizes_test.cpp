@@ -1,0 +1,35 @@
+#include <cstddef>
+#include <vector>
+
+#include "shared/bvh.h"
+#include "shared/frame.h"
+#include "shared/geometry.h"
+#include "shared/sampling.h"
+#include "shared/shading.h"
+#include "support/catch.hpp"
+#include "support/opencl_probe.hpp"
+#include "support/skip.hpp"
+
+using namespace lichtraum::device;
+using lichtraum::test::out;
+using lichtraum::test::ProbeProgram;
+
+TEST_CASE("Host and device agree on sizes and offsets of shared structs", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  std::vector<uint> expected;
+  std::vector<std::string> names;
+#define STRUCT(type)                      \
+  expected.push_back(uint(sizeof(type))); \
+  names.push_back("sizeof " #type);
+#define MEMBER(type, member)                        \
+  expected.push_back(uint(offsetof(type, member))); \
+  names.push_back(#type "." #member);
+#include "struct_members.h"
+
+  std::vector<uint> sizes(expected.size());
+  ProbeProgram("struct_sizes.cl").run("probe_struct_sizes", 1, {out(sizes)});
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    INFO(names[i]);
+    CHECK(sizes[i] == expected[i]);
+  }
+}

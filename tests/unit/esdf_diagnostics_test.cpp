@@ -142,6 +142,9 @@ TEST_CASE("long tokens and lines are cut in messages", "[unit][esdf]") {
   CHECK(found[0].message.size() < 100);
   CHECK(found[0].source_line.size() < 10'000);
   CHECK(format_diagnostic(found[0]).size() < 2'000);
+  auto const comma = findings("define camera eye 4," + std::string(1'000'000, '5') + "\n");
+  REQUIRE(comma.size() == 1);
+  CHECK(comma[0].message.size() + comma[0].hint.size() < 200);
   auto const far = findings("define shape composite c" + std::string(1'000'000, ' ') + "nobody\n");
   REQUIRE(far.size() == 1);
   CHECK(far[0].location.column == 1'000'025);

@@ -151,7 +151,7 @@ std::optional<double> read_number(Interpreter& interpreter, Token token) {
       std::string with_point(token);
       std::replace(with_point.begin(), with_point.end(), ',', '.');
       interpreter.error(token, fmt::format("{} is not a number", in_quotes(token)),
-                        fmt::format("decimals have a point: {}", with_point));
+                        fmt::format("decimals have a point: {}", in_quotes(with_point)));
       return std::nullopt;
     }
     case NumberProblem::unicode_minus:

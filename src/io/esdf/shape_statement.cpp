@@ -49,7 +49,8 @@ void define_sphere(Interpreter& interpreter, Statement const& statement) {
   if (!good) {
     interpreter.error(statement[4], "sphere: the radius must not be 0");
   } else if (v[3] < 0) {
-    good = interpreter.dialect_warning(statement[4], fmt::format("sphere: the radius {} is negative", statement[4]),
+    good = interpreter.dialect_warning(statement[4],
+                                       fmt::format("sphere: the radius {} is negative", in_quotes(statement[4])),
                                        "its absolute value is taken");
   }
   if (!good) {

@@ -95,6 +95,7 @@ TEST_CASE("foreign files are recognised", "[unit][esdf]") {
   };
   for (Foreign const& foreign : {Foreign{"{\\rtf1\\ansi\n\\f0 # materials\\\n", "an RTF document"},
                                  {"<?xml version=\"1.0\"?>\n", "an XML document"},
+                                 {"\xEF\xBB\xBF<?xml version=\"1.0\"?>\n", "an XML document"},
                                  {"\n  <!DOCTYPE html>\n", "an HTML or XML document"},
                                  {std::string("\xFF\xFE#\0", 4), "UTF-16 text"},
                                  {"\x89PNG\r\n", "a PNG picture"},

@@ -53,6 +53,7 @@ std::string hint_for_no_number(Token token) {
       return fmt::format("is a line break missing before '{}'?", word);
     }
   }
+  if (token.find('=') != Token::npos) return "key=value arguments come last, and only materials take some";
   return token.find(',') == Token::npos ? "" : "numbers are separated by blanks";
 }
 

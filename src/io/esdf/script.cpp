@@ -29,18 +29,18 @@ EsdfScript EsdfScript::from_file(std::filesystem::path const& path, EsdfOptions 
 
 EsdfScript EsdfScript::from_text(std::string text, std::string name, EsdfOptions const& options,
                                  std::filesystem::path const& folder) {
+  auto state = std::make_unique<State>();
+  state->options = options;
+  state->text = std::move(text);
+  esdf::normalise_line_breaks(state->text);
   // Nothing of a foreign file is worth keeping, so options.keep_going changes nothing here.
-  if (auto const foreign = esdf::recognise_foreign_file(text)) {
+  if (auto const foreign = esdf::recognise_foreign_file(state->text)) {
     Diagnostic problem;
     problem.location = {std::move(name), 1, 0};
     problem.message = foreign->message;
     problem.hint = foreign->hint;
     throw SceneError(std::vector<Diagnostic>{std::move(problem)});
   }
-  auto state = std::make_unique<State>();
-  state->options = options;
-  state->text = std::move(text);
-  esdf::normalise_line_breaks(state->text);
   state->source = {state->text, std::move(name), folder, mesh_formats()};
 
   esdf::Interpreter interpreter(state->source, state->options);

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "lichtraum/renderer.hpp"
+
+namespace lichtraum::test {
+
+/// Two pictures agree where no channel, clamped to 0..1, differs by more than this: one step of eight bits.
+inline constexpr double picture_tolerance = 1.0 / 255;
+
+/// How many pixels may differ: silhouettes, where rounding decides what a ray meets.
+inline constexpr double differing_share = 0.001;
+
+/// Checks that `actual` agrees with `expected` in all but `allowed_share` of the pixels. When it does not, the failure
+/// names the differing pixels, and <name>.actual.png, .expected.png and .difference.png (differences times eight) are
+/// left in the folder LICHTRAUM_ARTIFACT_DIR.
+void check_picture(Image const& actual, Image const& expected, std::string const& name,
+                   double allowed_share = differing_share);
+
+/// A request for the whole picture.
+RenderRequest whole_picture(Camera const& camera, Resolution const& resolution);
+
+/// `scene`, or its part `root`, on `device`.
+Image render_on(DeviceInfo const& device, Scene const& scene, RenderRequest const& request);
+
+/// The same by the reference renderer.
+Image render_reference(Scene const& scene, RenderRequest const& request);
+
+/// Every OpenCL device of this machine, found once.
+std::vector<DeviceInfo> const& opencl_devices();
+
+}  // namespace lichtraum::test
+
+/// Leaves the test with a line SKIPPED where there is no OpenCL device.
+#define REQUIRE_OPENCL_DEVICE() \
+  if (lichtraum::test::opencl_devices().empty()) SKIP_TEST("no OpenCL device")

@@ -1,0 +1,102 @@
+#include "io/gltf/deform.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
+
+namespace lichtraum::gltf {
+namespace {
+
+Vec3 to_vec3(Float3 const& v) { return {v[0], v[1], v[2]}; }
+Float3 to_float3(Vec3 const& v) { return {float(v.x), float(v.y), float(v.z)}; }
+
+Float3 to_unit_float3(Vec3 const& v) {
+  double const length = glm::length(v);
+  return length > 0 && std::isfinite(length) ? to_float3(v / length) : Float3{0, 0, 0};
+}
+
+void add(std::vector<Float3>& values, std::vector<Float3> const& deltas, double weight) {
+  if (deltas.size() != values.size()) return;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) values[i][axis] += float(weight * double(deltas[i][axis]));
+  }
+}
+
+/// Which way normals go: the cofactors, which are there also where the inverse is not.
+Mat3 normal_matrix(Mat3 const& m) {
+  return Mat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+}
+
+}  // namespace
+
+std::shared_ptr<MeshGeometry const> morph(Primitive const& primitive, std::vector<double> const& weights) {
+  std::size_t const count = std::min(weights.size(), primitive.targets.size());
+  bool const any = std::any_of(weights.begin(), weights.begin() + std::ptrdiff_t(count),
+                               [](double w) { return w != 0 && std::isfinite(w); });
+  if (!any) return primitive.geometry;
+  auto morphed = std::make_shared<MeshGeometry>(*primitive.geometry);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (weights[i] == 0 || !std::isfinite(weights[i])) continue;
+    add(morphed->positions, primitive.targets[i].positions, weights[i]);
+    add(morphed->normals, primitive.targets[i].normals, weights[i]);
+  }
+  for (Float3& normal : morphed->normals) normal = to_unit_float3(to_vec3(normal));
+  return morphed;
+}
+
+SkinPose pose_skin(tinygltf::Model const& model, int skin, NodeTree const& tree, Accessors& accessors,
+                   Findings& findings) {
+  auto const& source = model.skins[std::size_t(skin)];
+  SkinPose pose;
+  std::optional<FloatElements> inverse_bind;
+  if (source.inverseBindMatrices >= 0) {
+    std::string const pointer = fmt::format("/skins/{}/inverseBindMatrices", skin);
+    inverse_bind = accessors.floats(source.inverseBindMatrices, 16, pointer);
+    if (inverse_bind && inverse_bind->count() < source.joints.size()) {
+      findings.warn(pointer, fmt::format("{} matrices for {} joints", inverse_bind->count(), source.joints.size()));
+      inverse_bind.reset();
+    }
+  }
+  for (std::size_t i = 0; i < source.joints.size(); ++i) {
+    Mat4 bind_from_mesh(1);
+    if (inverse_bind) {
+      float const* values = inverse_bind->values.data() + 16 * i;
+      for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) bind_from_mesh[column][row] = double(values[4 * column + row]);
+      }
+    }
+    pose.world_from_bind.push_back(tree.world_from_node[std::size_t(source.joints[i])] * bind_from_mesh);
+    pose.normals.push_back(normal_matrix(Mat3(pose.world_from_bind.back())));
+  }
+  return pose;
+}
+
+std::shared_ptr<MeshGeometry const> apply_skin(MeshGeometry const& geometry, std::vector<JointSet> const& joint_sets,
+                                               SkinPose const& skin) {
+  auto skinned = std::make_shared<MeshGeometry>(geometry);
+  std::size_t const joints = skin.world_from_bind.size();
+  for (std::size_t i = 0; i < geometry.positions.size(); ++i) {
+    Vec3 const position = to_vec3(geometry.positions[i]);
+    Vec3 const normal = geometry.normals.empty() ? Vec3(0) : to_vec3(geometry.normals[i]);
+    Vec3 moved(0), turned(0);
+    double sum = 0;
+    for (JointSet const& set : joint_sets) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        auto const weight = double(set.weights[i][k]);
+        if (weight == 0) continue;
+        std::size_t const joint = set.joints[i][k] < joints ? set.joints[i][k] : 0;
+        moved += weight * Vec3(skin.world_from_bind[joint] * glm::dvec4(position, 1));
+        turned += weight * (skin.normals[joint] * normal);
+        sum += weight;
+      }
+    }
+    if (sum == 0) continue;
+    skinned->positions[i] = to_float3(moved / sum);
+    if (!geometry.normals.empty()) skinned->normals[i] = to_unit_float3(turned);
+  }
+  return skinned;
+}
+
+}  // namespace lichtraum::gltf

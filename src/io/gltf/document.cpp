@@ -1,0 +1,183 @@
+#include "io/gltf/document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "io/gltf/container.hpp"
+#include "io/gltf/schema.hpp"
+
+namespace lichtraum::gltf {
+namespace {
+
+using nlohmann::json;
+
+/// glTF itself nests ten levels; tinygltf recurses over extensions.
+constexpr std::size_t max_nesting = 256;
+
+/// Fails when arrays and objects nest too deep. One look at the bytes, before anything is built of them.
+void check_nesting(std::string_view text, Findings& findings) {
+  std::size_t depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    char const c = text[i];
+    if (in_string) {
+      if (c == '\\') {
+        ++i;
+      } else if (c == '"') {
+        in_string = false;
+      }
+    } else if (c == '"') {
+      in_string = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > max_nesting)
+        findings.fail_at(text, i, fmt::format("JSON nests deeper than {} levels", max_nesting));
+    } else if (c == ']' || c == '}') {
+      if (depth > 0) --depth;
+    }
+  }
+}
+
+json parse_json(std::string_view text, Findings& findings) {
+  check_nesting(text, findings);
+  try {
+    return json::parse(text);
+  } catch (json::parse_error const& error) {
+    // "[json.exception.parse_error.101] parse error at line 1, column 8: what": the place is told separately.
+    std::string const message = error.what();
+    std::size_t const colon = message.find(": ");
+    findings.fail_at(text, error.byte > 0 ? error.byte - 1 : 0,
+                     "not JSON: " + (colon == std::string::npos ? message : message.substr(colon + 2)));
+  } catch (json::exception const& error) {
+    findings.fail("", fmt::format("not JSON: {}", error.what()));
+  }
+}
+
+std::optional<std::string> take_string(json& object, char const* name) {
+  auto const found = object.find(name);
+  if (found == object.end()) return std::nullopt;
+  return std::move(found->get_ref<std::string&>());
+}
+
+void take_buffers(json& model, Document& document) {
+  auto const list = model.find("buffers");
+  if (list == model.end()) return;
+  for (json& buffer : *list) {
+    document.buffers.push_back({take_string(buffer, "uri"), buffer["byteLength"].get<std::uint64_t>()});
+  }
+  model.erase(list);
+}
+
+void take_images(json& model, Document& document) {
+  auto const list = model.find("images");
+  if (list == model.end()) return;
+  for (json& image : *list) {
+    document.images.push_back(
+        {take_string(image, "uri"), take_string(image, "mimeType").value_or(""), image.value("bufferView", -1)});
+  }
+  model.erase(list);
+}
+
+/// tinygltf refuses a whole model for these.
+void soothe_tinygltf(json& model, Findings& findings) {
+  auto& views = model["bufferViews"];
+  if (views.is_null()) views = json::array();
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    auto const stride = views[i].find("byteStride");
+    if (stride == views[i].end()) continue;
+    auto const bytes = stride->get<std::uint64_t>();
+    if (bytes <= 252 && bytes % 4 == 0) continue;
+    findings.warn(fmt::format("/bufferViews/{}/byteStride", i),
+                  fmt::format("expected a multiple of 4 in 4..252, found {}; the view is left out", bytes));
+    views[i] = {{"buffer", 0}, {"byteLength", 0}};
+  }
+  auto const accessors = model.find("accessors");
+  for (std::size_t i = 0; accessors != model.end() && i < accessors->size(); ++i) {
+    json& accessor = (*accessors)[i];
+    constexpr std::string_view types[] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
+    auto const type = accessor["type"].get<std::string>();
+    auto const component = accessor["componentType"].get<std::uint64_t>();
+    bool const is_known = std::find(std::begin(types), std::end(types), type) != std::end(types);
+    if (is_known && component >= TINYGLTF_COMPONENT_TYPE_BYTE && component <= TINYGLTF_COMPONENT_TYPE_DOUBLE) continue;
+    findings.warn(fmt::format("/accessors/{}", i),
+                  fmt::format("glTF knows no type '{}' of component type {}", type, component));
+    accessor = {{"componentType", TINYGLTF_COMPONENT_TYPE_FLOAT}, {"count", 0}, {"type", "SCALAR"}};
+  }
+  auto const cameras = model.find("cameras");
+  if (cameras == model.end()) return;
+  for (json& camera : *cameras) {
+    bool const is_complete = (camera.value("type", "") == "perspective" && camera.contains("perspective")) ||
+                             (camera.value("type", "") == "orthographic" && camera.contains("orthographic"));
+    if (!is_complete) camera = {{"type", "perspective"}, {"perspective", {{"yfov", 0}}}};
+    json& lens = camera[camera["type"].get<std::string>()];
+    lens.emplace("znear", 0);
+    lens.emplace("zfar", 0);
+  }
+}
+
+void soothe_lights(json& model, Findings& findings) {
+  json* lights = nullptr;
+  auto const extensions = model.find("extensions");
+  if (extensions != model.end() && extensions->contains("KHR_lights_punctual")) {
+    json& extension = (*extensions)["KHR_lights_punctual"];
+    if (extension.contains("lights") && extension["lights"].is_array()) lights = &extension["lights"];
+  }
+  for (std::size_t i = 0; lights && i < lights->size(); ++i) {
+    json& light = (*lights)[i];
+    bool const has_type = light.is_object() && light.contains("type") && light["type"].is_string();
+    if (!has_type) {
+      findings.warn(fmt::format("/extensions/KHR_lights_punctual/lights/{}/type", i), "it is missing");
+      light = {{"type", "none"}};
+    } else if (light["type"] == "spot" && (!light.contains("spot") || !light["spot"].is_object())) {
+      light["spot"] = json::object();
+    }
+  }
+}
+
+/// tinygltf insists that indices have a buffer view; compressed and sparse ones need none. So accessors without one get
+/// a view of their own for the time of its work: the last.
+std::size_t add_absent_view(json& model) {
+  json& views = model["bufferViews"];
+  std::size_t const absent = views.size();
+  views.push_back({{"buffer", 0}, {"byteLength", 0}});
+  auto const accessors = model.find("accessors");
+  if (accessors == model.end()) return absent;
+  for (json& accessor : *accessors) accessor.emplace("bufferView", absent);
+  return absent;
+}
+
+void remove_absent_view(tinygltf::Model& model, std::size_t absent) {
+  model.bufferViews.resize(absent);
+  for (auto& accessor : model.accessors) {
+    if (accessor.bufferView == int(absent)) accessor.bufferView = -1;
+  }
+}
+
+}  // namespace
+
+void parse_document(Document& document, Findings& findings) {
+  Container const container = open_container(document.bytes, findings);
+  document.binary = container.binary;
+  document.is_glb = container.is_glb;
+
+  json json_model = parse_json(container.json, findings);
+  conform_to_schema(json_model, findings);
+  take_buffers(json_model, document);
+  take_images(json_model, document);
+  soothe_tinygltf(json_model, findings);
+  soothe_lights(json_model, findings);
+  std::size_t const absent_view = add_absent_view(json_model);
+
+  std::string const text = json_model.dump();
+  if (text.size() > std::numeric_limits<unsigned>::max()) findings.fail("", "more than 4 GB of JSON");
+  tinygltf::TinyGLTF parser;
+  std::string error, warning;
+  if (!parser.LoadASCIIFromString(&document.model, &error, &warning, text.data(), unsigned(text.size()), "",
+                                  tinygltf::NO_REQUIRE)) {
+    findings.fail("", error);
+  }
+  remove_absent_view(document.model, absent_view);
+}
+
+}  // namespace lichtraum::gltf

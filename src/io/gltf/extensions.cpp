@@ -1,0 +1,41 @@
+#include "io/gltf/extensions.hpp"
+
+#include <algorithm>
+
+namespace lichtraum::gltf {
+namespace {
+
+constexpr Extension table[] = {
+    {"EXT_mesh_gpu_instancing", "instances that share one mesh"},
+    {"EXT_meshopt_compression", "decoded, all modes and filters"},
+    {"EXT_texture_webp", "decoded"},
+    {"KHR_draco_mesh_compression", "decoded"},
+    {"KHR_lights_punctual", "point, spot and directional lights"},
+    {"KHR_materials_anisotropy", "kept in the material"},
+    {"KHR_materials_clearcoat", "kept in the material"},
+    {"KHR_materials_dispersion", "kept in the material"},
+    {"KHR_materials_emissive_strength", "read"},
+    {"KHR_materials_ior", "read; bends refracted rays"},
+    {"KHR_materials_iridescence", "kept in the material"},
+    {"KHR_materials_pbrSpecularGlossiness", "converted to metallic-roughness"},
+    {"KHR_materials_sheen", "kept in the material"},
+    {"KHR_materials_specular", "read; scales the highlight"},
+    {"KHR_materials_transmission", "refracted rays"},
+    {"KHR_materials_unlit", "shown in its own colour"},
+    {"KHR_materials_volume", "kept in the material; a body with it refracts"},
+    {"KHR_mesh_quantization", "read"},
+    {"KHR_meshopt_compression", "decoded, all modes and filters of EXT_meshopt_compression"},
+    {"KHR_node_visibility", "invisible nodes are left out"},
+    {"KHR_texture_basisu", "the fallback picture is used; without one the texture is left out"},
+    {"KHR_texture_transform", "read, for each texture of a material"},
+};
+
+}  // namespace
+
+std::span<Extension const> supported_extensions() { return table; }
+
+bool is_supported_extension(std::string_view name) {
+  return std::any_of(std::begin(table), std::end(table), [name](Extension const& e) { return e.name == name; });
+}
+
+}  // namespace lichtraum::gltf

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "io/gltf/pose.hpp"
+
+namespace lichtraum::gltf {
+
+/// The nodes as a forest, whatever the file says: each node has one parent at most and is no ancestor of itself. Edges
+/// that break this are findings and left out.
+struct NodeTree {
+  std::vector<int> roots;                  ///< of the scene
+  std::vector<std::vector<int>> children;  ///< of each node
+  std::vector<int> order;                  ///< every node of the scene, parents first
+  std::vector<Mat4> world_from_node;       ///< of every node, also of those in no scene (joints may be there)
+};
+
+/// `scene`: index, or -1 for all nodes that have no parent.
+NodeTree build_node_tree(tinygltf::Model const& model, int scene, std::vector<NodePose> const& pose,
+                         Findings& findings);
+
+}  // namespace lichtraum::gltf

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/gltf/accessors.hpp"
+#include "lichtraum/mesh_geometry.hpp"
+
+namespace lichtraum::gltf {
+
+/// What one morph target adds; lists are empty or as long as the positions.
+struct MorphTarget {
+  std::vector<Float3> positions;
+  std::vector<Float3> normals;
+};
+
+/// Up to four joints that move a vertex. A model may have several such sets for each vertex.
+struct JointSet {
+  std::vector<std::array<std::uint32_t, 4>> joints;
+  std::vector<Float4> weights;
+};
+
+/// A primitive as the file holds it, before morphing and skinning.
+struct Primitive {
+  std::shared_ptr<MeshGeometry const> geometry;
+  int material = -1;
+  std::vector<MorphTarget> targets;
+  std::vector<JointSet> joint_sets;
+};
+
+/// Reads primitives; those that name the same data share one geometry.
+class Primitives {
+ public:
+  Primitives(Document const& document, Buffers& buffers, Accessors& accessors, Findings& findings)
+      : document_(document), buffers_(buffers), accessors_(accessors), findings_(findings) {}
+
+  /// Nothing when it has no triangles that can be read: a finding says why.
+  std::optional<Primitive> read(int mesh, std::size_t primitive);
+
+ private:
+  struct Source;
+  std::shared_ptr<MeshGeometry const> read_geometry(Source& source);
+  bool decompress(Source& source);
+  std::optional<std::vector<std::uint32_t>> read_indices(Source const& source, std::size_t vertex_count);
+  template <std::size_t N>
+  std::vector<std::array<float, N>> read_attribute(Source const& source, std::string const& name, std::size_t count);
+  std::vector<Float4> read_colors(Source const& source, std::size_t count);
+  std::vector<MorphTarget> read_targets(Source const& source, std::size_t count);
+  std::vector<JointSet> read_joint_sets(Source const& source, std::size_t count);
+
+  Document const& document_;
+  Buffers& buffers_;
+  Accessors& accessors_;
+  Findings& findings_;
+  /// By everything that decides it: attributes, indices, mode, compressed view.
+  std::map<std::string, std::shared_ptr<MeshGeometry const>> known_;
+};
+
+}  // namespace lichtraum::gltf

@@ -1,0 +1,220 @@
+#include "io/gltf/scene_graph.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/gltf/values.hpp"
+
+namespace lichtraum::gltf {
+namespace {
+
+constexpr char const* instancing_extension = "EXT_mesh_gpu_instancing";
+
+/// Composed of its parts where it can be, so that the inverse is exact. Nothing when it has no inverse.
+std::optional<Transform> transform_of(NodePose const& pose) {
+  try {
+    if (pose.matrix) return Transform::from_matrix(*pose.matrix);
+    Transform result = Transform::scaling(pose.scale);
+    double const half_cosine = std::clamp(pose.rotation.w, -1.0, 1.0);
+    Vec3 const axis(pose.rotation.x, pose.rotation.y, pose.rotation.z);
+    if (axis != Vec3(0)) {
+      double const angle = 2 * std::atan2(glm::length(axis), half_cosine);
+      result = Transform::rotation(angle * 180 / 3.14159265358979323846, axis) * result;
+    }
+    return Transform::translation(pose.translation) * result;
+  } catch (std::invalid_argument const&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+SceneGraph::SceneGraph(Document const& document, NodeTree const& tree, std::vector<NodePose> const& pose,
+                       Primitives& primitives, Accessors& accessors,
+                       std::vector<std::shared_ptr<Material const>> const& materials, Names& names, Findings& findings)
+    : document_(document),
+      tree_(tree),
+      pose_(pose),
+      primitives_(primitives),
+      accessors_(accessors),
+      materials_(materials),
+      names_(names),
+      findings_(findings) {}
+
+std::string SceneGraph::node_name(int node) const {
+  std::string const& name = document_.model.nodes[std::size_t(node)].name;
+  return name.empty() ? fmt::format("node_{}", node) : name;
+}
+
+void SceneGraph::build(std::string const& name, Scene& scene) {
+  // Nodes first: a node and its mesh often have one name, and people mean the node.
+  std::string const root_name = names_.unique(name);
+  node_names_.resize(document_.model.nodes.size());
+  for (int const node : tree_.order) node_names_[std::size_t(node)] = names_.unique(node_name(node));
+
+  std::vector<std::shared_ptr<Composite>> composites(document_.model.nodes.size());
+  Children skinned;  // in the world: what a joint moves, no parent moves
+  for (auto node = tree_.order.rbegin(); node != tree_.order.rend(); ++node) {
+    auto const i = std::size_t(*node);
+    bool const is_skinned = document_.model.nodes[i].skin >= 0 && document_.model.nodes[i].mesh >= 0;
+    Children children;
+    if (is_skinned) {
+      Children shapes = deformed_shapes_of(*node, scene);
+      skinned.insert(skinned.end(), shapes.begin(), shapes.end());
+    } else {
+      children = shapes_of(*node, scene);
+    }
+    for (int const child : tree_.children[i]) {
+      if (composites[std::size_t(child)]) children.push_back(composites[std::size_t(child)]);
+    }
+    if (children.empty()) continue;
+    auto const transform = transform_of(pose_[i]);
+    if (!transform) {
+      findings_.warn(fmt::format("/nodes/{}", *node), "its transform has no inverse (a scale of zero?): left out");
+      continue;
+    }
+    auto composite = std::make_shared<Composite>(node_names_[i], std::move(children));
+    composite->set_world_from_object(*transform);
+    scene.shapes.insert(composite);
+    composites[i] = std::move(composite);
+  }
+
+  Children roots;
+  for (int const root : tree_.roots) {
+    if (composites[std::size_t(root)]) roots.push_back(composites[std::size_t(root)]);
+  }
+  roots.insert(roots.end(), skinned.begin(), skinned.end());
+  if (!roots.empty()) scene.shapes.insert(std::make_shared<Composite>(root_name, std::move(roots)));
+}
+
+std::vector<std::optional<Primitive>> const& SceneGraph::primitives_of(int mesh) {
+  auto const [found, is_new] = meshes_.try_emplace(mesh);
+  if (is_new) {
+    for (std::size_t i = 0; i < document_.model.meshes[std::size_t(mesh)].primitives.size(); ++i) {
+      found->second.push_back(primitives_.read(mesh, i));
+      auto const& primitive = found->second.back();
+      int const mode = document_.model.meshes[std::size_t(mesh)].primitives[i].mode;
+      if (primitive) {
+        triangles_ += primitive->geometry->triangle_count();
+      } else if (mode < 0 || mode > 3) {
+        ++faulty_primitives_;
+      }
+    }
+  }
+  return found->second;
+}
+
+std::vector<double> const& SceneGraph::weights_of(int node) const {
+  auto const& own = pose_[std::size_t(node)].weights;
+  return own.empty() ? document_.model.meshes[std::size_t(document_.model.nodes[std::size_t(node)].mesh)].weights : own;
+}
+
+std::shared_ptr<Shape> SceneGraph::add_mesh(int mesh, std::size_t primitive,
+                                            std::shared_ptr<MeshGeometry const> geometry, Scene& scene) {
+  auto const& source = document_.model.meshes[std::size_t(mesh)];
+  std::string name = source.name.empty() ? fmt::format("mesh_{}", mesh) : source.name;
+  if (source.primitives.size() > 1) name += fmt::format(".{}", primitive);
+  int const material = source.primitives[primitive].material;
+  auto shape = std::make_shared<Mesh>(names_.unique(name), std::move(geometry),
+                                      material >= 0 ? materials_[std::size_t(material)] : materials_.back());
+  scene.shapes.insert(shape);
+  return shape;
+}
+
+SceneGraph::Children const& SceneGraph::shared_shapes_of(int mesh, Scene& scene) {
+  auto const [found, is_new] = shared_shapes_.try_emplace(mesh);
+  if (is_new) {
+    auto const& primitives = primitives_of(mesh);
+    auto const& weights = document_.model.meshes[std::size_t(mesh)].weights;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      if (primitives[i]) found->second.push_back(add_mesh(mesh, i, morph(*primitives[i], weights), scene));
+    }
+  }
+  return found->second;
+}
+
+SceneGraph::Children SceneGraph::deformed_shapes_of(int node, Scene& scene) {
+  auto const& source = document_.model.nodes[std::size_t(node)];
+  Children shapes;
+  auto const& primitives = primitives_of(source.mesh);
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    if (!primitives[i]) continue;
+    auto geometry = morph(*primitives[i], weights_of(node));
+    if (source.skin >= 0) {
+      auto const [skin, is_new] = skins_.try_emplace(source.skin);
+      if (is_new) skin->second = pose_skin(document_.model, source.skin, tree_, accessors_, findings_);
+      if (primitives[i]->joint_sets.empty() || skin->second.world_from_bind.empty()) {
+        findings_.warn(fmt::format("/nodes/{}/skin", node), "the mesh has no joints and weights for it");
+      } else {
+        geometry = apply_skin(*geometry, primitives[i]->joint_sets, skin->second);
+      }
+    }
+    shapes.push_back(add_mesh(source.mesh, i, std::move(geometry), scene));
+  }
+  return shapes;
+}
+
+SceneGraph::Children SceneGraph::shapes_of(int node, Scene& scene) {
+  auto const& source = document_.model.nodes[std::size_t(node)];
+  if (source.mesh < 0) return {};
+  bool const has_own_weights = !pose_[std::size_t(node)].weights.empty() &&
+                               weights_of(node) != document_.model.meshes[std::size_t(source.mesh)].weights;
+  Children shapes = has_own_weights ? deformed_shapes_of(node, scene) : shared_shapes_of(source.mesh, scene);
+  return source.extensions.contains(instancing_extension) ? instances_of(node, shapes, scene) : shapes;
+}
+
+SceneGraph::Children SceneGraph::instances_of(int node, Children const& shapes, Scene& scene) {
+  auto const& extension = document_.model.nodes[std::size_t(node)].extensions.at(instancing_extension);
+  std::string const pointer = fmt::format("/nodes/{}/extensions/{}/attributes", node, instancing_extension);
+  tinygltf::Value const attributes = extension.Has("attributes") ? extension.Get("attributes") : tinygltf::Value();
+  std::size_t count = 0;
+  bool is_consistent = true;
+  auto const read = [&](char const* name, std::size_t components) {
+    std::optional<FloatElements> elements;
+    if (!attributes.IsObject() || !attributes.Has(name)) return elements;
+    auto const accessor = index_of(attributes, name, document_.model.accessors.size());
+    elements = accessors_.floats(accessor.value_or(-1), components, fmt::format("{}/{}", pointer, name));
+    std::size_t const found = elements ? elements->count() : 0;
+    is_consistent = is_consistent && found > 0 && (count == 0 || count == found);
+    count = found;
+    return elements;
+  };
+  auto const translations = read("TRANSLATION", 3);
+  auto const rotations = read("ROTATION", 4);
+  auto const scales = read("SCALE", 3);
+  if (count == 0 || !is_consistent) {
+    findings_.warn(pointer, "the instances cannot be read; one is drawn");
+    return shapes;
+  }
+  Children instances;
+  std::size_t left_out = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    NodePose pose;
+    auto const vector = [i](FloatElements const& e) {
+      return Vec3(e.values[3 * i], e.values[3 * i + 1], e.values[3 * i + 2]);
+    };
+    if (translations) pose.translation = vector(*translations);
+    if (scales) pose.scale = vector(*scales);
+    if (rotations) {
+      float const* q = rotations->values.data() + 4 * i;
+      glm::dquat const rotation(q[3], q[0], q[1], q[2]);
+      if (glm::dot(rotation, rotation) > 0) pose.rotation = glm::normalize(rotation);
+    }
+    auto const transform = transform_of(pose);
+    if (!transform || shapes.empty()) {
+      ++left_out;
+      continue;
+    }
+    auto composite =
+        std::make_shared<Composite>(names_.unique(fmt::format("{}.{}", node_names_[std::size_t(node)], i)), shapes);
+    composite->set_world_from_object(*transform);
+    scene.shapes.insert(composite);
+    instances.push_back(std::move(composite));
+  }
+  if (left_out > 0) findings_.warn(pointer, fmt::format("{} instances have no size: left out", left_out));
+  return instances;
+}
+
+}  // namespace lichtraum::gltf

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lichtraum/mesh_geometry.hpp"
+
+namespace lichtraum::gltf {
+
+/// Unfolds strips (mode 5) and fans (mode 6) as glTF 2.0, section 3.7.2.1, says; a list (mode 4) stays, cut to whole
+/// triangles.
+std::vector<std::uint32_t> to_triangle_list(std::vector<std::uint32_t> indices, int mode);
+
+struct TriangleFaults {
+  std::size_t out_of_range = 0;
+  std::size_t non_finite = 0;
+};
+
+/// Leaves out triangles that name a position that is not there or not finite.
+TriangleFaults remove_faulty_triangles(MeshGeometry& geometry);
+
+}  // namespace lichtraum::gltf

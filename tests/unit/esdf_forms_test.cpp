@@ -270,6 +270,7 @@ TEST_CASE("render in every form", "[unit][esdf]") {
                         {"render eye 7", "eye", "7", {}, {}, {}},
                         {"render eye 7 640 480", "eye", "7", size, {}, {}},
                         {"render eye a.png 640 480 4", "eye", "a.png", size, 4, {}},
+                        {"render eye a.png 640 480 1", "eye", "a.png", size, 1, {}},
                         {"render eye a.png 640 480 4 3", "eye", "a.png", size, 4, 3},
                         {"render eye a.png 640 480 0 3", "eye", "a.png", size, {}, 3},
                         {"render eye image . ppm 640 480", "eye", "image.ppm", size, {}, {}},

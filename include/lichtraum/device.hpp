@@ -23,6 +23,9 @@ struct DeviceInfo {
   std::uint64_t max_allocation_bytes = 0;
 };
 
+/// The host itself, without OpenCL. Its index is 0 until a list of devices gives it another.
+DeviceInfo reference_device();
+
 /// What a search for devices found.
 struct DeviceList {
   std::vector<DeviceInfo> devices;    ///< best first; the reference tracer is last

@@ -72,7 +72,7 @@ int doctor_command(Arguments const& arguments, Console& console) {
   if (!parse(*parser, arguments)) return 0;
 
   TestScene const test = make_test_scene();
-  Image const expected = draw(*make_renderer(DeviceInfo{}), test);
+  Image const expected = draw(*make_renderer(reference_device()), test);
 
   DeviceList const list = find_devices(ProbeInChild::always);
   std::string text = fmt::format("lichtraum {}\n", LICHTRAUM_VERSION);

@@ -6,7 +6,7 @@ namespace lichtraum::app {
 
 std::unique_ptr<Renderer> choose_renderer(std::string const& selector, Console const& console) {
   // The reference tracer needs no OpenCL: do not even look for it.
-  if (selector == "reference") return make_renderer(DeviceInfo{});
+  if (selector == "reference") return make_renderer(reference_device());
 
   DeviceList const list = find_devices();
   if (!selector.empty()) {
@@ -23,7 +23,7 @@ std::unique_ptr<Renderer> choose_renderer(std::string const& selector, Console c
     }
   }
   console.warning("no OpenCL device can be used: the reference tracer draws, which is slow (see lichtraum doctor)");
-  return make_renderer(DeviceInfo{});
+  return make_renderer(reference_device());
 }
 
 }  // namespace lichtraum::app

@@ -6,9 +6,6 @@
 
 namespace lichtraum {
 
-/// The host itself, without OpenCL. Its index is 0 until a list of devices gives it another.
-DeviceInfo reference_device();
-
 /// Traces the scene graph as it is, in double precision, on all cores: slow and obviously right. Scenes that draw more
 /// than ten million primitives are refused, since every ray would be tested with each of them.
 std::unique_ptr<Renderer> make_reference_renderer(DeviceInfo const& device = reference_device());

@@ -12,8 +12,8 @@ namespace lichtraum::app {
 namespace {
 
 constexpr char const* description =
-    "Reports what is wrong in scenes and draws nothing. SCENE is an eSDF file, or - for\n"
-    "standard input.";
+    "Reports what is wrong in scenes and draws nothing. SCENE is an eSDF file, or -\n"
+    "for standard input.";
 
 constexpr char const* examples =
     "  lichtraum check hello.sdf\n"

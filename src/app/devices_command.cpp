@@ -12,8 +12,8 @@ namespace lichtraum::app {
 namespace {
 
 constexpr char const* description =
-    "Lists what can draw, the best first: its index, name or kind is what render --device\n"
-    "takes.";
+    "Lists what can draw, the best first: its index, name or kind is what\n"
+    "render --device takes.";
 
 constexpr char const* examples =
     "  lichtraum devices\n"

@@ -16,9 +16,9 @@ namespace lichtraum::app {
 namespace {
 
 constexpr char const* description =
-    "Draws a small known scene on every OpenCL device and compares it with the reference\n"
-    "tracer, which is plain C++. Says what to install when something is missing. Exit\n"
-    "status 0 when at least one device draws right, else 69.";
+    "Draws a small known scene on every OpenCL device and compares it with the\n"
+    "reference tracer, which is plain C++. Says what to install when something is\n"
+    "missing. Exit status 0 when at least one device draws right, else 69.";
 
 constexpr char const* examples = "  lichtraum doctor\n  lichtraum doctor -v\n";
 

@@ -11,8 +11,8 @@ namespace lichtraum::app {
 namespace {
 
 constexpr char const* description =
-    "Tells what is in a scene, as it is at the end of the file. FILE is an eSDF file, or -\n"
-    "for standard input.";
+    "Tells what is in a scene, as it is at the end of the file. FILE is an eSDF file,\n"
+    "or - for standard input.";
 
 constexpr char const* examples =
     "  lichtraum info hello.sdf\n"

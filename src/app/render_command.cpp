@@ -15,8 +15,8 @@ namespace lichtraum::app {
 namespace {
 
 constexpr char const* description =
-    "Draws scenes to pictures. SCENE is an eSDF file, or - for standard input. A scene\n"
-    "names its pictures itself; one that does not is drawn to <scene>.png.";
+    "Draws scenes to pictures. SCENE is an eSDF file, or - for standard input. A\n"
+    "scene names its pictures itself; one that does not is drawn to <scene>.png.";
 
 constexpr char const* examples =
     "  lichtraum render hello.sdf\n"

@@ -123,7 +123,11 @@ class SceneDrawing {
     picture.is_complete = result.complete;
     picture.render = result.statistics;
     write(crop(std::move(image), plan.region), picture);
-    if (!result.complete) throw Error(ErrorKind::interrupted, "interrupted");
+    if (!result.complete) {
+      throw Error(ErrorKind::interrupted,
+                  picture.written_to.empty() ? "interrupted: nothing was written"
+                                             : fmt::format("interrupted: what is done is in '{}'", picture.written_to));
+    }
 
     console_.info(summary(picture));
     console_.detail(details(picture));
@@ -149,7 +153,6 @@ class SceneDrawing {
       shown.path = output.shown;
       picture.written_to = shown.partial_path().string();
       write_file_atomically(output.partial_path(), bytes);
-      console_.warning(fmt::format("interrupted: what is done is in '{}'", picture.written_to));
     }
     picture.write_ms = milliseconds_since(start);
   }

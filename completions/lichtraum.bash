@@ -1,0 +1,68 @@
+# bash completion for lichtraum
+
+_lichtraum() {
+  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
+  local commands='render check info devices doctor'
+  local general='-q --quiet -v --verbose -h --help'
+  local language='--strict --keep-going --transform-order --rotation --material-extras --allow-path'
+  COMPREPLY=()
+
+  if ((COMP_CWORD == 1)); then
+    mapfile -t COMPREPLY < <(compgen -W "$commands help --help --version" -- "$current")
+    return
+  fi
+
+  local values=
+  case $previous in
+    --format) values='png ppm jpg exr pfm' ;;
+    --bits) values='8 16' ;;
+    --tonemap) values='auto none reinhard' ;;
+    --transfer) values='linear srgb' ;;
+    --transform-order) values='parent local' ;;
+    --rotation) values='right left' ;;
+    --material-extras) values='reflectance transmittance opacity ior ignore' ;;
+    --device) values='cpu gpu reference' ;;
+    --samples) values='1 2x2 4x4 8x8 16 64' ;;
+    --size) values='640x480 1280x720 1920x1080 3840x2160' ;;
+    --output-dir | --allow-path)
+      mapfile -t COMPREPLY < <(compgen -d -- "$current")
+      return
+      ;;
+    -o | --output)
+      mapfile -t COMPREPLY < <(compgen -f -- "$current")
+      return
+      ;;
+    --quality | --region | --camera | --root | --depth | --seed) return ;;
+  esac
+  if [[ -n $values ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$values" -- "$current")
+    return
+  fi
+
+  if [[ $current == -* ]]; then
+    local options=$general
+    case ${COMP_WORDS[1]} in
+      render)
+        options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
+        options+=' --camera --root --samples --depth --seed --tonemap --transfer --device'
+        ;;
+      check) options+=" $language" ;;
+      info) options+=" $language --json" ;;
+      devices) options+=' --json' ;;
+    esac
+    mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
+    return
+  fi
+
+  case ${COMP_WORDS[1]} in
+    render | check | info) # scenes, and folders on the way to them
+      compopt -o filenames 2> /dev/null
+      mapfile -t COMPREPLY < <(
+        compgen -d -- "$current"
+        compgen -f -- "$current" | grep -E '\.(e?sdf|txt)$'
+      )
+      ;;
+    help) mapfile -t COMPREPLY < <(compgen -W "$commands" -- "$current") ;;
+  esac
+}
+complete -F _lichtraum lichtraum

@@ -1,0 +1,47 @@
+#include "lichtraum.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+std::string const start =
+    "define material m 1 1 1 0 0 0 0 0 0 1\ndefine light ambient sky 1 1 1\ndefine camera eye 40 20 20\n";
+
+std::string warning(std::string const& rest, std::string const& words = "") {
+  Lichtraum const lichtraum;
+  auto const result = lichtraum.render("- -o a.png " + words, start + rest);
+  CHECK(result.exit_code == 0);
+  return result.err;
+}
+
+std::string sphere_at(std::string const& center) { return "define shape sphere s " + center + " 1 m\n"; }
+
+}  // namespace
+
+TEST_CASE("a camera that sees nothing: where the scene is", "[app][view]") {
+  CHECK_THAT(warning(sphere_at("0 0 -5")), !contains_text("sees nothing"));
+  CHECK_THAT(warning(sphere_at("-5 0 -1.722")), contains_text("the scene is 71 degrees to the left of the view\n"));
+  CHECK_THAT(warning(sphere_at("5 0 0")), contains_text("90 degrees to the right of the view\n"));
+  CHECK_THAT(warning(sphere_at("0 0 5")), contains_text("180 degrees") && contains_text("behind the camera"));
+  CHECK_THAT(warning(sphere_at("0 5 -5")), contains_text("45 degrees above the view"));
+  CHECK_THAT(warning(sphere_at("0 -5 -5")), contains_text("45 degrees below the view"));
+  CHECK_THAT(warning(sphere_at("5 0 -0.01") + "transform s scale 0.1\n"), contains_text("right"));
+  CHECK_THAT(warning(""), contains_text("draws no shapes"));
+  CHECK(warning(sphere_at("0 0 5"), "-q").empty());
+}
+
+TEST_CASE("a camera that sees nothing: which convention would show the scene", "[app][view]") {
+  // The camera of the standard's example, and something that lies where it ought to look.
+  std::string const standard =
+      "define shape sphere s 0 0 0 20 m\ntransform eye rotate -45 0 1 0\ntransform eye translate 100 0 100\n";
+  CHECK_THAT(warning(standard), contains_text("with --rotation left it is in view"));
+  CHECK_THAT(warning(standard, "--rotation left"), !contains_text("sees nothing"));
+  // Turned by 90 degrees to the left at the origin it sees -x; in its own frame, -10 along z is -x.
+  std::string const order =
+      "define shape sphere s -20 0 0 2 m\ntransform eye rotate 90 0 1 0\ntransform eye translate 0 0 -10\n";
+  CHECK_THAT(warning(order), contains_text("with --transform-order local it is in view"));
+  CHECK_THAT(warning(order, "--transform-order local"), !contains_text("sees nothing"));
+  std::string const both =
+      "define shape sphere s 20 0 0 2 m\ntransform eye rotate 90 0 1 0\ntransform eye translate 0 0 -10\n";
+  CHECK_THAT(warning(both), contains_text("with --rotation left --transform-order local it is in view"));
+  CHECK_THAT(warning(sphere_at("0 0 5")), !contains_text("it is in view"));
+}

@@ -1,0 +1,105 @@
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+
+#include "lichtraum.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+char const* const commands[] = {"render", "check", "info", "devices", "doctor"};
+
+std::string read_source(std::string const& name) {
+  std::ifstream file(std::string(LICHTRAUM_SOURCE_DIR "/") + name);
+  REQUIRE(file);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::string> matches(std::string const& text, std::string const& pattern) {
+  std::regex const expression(pattern);
+  std::vector<std::string> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), expression), end; it != end; ++it) found.push_back((*it)[1]);
+  return found;
+}
+
+/// The long options that a help text lists.
+std::set<std::string> options_of(std::string const& help) {
+  auto const found = matches(help, "\n  (?:-[a-zA-Z],)?(--[a-z-]+)");
+  return {found.begin(), found.end()};
+}
+
+}  // namespace
+
+TEST_CASE("every command has a help text that fits a terminal", "[app][help]") {
+  Lichtraum const lichtraum;
+  for (std::string const words : {"--help", "-h", "help", "help render", "render --help", "check --help", "info -h",
+                                  "devices --help", "doctor --help"}) {
+    auto const result = lichtraum(words);
+    INFO(words);
+    CHECK(result.exit_code == 0);
+    CHECK(result.err.empty());
+    CHECK_THAT(result.out, contains_text("Usage: lichtraum") && contains_text("Examples:"));
+    for (std::string const& line : matches(result.out, "([^\n]*)\n")) CHECK(line.size() <= 80);
+  }
+  CHECK_THAT(lichtraum("render --help").out, contains_text("\nQuality:\n"));
+  CHECK(lichtraum("--version").out.substr(0, 10) == "lichtraum ");
+}
+
+TEST_CASE("the examples in the help texts are good commands", "[app][help]") {
+  Lichtraum const lichtraum;
+  std::string const folder = std::filesystem::path(LICHTRAUM_PROGRAM).parent_path();
+  // A faulty scene shows that the command line was understood, without drawing for long.
+  for (char const* const name : {"hello.sdf", "film.sdf", "old.sdf", "a.sdf", "b.sdf"}) {
+    lichtraum.folder.write(name, "define nonsense\n");
+  }
+  std::size_t count = 0;
+  for (std::string const command : {"", "render", "check", "info", "devices", "doctor"}) {
+    std::string const help = lichtraum(command + " --help").out;
+    std::string const examples = help.substr(help.find("Examples:"));
+    for (std::string const& example : matches(examples, "\n  (lichtraum [^\n]*?)(?=  |\n)")) {
+      INFO(example);
+      Process shell = lichtraum.process("");
+      shell.arguments = {"sh", "-c", example};
+      shell.environment = {{"PATH", folder + ":" + std::getenv("PATH")}};
+      int const code = run_process(shell).exit_code;
+      bool const reads_a_scene = example.find(".sdf") != std::string::npos;
+      CHECK((reads_a_scene ? code == 65 : code == 0 || code == 69));
+      ++count;
+    }
+  }
+  CHECK(count >= 15);
+}
+
+TEST_CASE("the man page and the completions know every command and option", "[app][help]") {
+  Lichtraum const lichtraum;
+  std::string const man = read_source("docs/lichtraum.1");
+  std::string const bash = read_source("completions/lichtraum.bash");
+  std::string const zsh = read_source("completions/_lichtraum");
+  std::string const fish = read_source("completions/lichtraum.fish");
+  std::set<std::string> all;
+  for (std::string const command : commands) {
+    INFO(command);
+    CHECK_THAT(man, contains_text(".Cm " + command));
+    CHECK_THAT(bash, contains_text(command));
+    CHECK_THAT(zsh, contains_text("'" + command + ":"));
+    CHECK_THAT(fish, contains_text("-a " + command));
+    auto const options = options_of(lichtraum(command + " --help").out);
+    REQUIRE(options.count("--help") == 1);
+    all.insert(options.begin(), options.end());
+  }
+  CHECK(all.size() >= 26);
+  for (std::string const& option : all) {
+    INFO(option);
+    std::string const word = option.substr(2);
+    CHECK(std::regex_search(man, std::regex("Fl -" + word + "\\b(?!-)")));
+    CHECK(std::regex_search(bash, std::regex(option + "\\b(?!-)")));
+    CHECK(std::regex_search(zsh, std::regex(option + "\\b(?!-)")));
+    CHECK(std::regex_search(fish, std::regex("-l " + word + "\\b(?!-)")));
+  }
+  // And the other way round: no option of the man page that the program does not have.
+  for (std::string const& word : matches(man, "\n\\.It Fl (?:[a-zA-Z] , )?(?:Fl )?-([a-z-]+)")) {
+    INFO(word);
+    CHECK((all.count("--" + word) == 1 || word == "version"));
+  }
+}

@@ -1,0 +1,67 @@
+#include "lichtraum.hpp"
+#include "pictures.hpp"
+#include "support/catch.hpp"
+
+TEST_CASE("a scene names its pictures below the output folder", "[app][output]") {
+  Lichtraum const lichtraum;
+  std::filesystem::create_directories(lichtraum.folder / "out/sub");
+  std::filesystem::create_directory(lichtraum.folder / "other");
+  auto const draws = [&](std::string const& words, std::string const& file) {
+    return lichtraum.render("- " + words, "define camera eye 60 4 3\nrender eye " + file + "\n").exit_code;
+  };
+  auto const exists = [&](char const* name) { return std::filesystem::exists(lichtraum.folder / name); };
+  CHECK(draws("--output-dir out", "a.ppm") == 0);
+  CHECK(exists("out/a.ppm"));
+  CHECK(draws("--output-dir out", "sub/a.ppm") == 0);
+  CHECK(exists("out/sub/a.ppm"));
+  CHECK(draws("--output-dir out -o b.png", "a.ppm") == 0);
+  CHECK(exists("out/b.png"));
+  std::string const absolute = (lichtraum.folder / "other/a.ppm").string();
+  CHECK(draws("--output-dir out", absolute) == 65);
+  CHECK(!exists("other/a.ppm"));
+  CHECK(draws("--output-dir out --allow-path other", absolute) == 0);
+  CHECK(exists("other/a.ppm"));
+  CHECK(draws("--output-dir out --allow-path sub --allow-path other", "../other/b.ppm") == 0);
+  CHECK(exists("other/b.ppm"));
+  std::filesystem::create_directory_symlink(lichtraum.folder / "other", lichtraum.folder / "out/link");
+  CHECK(draws("--output-dir out", "link/c.ppm") == 65);
+  CHECK(!exists("other/c.ppm"));
+  CHECK(draws("--format exr", "a.ppm") == 0);
+  CHECK(decode(lichtraum.folder.read("a.exr")).width == 4);
+}
+
+TEST_CASE("a name without a known extension becomes a PNG, and that is said", "[app][output]") {
+  Lichtraum const lichtraum;
+  auto const result = lichtraum.render("-", "define camera eye 60 4 3\nrender eye image\n");
+  CHECK(result.exit_code == 0);
+  CHECK_THAT(result.err, contains_text("'image.png' is written instead"));
+  CHECK(decode(lichtraum.folder.read("image.png")).width == 4);
+}
+
+TEST_CASE("a file without render draws its first camera to <scene>.png", "[app][output]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("my.scene.sdf", "define camera a 60 4 3\ndefine camera b 60 5 3\n");
+  CHECK(lichtraum.render("my.scene.sdf").exit_code == 0);
+  CHECK(decode(lichtraum.folder.read("my.scene.png")).width == 4);
+}
+
+TEST_CASE("an animation draws its pictures in order", "[app][output]") {
+  Lichtraum const lichtraum;
+  std::string const move = std::string(ball_scene) + "transform ball translate 9 0 0\n";
+  std::string const scene = move + "render eye late.ppm 32 24\n";
+  REQUIRE(lichtraum.render("-", scene).exit_code == 0);
+  CHECK(red_in_the_middle(decode(lichtraum.folder.read("ball.ppm"))) > 0);
+  CHECK(red_in_the_middle(decode(lichtraum.folder.read("late.ppm"))) == 0);
+  REQUIRE(lichtraum.render("- -o %03d.png", scene).exit_code == 0);
+  CHECK(decode(lichtraum.folder.read("001.png")).values == decode(lichtraum.folder.read("ball.ppm")).values);
+  CHECK(decode(lichtraum.folder.read("002.png")).values == decode(lichtraum.folder.read("late.ppm")).values);
+  // On standard output one follows the other.
+  auto const both = lichtraum.render("- -o - --format ppm", scene);
+  CHECK(both.out == lichtraum.folder.read("ball.ppm") + lichtraum.folder.read("late.ppm"));
+  auto const same = lichtraum.render("-", move + "render eye ball.ppm 32 24\n");
+  CHECK(same.exit_code == 0);
+  CHECK_THAT(same.err, contains_text("several pictures are called 'ball.ppm'"));
+  CHECK(lichtraum.folder.read("ball.ppm") == lichtraum.folder.read("late.ppm"));
+  REQUIRE(lichtraum.render("- -o 100%%-%d.png", ball_scene).exit_code == 0);
+  CHECK(std::filesystem::exists(lichtraum.folder / "100%-1.png"));
+}

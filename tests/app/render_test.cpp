@@ -1,0 +1,216 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "lichtraum.hpp"
+#include "pictures.hpp"
+#include "support/catch.hpp"
+
+using Json = nlohmann::json;
+
+TEST_CASE("formats are chosen by extension, for scene and command line", "[app][render]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene);
+  DecodedImage const expected = draw(lichtraum, "");
+  REQUIRE(expected.width == 32);
+  REQUIRE(expected.height == 24);
+  REQUIRE(red_in_the_middle(expected) > 128);
+  for (char const* const name : {"a.png", "a.ppm", "a.PNG", "a.exr", "a.pfm", "a.jpg", "a.jpeg"}) {
+    REQUIRE(lichtraum.render(std::string("a.sdf -o ") + name).exit_code == 0);
+    DecodedImage const image = decode(lichtraum.folder.read(name));
+    CHECK(image.width == 32);
+    CHECK(image.height == 24);
+    float const scale = image.max == 0 ? 255.0f : 1.0f;
+    float const tolerance = name[2] == 'j' ? 6.0f : 0.51f;  // JPEG loses some
+    CHECK(std::abs(image.at(16, 12, 0) * scale - expected.at(16, 12, 0)) <= tolerance);
+    CHECK(std::abs(image.at(0, 0, 0) * scale - expected.at(0, 0, 0)) <= tolerance);
+  }
+  CHECK(draw(lichtraum, "--format png").values == expected.values);
+}
+
+TEST_CASE("bits, ascii and quality change the file", "[app][render]") {
+  Lichtraum const lichtraum;
+  auto const words = [&](std::string const& text) { return lichtraum.render("- -o - --format " + text, ball_scene); };
+  DecodedImage const wide = draw(lichtraum, "--bits 16");
+  CHECK(wide.max == 65535);
+  CHECK(draw(lichtraum, "--bits 16 --format png").values == wide.values);
+  auto const ascii = words("ppm --ppm-ascii").out;
+  CHECK(ascii.substr(0, 3) == "P3\n");
+  CHECK(decode(ascii).values == draw(lichtraum, "").values);
+  CHECK(words("jpg --size 200x150 --quality 5").out.size() < words("jpg --size 200x150").out.size());
+  CHECK_THAT(words("png --quality 5").err, contains_text("--quality has no effect"));
+  CHECK_THAT(words("exr --transfer srgb").err, contains_text("no effect"));
+}
+
+TEST_CASE("size: command line over render statement over camera over default", "[app][render]") {
+  Lichtraum const lichtraum;
+  auto const size = [&](std::string const& words, std::string const& scene) {
+    DecodedImage const image = draw(lichtraum, words, scene);
+    return std::pair(image.width, image.height);
+  };
+  std::string const camera = "define camera eye 60\n";
+  std::string const sized_camera = "define camera eye 60 20 10\n";
+  std::string const render = "render eye a.ppm 30 15\n";
+  CHECK(size("--size 7x5", sized_camera + render) == std::pair(7, 5));
+  CHECK(size("", sized_camera + render) == std::pair(30, 15));
+  CHECK(size("", sized_camera + "render eye a.ppm\n") == std::pair(20, 10));
+  CHECK(size("", sized_camera) == std::pair(20, 10));
+  CHECK(size("", camera + "define resolution 12 8\n") == std::pair(12, 8));
+  CHECK(size("", camera) == std::pair(640, 480));
+}
+
+TEST_CASE("samples and depth: command line over render statement over default", "[app][render]") {
+  Lichtraum const lichtraum;
+  auto const figures = [&](std::string const& words, std::string const& render) {
+    auto const result = lichtraum.render("- --json -q " + words, "define camera eye 60\n" + render);
+    REQUIRE(result.exit_code == 0);
+    Json const picture = Json::parse(result.out)["scenes"][0]["pictures"][0];
+    CHECK(picture["rays"]["camera"] == 12 * int(picture["samples"]));
+    return std::pair(int(picture["samples"]), int(picture["depth"]));
+  };
+  CHECK(figures("", "render eye a.ppm 4 3\n") == std::pair(1, 5));
+  CHECK(figures("", "render eye a.ppm 4 3 9 2\n") == std::pair(9, 2));
+  CHECK(figures("--samples 3x3 --depth 0", "render eye a.ppm 4 3 6 2\n") == std::pair(9, 0));
+  CHECK(figures("--samples 7", "render eye a.ppm 4 3 6 2\n") == std::pair(7, 2));
+}
+
+TEST_CASE("samples are seeded or a grid; one is the pixel's centre", "[app][render]") {
+  Lichtraum const lichtraum;
+  auto const one = draw(lichtraum, "").values;
+  CHECK(draw(lichtraum, "--samples 1").values == one);
+  CHECK(draw(lichtraum, "--samples 1x1").values == one);
+  CHECK(draw(lichtraum, "--samples 1 --seed 9").values == one);
+  auto const grid = draw(lichtraum, "--samples 4x4").values;
+  CHECK(grid != one);
+  CHECK(draw(lichtraum, "--samples 4x4 --seed 9").values == grid);
+  auto const seeded = draw(lichtraum, "--samples 16").values;
+  CHECK(seeded != grid);
+  CHECK(draw(lichtraum, "--samples 16 --seed 0").values == seeded);
+  CHECK(draw(lichtraum, "--samples 16 --seed 9").values != seeded);
+}
+
+TEST_CASE("a region is that part of the whole picture", "[app][render]") {
+  Lichtraum const lichtraum;
+  DecodedImage const whole = draw(lichtraum, "--samples 4");
+  DecodedImage const part = draw(lichtraum, "--samples 4 --region 10,5,9,7");
+  REQUIRE(part.width == 9);
+  REQUIRE(part.height == 7);
+  for (int y = 0; y < 7; ++y) {
+    for (int x = 0; x < 9; ++x) CHECK(part.at(x, y, 0) == whole.at(x + 10, y + 5, 0));
+  }
+}
+
+TEST_CASE("camera, root, depth, tone map and transfer have their effect", "[app][render]") {
+  Lichtraum const lichtraum;
+  std::string const scene =
+      "define material red 0.5 0 0 0 0 0 0 0 0 1\n"
+      "define material mirror 0 0 0 0 0 0 0 0 0 1 reflect=1\n"
+      "define shape sphere ball 0 0 -3 1 red\n"
+      "define shape box wall -9 -9 -9 9 9 -8 mirror\n"
+      "define light ambient sky 1 1 1\n"
+      "define background 0 0.2 0\n"
+      "define camera eye 60 31 31\n"
+      "define camera back 60 31 31\n"
+      "transform back rotate 180 0 1 0\n";
+  std::string const render = "render eye a.ppm\n";
+  DecodedImage const plain = draw(lichtraum, "", scene + render);
+  CHECK(red_in_the_middle(plain) == 128);
+  CHECK(red_in_the_middle(draw(lichtraum, "--camera back", scene + render)) == 0);
+  CHECK(red_in_the_middle(draw(lichtraum, "--root wall", scene + render)) == 0);
+  // Beside the ball the mirror shows the background; without a mirror ray it is black.
+  CHECK(plain.at(0, 15, 1) == 51);
+  CHECK(draw(lichtraum, "--depth 0", scene + render).at(0, 15, 1) == 0);
+  // 0.5 / (0.5 + 1), and the transfer function of IEC 61966-2-1 at 0.5.
+  CHECK(red_in_the_middle(draw(lichtraum, "--tonemap reinhard", scene + render)) == 85);
+  CHECK(red_in_the_middle(draw(lichtraum, "--transfer srgb", scene + render)) == 188);
+  CHECK(red_in_the_middle(draw(lichtraum, "--tonemap none --transfer linear", scene + render)) == 128);
+  // A light as colour x brightness makes `auto` mean reinhard.
+  std::string const bright = scene + "define light lamp 0 50 0 1 1 1 10\n" + render;
+  CHECK(red_in_the_middle(draw(lichtraum, "", bright)) == 85);
+  CHECK(red_in_the_middle(draw(lichtraum, "--tonemap none", bright)) == 128);
+}
+
+TEST_CASE("language options change how a scene is read", "[app][render]") {
+  Lichtraum const lichtraum;
+  std::string const start =
+      "define material m 1 1 1 0 0 0 0 0 0 1\ndefine light ambient sky 1 1 1\ndefine camera eye 60 31 31\n";
+  std::string const ball = "define shape sphere s 0 0 -5 1 m\n";
+  // Turned by 90 degrees about z, then moved up: in its own frame that is sideways.
+  std::string const moved = start + ball + "transform s rotate 90 0 0 1\ntransform s translate 0 2 0\n";
+  DecodedImage const above = draw(lichtraum, "", moved);
+  DecodedImage const beside = draw(lichtraum, "--transform-order local", moved);
+  CHECK((above.at(15, 4, 0) == 255 && above.at(4, 15, 0) == 0));
+  CHECK((beside.at(15, 4, 0) == 0 && beside.at(4, 15, 0) == 255));
+  std::string const turned = start + ball + "transform s rotate 20 0 1 0\n";
+  DecodedImage const left = draw(lichtraum, "", turned);
+  DecodedImage const right = draw(lichtraum, "--rotation left", turned);
+  CHECK((left.at(5, 15, 0) == 255 && left.at(25, 15, 0) == 0));
+  CHECK((right.at(5, 15, 0) == 0 && right.at(25, 15, 0) == 255));
+  CHECK(draw(lichtraum, "--rotation right --transform-order parent", turned).values == left.values);
+
+  std::string const dialect = start + ball + "transform s scale 1 2 1\n";
+  CHECK(lichtraum.render("- -o a.png", dialect).exit_code == 0);
+  CHECK(lichtraum.render("- -o a.png --strict", dialect).exit_code == 65);
+  auto const kept = lichtraum.render("- -o a.png --keep-going", start + "define shape sphere s 0 0 -5 1 gold\n");
+  CHECK(kept.exit_code == 0);
+  CHECK_THAT(kept.err, contains_text("<stdin>:4:") && contains_text("warning"));
+  std::string const extras = start + "define material g 1 1 1 0 0 0 0 0 0 1 0.9\ndefine shape sphere s 0 0 -5 1 g\n";
+  CHECK(red_in_the_middle(draw(lichtraum, "", extras)) == 255);
+  CHECK(red_in_the_middle(draw(lichtraum, "--material-extras reflectance", extras)) < 50);
+}
+
+TEST_CASE("--json tells what was measured", "[app][render]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene);
+  lichtraum.folder.write("bad.sdf", "define nonsense\n");
+  Json const json = Json::parse(lichtraum.render("a.sdf bad.sdf --json").out);
+  CHECK(json["device"]["kind"] == "reference");
+  CHECK(json["total_ms"] > 0);
+  REQUIRE(json["scenes"].size() == 2);
+  CHECK(json["scenes"][0]["file"] == "a.sdf");
+  CHECK(json["scenes"][0]["error"].is_null());
+  CHECK(json["scenes"][0]["load_ms"] > 0);
+  CHECK_THAT(std::string(json["scenes"][1]["error"]), contains_text("bad.sdf:1:"));
+  Json const picture = json["scenes"][0]["pictures"].at(0);
+  CHECK(picture["output"] == "ball.ppm");
+  CHECK(picture["complete"] == true);
+  CHECK(picture["width"] == 32);
+  CHECK(picture["height"] == 24);
+  CHECK(picture["trace_ms"] > 0);
+  CHECK(picture["build_ms"] >= 0);
+  Json const rays = picture["rays"];
+  CHECK(rays["camera"] == 32 * 24);
+  CHECK(rays["camera_hits"] > 0);
+  CHECK(rays["camera_hits"] < 32 * 24);
+  CHECK(rays["total"] == int(rays["camera"]) + int(rays["shadow"]) + int(rays["secondary"]));
+  CHECK(picture["mrays_per_second"] > 0);
+  // A picture on standard output leaves standard error for it.
+  auto const piped = lichtraum.render("a.sdf -o - --json -q");
+  CHECK(decode(piped.out).width == 32);
+  CHECK(Json::parse(piped.err)["scenes"][0]["pictures"][0]["output"] == "standard output");
+}
+
+TEST_CASE("quiet says nothing, verbose says more", "[app][render]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene + std::string("transform ball scale 1 1 1\n"));
+  CHECK(lichtraum.render("a.sdf -q").err.empty());
+  CHECK_THAT(lichtraum.render("a.sdf").err, !contains_text("note:"));
+  CHECK_THAT(lichtraum.render("a.sdf -v").err, contains_text("note:") && contains_text("rays: 768 camera"));
+}
+
+TEST_CASE("colours and a progress bar are for terminals only", "[app][render]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene);
+  lichtraum.folder.write("bad.sdf", "define nonsense\n");
+  auto const on_terminal = [&](std::string const& words, bool no_color) {
+    Process process = lichtraum.process("render --device reference " + words);
+    process.has_terminal = true;
+    process.environment = {{"TERM", "xterm"}, {"NO_COLOR", no_color ? "1" : ""}};
+    return run_process(process).err;
+  };
+  CHECK_THAT(on_terminal("bad.sdf", false), contains_text("\x1b[1;31merror:\x1b[0m"));
+  CHECK_THAT(on_terminal("bad.sdf", true), !contains_text("\x1b["));
+  std::string const slow = "a.sdf --size 600x450 --samples 4x4";
+  CHECK_THAT(on_terminal(slow, true), contains_text("Mrays/s  ") && contains_text(" left") && contains_text(" %"));
+  CHECK_THAT(on_terminal(slow + " -q", true), !contains_text("Mrays/s"));
+  CHECK_THAT(lichtraum.render(slow).err, !contains_text(" left"));
+}

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// How to run a program.
+struct Process {
+  std::vector<std::string> arguments;                   ///< the program's path first
+  std::string input = {};                               ///< its standard input
+  std::filesystem::path folder = ".";                   ///< its current folder
+  std::map<std::string, std::string> environment = {};  ///< added to this process's
+  std::string output_file = {};                         ///< standard output goes there instead of into the result
+  bool closes_output = false;                           ///< standard output is closed from the start
+  bool stops_reading = false;                           ///< nobody reads standard output
+  bool has_terminal = false;                            ///< standard error is a terminal
+  std::optional<unsigned long> max_file_bytes = {};     ///< as ulimit -f
+  double timeout_seconds = 60;
+
+  struct Signal {
+    int number;
+    double after_seconds;
+  };
+  std::vector<Signal> signals = {};  ///< sent to it, in order of time
+};
+
+struct ProcessResult {
+  int exit_code = -1;  ///< -1 when it did not exit by itself
+  int signal = 0;      ///< that ended it, or 0
+  std::string out;
+  std::string err;
+  double seconds = 0;  ///< from start to end
+};
+
+/// Throws std::runtime_error when it takes longer than the timeout (and kills it).
+ProcessResult run_process(Process const& process);

@@ -2,13 +2,15 @@
 
 #include <unordered_set>
 
+#include "scene/graph_order.hpp"
+
 namespace lichtraum {
 
 std::vector<std::shared_ptr<Shape const>> Scene::roots() const {
   std::unordered_set<Shape const*> named;  // by a composite
   std::vector<Composite const*> pending;
   for (auto const& shape : shapes) {
-    if (auto const* const composite = dynamic_cast<Composite const*>(shape.get())) pending.push_back(composite);
+    if (Composite const* const composite = as_composite(*shape)) pending.push_back(composite);
   }
   std::unordered_set<Composite const*> seen(pending.begin(), pending.end());
   while (!pending.empty()) {
@@ -16,7 +18,7 @@ std::vector<std::shared_ptr<Shape const>> Scene::roots() const {
     pending.pop_back();
     for (auto const& child : parent->children()) {
       if (!named.insert(child.get()).second) continue;
-      auto const* const composite = dynamic_cast<Composite const*>(child.get());
+      Composite const* const composite = as_composite(*child);
       if (composite && seen.insert(composite).second) pending.push_back(composite);
     }
   }

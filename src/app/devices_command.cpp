@@ -66,7 +66,7 @@ int devices_command(Arguments const& arguments, Console& console) {
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return 0;
 
-  DeviceList const list = find_devices();
+  DeviceList const list = find_devices(ProbeInChild::always);
   for (std::string const& warning : list.warnings) console.warning(warning);
   write_standard_output(json ? to_json(list) : to_text(list));
   return 0;

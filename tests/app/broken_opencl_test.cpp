@@ -1,0 +1,63 @@
+#include <unistd.h>
+
+#include "lichtraum.hpp"
+#include "lichtraum/device.hpp"
+#include "support/catch.hpp"
+#include "support/skip.hpp"
+
+// What OpenCL can do to a program, and that this one survives it.
+
+namespace {
+
+/// The program where the only OpenCL platform aborts its process.
+ProcessResult with_aborting_platform(Lichtraum const& lichtraum, std::string const& words) {
+  lichtraum.folder.write("aborting.icd", LICHTRAUM_ABORTING_PLATFORM "\n");
+  Process process = lichtraum.process(words);
+  process.environment = {{"OCL_ICD_VENDORS", (lichtraum.folder / "aborting.icd").string()}};
+  return run_process(process);
+}
+
+}  // namespace
+
+TEST_CASE("a platform that aborts does not take devices and doctor with it", "[app][devices]") {
+  Lichtraum const lichtraum;
+  auto const devices = with_aborting_platform(lichtraum, "devices");
+  CHECK(devices.exit_code == 0);
+  CHECK(devices.signal == 0);
+  CHECK_THAT(devices.out, contains_text("reference"));
+  CHECK_THAT(devices.err, contains_text("signal 6") && contains_text("This platform does not want to live."));
+  auto const doctor = with_aborting_platform(lichtraum, "doctor");
+  CHECK(doctor.exit_code == 69);
+  CHECK_THAT(doctor.err, contains_text("This platform does not want to live."));
+}
+
+TEST_CASE("where PoCL would abort for want of /sys, render says so and falls back", "[app][devices]") {
+  Lichtraum const lichtraum;
+  Process hidden;
+  hidden.arguments = {"unshare", "--mount", "sh", "-c", "mount -t tmpfs none /sys && exec \"$@\"", "sh", "true"};
+  if (run_process(hidden).exit_code != 0) SKIP_TEST("only root may hide /sys from a process");
+
+  lichtraum.folder.write("a.sdf", ball_scene);
+  Process const render = lichtraum.process("render a.sdf");
+  hidden.arguments.pop_back();
+  hidden.arguments.insert(hidden.arguments.end(), render.arguments.begin(), render.arguments.end());
+  hidden.folder = render.folder;
+  auto const result = run_process(hidden);
+  INFO(result.err);
+  CHECK(result.exit_code == 0);
+  CHECK_THAT(result.err, contains_text("child process") && contains_text("reference tracer"));
+  CHECK(std::filesystem::exists(lichtraum.folder / "ball.ppm"));
+}
+
+TEST_CASE("70: a kernel that does not compile is a fault of ours, with the compiler's words", "[app][exit]") {
+  Lichtraum const lichtraum;
+  if (lichtraum::find_devices().devices.size() == 1) SKIP_TEST("there is no OpenCL device");
+  lichtraum.folder.write("a.sdf", ball_scene);
+  lichtraum.folder.write("render.cl", "__kernel void render_tile(void) { undeclared_function_of_ours(); }\n");
+  Process process = lichtraum.process("render a.sdf");
+  process.environment = {{"LICHTRAUM_KERNEL_DIR", lichtraum.folder.path().string()}};
+  auto const result = run_process(process);
+  CHECK(result.exit_code == 70);
+  CHECK_THAT(result.err, contains_text("undeclared_function_of_ours"));
+  CHECK(!std::filesystem::exists(lichtraum.folder / "ball.ppm"));
+}

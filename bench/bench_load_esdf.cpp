@@ -1,5 +1,6 @@
-// How fast eSDF files load: from_file to the finished scene, in MB (10^6 bytes) per second. Loading takes one thread; the
-// figures are processor time, the median of several runs, so that other work on the machine does not count. Usage: bench_load_esdf [triangles] [runs]
+// How fast eSDF files load: from_file to the finished scene, in MB (10^6 bytes) per second. Loading takes one thread;
+// the figures are processor time, the median of several runs, so that other work on the machine does not count. Usage:
+// bench_load_esdf [triangles] [runs]
 
 #include <fmt/format.h>
 

@@ -19,9 +19,9 @@ typedef struct {
 } PrimitiveReference;
 DEVICE_STRUCT_SIZE(PrimitiveReference, 8);
 
-/* One end of an edge of the binary tree: the child's bounds and where the child is. A leaf's `count` is > 0, and `first`
- * is its first entry in the primitive references. An inner node's `count` is 0, and `first` is its place in the nodes.
- * An absent child has count 0 and min > max. */
+/* One end of an edge of the binary tree: the child's bounds and where the child is. A leaf's `count` is > 0, and
+ * `first` is its first entry in the primitive references. An inner node's `count` is 0, and `first` is its place in the
+ * nodes. An absent child has count 0 and min > max. */
 typedef struct {
   float min[3];
   uint first;

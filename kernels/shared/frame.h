@@ -42,8 +42,8 @@ typedef struct {
   uint seed_high;
   uint max_depth;
   uint light_count;
-  uint tone_map; /* TONE_MAP_... */
-  uint transfer; /* TRANSFER_... */
+  uint tone_map;     /* TONE_MAP_... */
+  uint transfer;     /* TRANSFER_... */
   float ray_epsilon; /* how far, relative to its coordinates, a computed hit point may lie off its surface */
   uint root_node;    /* of the world's hierarchy */
 } FrameParameters;

@@ -3,8 +3,8 @@
 
 #include "shared/types.h"
 
-/* Where the seeded samples of a pixel lie. Integers and exact conversions only, so that host and device agree to the last
- * bit whatever their floating point does. */
+/* Where the seeded samples of a pixel lie. Integers and exact conversions only, so that host and device agree to the
+ * last bit whatever their floating point does. */
 
 DEVICE_NAMESPACE_BEGIN
 

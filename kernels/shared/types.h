@@ -2,8 +2,8 @@
 #define LICHTRAUM_SHARED_TYPES_H
 
 /* The vocabulary of the structs that host and device share. These headers are compiled as C++ and as OpenCL C: only
- * float, int, uint and float4 may appear in a struct (a float3 has 16 bytes on one side and 12 on the other), and what w
- * means is said at each float4. DEVICE_STRUCT_SIZE stops either compiler when a size is not what both agreed on. */
+ * float, int, uint and float4 may appear in a struct (a float3 has 16 bytes on one side and 12 on the other), and what
+ * w means is said at each float4. DEVICE_STRUCT_SIZE stops either compiler when a size is not what both agreed on. */
 
 #ifdef __OPENCL_C_VERSION__
 

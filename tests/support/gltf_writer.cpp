@@ -34,8 +34,8 @@ std::string encode_base64(std::string const& bytes) {
 std::string GltfWriter::text() const {
   nlohmann::json model = json;
   if (!buffer_.empty() && !model.contains("buffers")) {
-    model["buffers"] = {{{"byteLength", buffer_.size()},
-                         {"uri", "data:application/octet-stream;base64," + encode_base64(buffer_)}}};
+    model["buffers"] = {
+        {{"byteLength", buffer_.size()}, {"uri", "data:application/octet-stream;base64," + encode_base64(buffer_)}}};
   }
   return model.dump();
 }

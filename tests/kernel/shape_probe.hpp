@@ -21,7 +21,7 @@ struct ShapeCases {
     t_max.push_back(limit);
   }
   std::vector<float> run(std::string const& kernel) const {
-    static ProbeProgram const program("shapes.cl");
+    ProbeProgram const program("shapes.cl");
     std::vector<float> t(rays.size());
     program.run(kernel, rays.size(), {in(primitives), in(rays), in(t_max), out(t)});
     return t;

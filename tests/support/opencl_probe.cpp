@@ -45,15 +45,16 @@ std::optional<cl::Device> choose_device() {
   return std::nullopt;
 }
 
-/// One device, context and queue for the whole test program.
+/// One device, context and queue for the whole test program. Never destroyed: OpenCL libraries have static objects of
+/// their own, which may be gone by then.
 std::optional<Device> const& test_device() {
-  static std::optional<Device> const device = []() -> std::optional<Device> {
+  static auto const* const device = [] {
     auto const chosen = choose_device();
-    if (!chosen) return std::nullopt;
+    if (!chosen) return new std::optional<Device>();
     cl::Context const context(*chosen);
-    return Device{*chosen, context, cl::CommandQueue(context, *chosen)};
+    return new std::optional<Device>(Device{*chosen, context, cl::CommandQueue(context, *chosen)});
   }();
-  return device;
+  return *device;
 }
 
 std::string describe(cl::Error const& error) { return fmt::format("{}: OpenCL error {}", error.what(), error.err()); }

@@ -1,0 +1,118 @@
+#include "random_scene.hpp"
+#include "shared/frame.h"
+#include "support/catch.hpp"
+#include "support/skip.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+namespace {
+
+/// A small picture of every kind of shape, with mirrors, glass, an instance and two lights.
+struct SmallPicture {
+  SceneArrays scene;
+  std::vector<device::FrameParameters> frame = std::vector<device::FrameParameters>(1);
+  std::vector<float> film;
+
+  explicit SmallPicture(device::uint sample_count) {
+    for (auto const& [reflect, transmit] : {std::pair{0.f, 0.f}, {0.5f, 0.f}, {0.1f, 0.8f}}) {
+      scene.materials.push_back(
+          {{0.1f, 0.2f, 0.1f, 20}, {0.5f, 0.6f, 0.7f, reflect}, {0.3f, 0.3f, 0.3f, transmit}, 1.5f, {}});
+    }
+    scene.lights.push_back({{3, 5, 4, 0}, {1, 0.9f, 0.8f, 0}});
+    scene.lights.push_back({{-3, 2, 4, 0}, {0.2f, 0.3f, 0.4f, 0}});
+    scene.add(make_box({}, Vec3(-0.3), Vec3(0.3), 1));
+    scene.add(make_sphere({0, 0.5, 0}, 0.3, 2));
+    auto const [object, bounds] = scene.close_object();
+    scene.add(make_triangle({-9, -1, -9}, {9, -1, -9}, {0, -1, 9}));
+    scene.add(make_ellipsoid({Mat3(0.5, 0, 0, 0, 0.8, 0, 0, 0, 0.5), {0, 0, -2}}, 1));
+    scene.add_instance({Mat3(1), {-1.2, 0, -3}}, object, bounds);
+    scene.add_instance({Mat3(1, 0, 0, 0, -2, 0, 0, 0, 1), {1.2, 0.5, -3}}, object, bounds);
+    scene.close_object();
+    auto& f = frame[0];
+    f.width = 20;
+    f.height = 14;
+    f.camera.corner = {-0.5f, 0.35f, -1, 0};
+    f.camera.step_x = {1.f / 20, 0, 0, 0};
+    f.camera.step_y = {0, -0.7f / 14, 0, 0};
+    f.ambient = {0.3f, 0.3f, 0.3f, 0};
+    f.background = {0.1f, 0.1f, 0.2f, 0};
+    f.sampling = SAMPLING_SEEDED;
+    f.sample_count = sample_count;
+    f.seed_low = 7;
+    f.max_depth = 5;
+    f.light_count = device::uint(scene.lights.size());
+    f.tone_map = TONE_MAP_REINHARD;
+    f.transfer = TRANSFER_SRGB;
+    f.ray_epsilon = DEFAULT_RAY_EPSILON;
+    f.root_node = scene.root_node;
+    film.assign(std::size_t(f.width * f.height * 3), -1.f);
+  }
+
+  std::vector<device::WorkItemRays> render(ProbeProgram const& program, device::Tile const& tile) {
+    std::vector<device::WorkItemRays> rays(tile.width * tile.height);
+    program.run("render_tile", tile.width,
+                {in(frame), value(tile), in(scene.nodes), in(scene.references), in(scene.triangles), in(scene.spheres),
+                 in(scene.ellipsoids), in(scene.boxes), in(scene.instances), in(scene.materials), in(scene.lights),
+                 updated(film), out(rays)},
+                tile.height, 8, 8);
+    return rays;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("A picture is the same bytes however it is cut into tiles and samples", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  ProbeProgram const program("render.cl");
+  SmallPicture whole(4);
+  auto const rays = whole.render(program, {0, 0, 20, 14, 0, 4, {}});
+  device::WorkItemRays sum{};
+  for (auto const& r : rays) {
+    sum.camera_hits += r.camera_hits;
+    sum.shadow += r.shadow;
+    sum.secondary += r.secondary;
+  }
+  CHECK(sum.camera_hits > 100);
+  CHECK(sum.camera_hits < 20 * 14 * 4);
+  CHECK(sum.shadow > sum.camera_hits);
+  CHECK(sum.secondary > 100);
+  for (float c : whole.film) {
+    if (!(c >= 0 && c < 1)) FAIL("not a tone-mapped value: " << c);
+  }
+
+  SmallPicture cut(4);
+  for (auto const& [first, count] : {std::pair{0u, 1u}, {1u, 2u}, {3u, 1u}}) {
+    cut.render(program, {0, 0, 7, 14, first, count, {}});
+    cut.render(program, {7, 0, 13, 5, first, count, {}});
+    cut.render(program, {7, 5, 13, 9, first, count, {}});
+  }
+  CHECK(cut.film == whole.film);
+}
+
+TEST_CASE("Only the tile's pixels are written", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  SmallPicture picture(1);
+  picture.render(ProbeProgram("render.cl"), {3, 4, 5, 2, 0, 1, {}});
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < picture.film.size(); ++i) {
+    std::size_t const x = i / 3 % 20, y = i / 3 / 20;
+    bool const inside = x >= 3 && x < 8 && y >= 4 && y < 6;
+    wrong += inside != (picture.film[i] != -1.f);
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("A ray stack of max_depth + 1 holds the whole tree of rays", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  SmallPicture enough(1), plenty(1);
+  for (auto* picture : {&enough, &plenty}) {
+    picture->frame[0].max_depth = 3;
+    picture->scene.materials.assign(3, picture->scene.materials[2]);  // glass that mirrors, everywhere
+    picture->scene.materials[0].kd.w = picture->scene.materials[1].kd.w = 0.4f;
+    picture->scene.materials[0].ks.w = picture->scene.materials[1].ks.w = 0.5f;
+  }
+  enough.render(ProbeProgram("render.cl", "-D RAY_STACK_SIZE=4"), {0, 0, 20, 14, 0, 1, {}});
+  plenty.render(ProbeProgram("render.cl", "-D RAY_STACK_SIZE=32"), {0, 0, 20, 14, 0, 1, {}});
+  CHECK(enough.film == plenty.film);
+}

@@ -1,0 +1,41 @@
+#include "scene_arguments.clh"
+#include "shading/direct_light.clh"
+
+/* The surface that each ray hits first. */
+__kernel void probe_find_surface(SCENE_ARGUMENTS, __global ProbeRay const* rays, __global Hit* hits,
+                                 __global float4* position_offset, __global float4* normals) {
+  size_t const i = get_global_id(0);
+  Scene const scene = SCENE_FROM_ARGUMENTS(0u);
+  Ray const ray = load_ray(rays[i]);
+  Hit const hit = trace_closest(&scene, ray, INFINITY);
+  hits[i] = hit;
+  position_offset[i] = (float4)(0.f);
+  normals[i] = (float4)(0.f);
+  if (hit.kind != NO_PRIMITIVE) {
+    Surface const surface = find_surface(&scene, ray, hit);
+    position_offset[i] = (float4)(surface.position, surface.offset);
+    normals[i] = (float4)(surface.normal, 0.f);
+  }
+}
+
+/* Rays that leave a surface. */
+__kernel void probe_leave_surface(SCENE_ARGUMENTS, __global float4 const* position_offset, __global float4 const* normals,
+                                  __global float4 const* directions, __global Hit* hits) {
+  size_t const i = get_global_id(0);
+  Scene const scene = SCENE_FROM_ARGUMENTS(0u);
+  Ray const ray =
+      leave_surface(position_offset[i].xyz, normals[i].xyz, position_offset[i].w, directions[i].xyz);
+  hits[i] = trace_closest(&scene, ray, INFINITY);
+}
+
+__kernel void probe_light_visibility(SCENE_ARGUMENTS, __global float4 const* position_offset,
+                                     __global float4 const* normals, __global float4 const* light_positions,
+                                     __global float* visibility) {
+  size_t const i = get_global_id(0);
+  Scene const scene = SCENE_FROM_ARGUMENTS(0u);
+  Surface surface;
+  surface.position = position_offset[i].xyz;
+  surface.normal = normals[i].xyz;
+  surface.offset = position_offset[i].w;
+  visibility[i] = light_visibility(&scene, &surface, surface.normal, light_positions[i].xyz);
+}

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "shared/frame.h"
+
+namespace lichtraum::bench {
+
+struct TriangleMesh {
+  std::vector<std::array<float, 3>> positions;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+struct RayHit {
+  float t = 0;  ///< in units of the ray's direction; infinity: nothing was hit
+  std::uint32_t triangle = 0xffffffffu;
+};
+
+/// The rays of a picture: one through the centre of each pixel, or of each cell of a grid in it.
+struct PrimaryRays {
+  device::PinholeCamera camera;
+  int width = 0;   ///< rays per row
+  int height = 0;  ///< rows
+  float pixels_per_ray = 1;
+  std::size_t size() const { return std::size_t(width) * std::size_t(height); }
+};
+
+/// From each point to one light; points with w == 0 send none. In rows of a picture.
+struct ShadowRays {
+  std::vector<device::float4> points;
+  device::float4 light;
+  int width = 0;
+  int height = 0;
+  std::size_t size() const { return points.size(); }
+};
+
+/// Without any order.
+struct FreeRays {
+  std::vector<device::float4> origins;
+  std::vector<device::float4> directions;  ///< zero: no ray
+  std::size_t size() const { return origins.size(); }
+};
+
+}  // namespace lichtraum::bench

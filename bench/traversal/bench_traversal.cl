@@ -1,0 +1,131 @@
+/* What bench_traversal measures: rays are made where they are traced; each writes what it met. */
+#include "shared/frame.h"
+#include "traversal/traversal.clh"
+
+typedef struct {
+  float t; /* INFINITY: nothing */
+  uint primitive;
+} BenchHit;
+
+#ifdef TRAVERSAL_SCALAR
+#define SCENE_PARAMETERS                                                        \
+  __global BvhNode const *nodes, __global PrimitiveReference const *references, \
+      __global TrianglePrimitive const *triangles, uint const root_node
+#define MAKE_SCENE            \
+  Scene scene;                \
+  scene.nodes = nodes;        \
+  scene.references = references; \
+  scene.triangles = triangles;   \
+  scene.has_transparency = 0u;   \
+  scene.root_node = root_node
+#else
+#define SCENE_PARAMETERS                                                              \
+  __global WideNode const *wide_nodes, __global TriangleBlock const *triangle_blocks, \
+      __global PrimitiveTag const *triangle_tags, uint const root_node
+#define MAKE_SCENE                         \
+  Scene scene;                             \
+  scene.wide_nodes = wide_nodes;           \
+  scene.triangle_blocks = triangle_blocks; \
+  scene.triangle_tags = triangle_tags;     \
+  scene.has_transparency = 0u;             \
+  scene.root_node = root_node
+#endif
+
+static inline BenchHit bench_hit(Scene const* scene, Hit hit) {
+  BenchHit out = {INFINITY, 0xffffffffu};
+  if (hit.kind != NO_PRIMITIVE) {
+    out.t = hit.t;
+    out.primitive = hit.index;
+  }
+  return out;
+}
+
+static inline Ray camera_ray(__global PinholeCamera const* camera, float x, float y) {
+  return make_ray(camera->origin.xyz,
+                  add_scaled(add_scaled(camera->corner.xyz, x, camera->step_x.xyz), y, camera->step_y.xyz));
+}
+
+#ifndef TRAVERSAL_PACKET
+
+__kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, uint const width, float const pixels_per_ray,
+                      __global BenchHit* hits) {
+  MAKE_SCENE;
+  uint const x = (uint)get_global_id(0);
+  uint const y = (uint)get_global_id(1);
+  Ray const ray = camera_ray(camera, ((float)x + 0.5f) * pixels_per_ray, ((float)y + 0.5f) * pixels_per_ray);
+  hits[y * width + x] = bench_hit(&scene, trace_closest(&scene, ray, INFINITY));
+}
+
+__kernel void shadow(SCENE_PARAMETERS, __global float4 const* points, float4 const light, uint const width,
+                     __global uchar* occluded) {
+  MAKE_SCENE;
+  uint const i = (uint)(get_global_id(1) * width + get_global_id(0));
+  float4 const point = points[i];
+  bool hidden = false;
+  if (point.w > 0.f) {
+    hidden = trace_any(&scene, make_ray(point.xyz, light.xyz - point.xyz), 1.f);
+  }
+  occluded[i] = hidden ? 1 : 0;
+}
+
+__kernel void closest(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
+                      __global BenchHit* hits) {
+  MAKE_SCENE;
+  size_t const i = get_global_id(0);
+  hits[i] = bench_hit(&scene, trace_closest(&scene, make_ray(origins[i].xyz, directions[i].xyz), INFINITY));
+}
+
+#else
+
+/* One work-item a packet. */
+__kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, uint const width,
+                      float const pixels_per_ray, __global BenchHit* hits) {
+  MAKE_SCENE;
+  uint const x = (uint)get_global_id(0) * PACKET_SIDE;
+  uint const y = (uint)get_global_id(1) * PACKET_SIDE;
+  Packet packet;
+  packet.origin = camera->origin.xyz;
+  packet.t_min = 0.f;
+  for (uint group = 0u; group < PACKET_GROUPS; ++group) {
+    float16 const px = (packet_column(group) + ((float)x + 0.5f)) * pixels_per_ray;
+    float16 const py = (packet_row(group) + ((float)y + 0.5f)) * pixels_per_ray;
+    packet.direction[group][0] = fma(py, (float16)(camera->step_y.x), fma(px, (float16)(camera->step_x.x), (float16)(camera->corner.x)));
+    packet.direction[group][1] = fma(py, (float16)(camera->step_y.y), fma(px, (float16)(camera->step_x.y), (float16)(camera->corner.y)));
+    packet.direction[group][2] = fma(py, (float16)(camera->step_y.z), fma(px, (float16)(camera->step_x.z), (float16)(camera->corner.z)));
+    packet.limit[group] = (float16)(INFINITY);
+  }
+  trace_packet_closest(&scene, &packet);
+  for (uint ray = 0u; ray < PACKET_GROUPS * PACKET_LANES; ++ray) {
+    uint const column = x + packet_ray_column(ray);
+    uint const row = y + packet_ray_row(ray);
+    hits[row * width + column] = bench_hit(&scene, packet_hit(&packet, ray));
+  }
+}
+
+__kernel void shadow(SCENE_PARAMETERS, __global float4 const* points, float4 const light, uint const width,
+                     __global uchar* occluded) {
+  MAKE_SCENE;
+  uint const x = (uint)get_global_id(0) * PACKET_SIDE;
+  uint const y = (uint)get_global_id(1) * PACKET_SIDE;
+  Packet packet;
+  packet.origin = light.xyz;
+  packet.t_min = 0.f;
+  float* directions = (float*)packet.direction;
+  float* limits = (float*)packet.limit;
+  for (uint ray = 0u; ray < PACKET_GROUPS * PACKET_LANES; ++ray) {
+    float4 const point = points[(y + packet_ray_row(ray)) * width + x + packet_ray_column(ray)];
+    uint const group = ray / PACKET_LANES;
+    uint const lane = ray % PACKET_LANES;
+    directions[(3u * group + 0u) * PACKET_LANES + lane] = point.x - light.x;
+    directions[(3u * group + 1u) * PACKET_LANES + lane] = point.y - light.y;
+    directions[(3u * group + 2u) * PACKET_LANES + lane] = point.z - light.z;
+    limits[ray] = point.w > 0.f ? 1.f : -1.f;
+  }
+  trace_packet_any(&scene, &packet);
+  for (uint ray = 0u; ray < PACKET_GROUPS * PACKET_LANES; ++ray) {
+    uint const i = (y + packet_ray_row(ray)) * width + x + packet_ray_column(ray);
+    occluded[i] = packet_is_occluded(&packet, ray) ? 1 : 0;
+  }
+}
+
+#endif

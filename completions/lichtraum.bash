@@ -18,6 +18,7 @@ _lichtraum() {
     --bits) values='8 16' ;;
     --tonemap) values='auto none reinhard' ;;
     --transfer) values='linear srgb' ;;
+    --traversal) values='auto scalar wide packet' ;;
     --transform-order) values='parent local' ;;
     --rotation) values='right left' ;;
     --material-extras) values='reflectance transmittance opacity ior ignore' ;;
@@ -44,7 +45,7 @@ _lichtraum() {
     case ${COMP_WORDS[1]} in
       render)
         options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
-        options+=' --camera --root --samples --depth --seed --tonemap --transfer --device'
+        options+=' --camera --root --samples --depth --seed --tonemap --transfer --device --traversal'
         ;;
       check) options+=" $language" ;;
       info) options+=" $language --json" ;;

@@ -1,45 +1,27 @@
-/* Pictures: one work-item a pixel of a tile, in a 2D range rounded up to the work-group's size.
+/* Pictures: one work-item a pixel of a tile (or, for packets, a square of PACKET_SIDE x PACKET_SIDE pixels, at
+ * multiples of that from the picture's corner), in a 2D range rounded up to the work-group's size.
  *
  * `film` is the whole picture, height x width x 3 floats, row 0 at the top. It holds the sum of the samples so far;
  * they are added one by one in their order, and with the last of frame->sample_count the mean is taken, tone mapped and
  * transferred in place. So the bytes are the same however pixels and samples are cut into tiles, as long as each
  * pixel's samples are launched in order, starting with sample 0.
  *
- * `rays` says how many rays this launch traced: one entry a pixel of the tile, row by row.
+ * `rays` says how many rays this launch traced: one entry a work-item, row by row.
  *
  * An array of the scene without elements may be any buffer, but not null. Compile with -D RAY_STACK_SIZE=n, n >
- * frame->max_depth (8 without). */
+ * frame->max_depth (8 without), and with the layout (see
+ * traversal/traversal.clh), on which the three arrays of the tree depend. */
 #include "camera/generate_ray.clh"
 #include "film/tone_map.clh"
 #include "integrators/whitted.clh"
+#include "integrators/whitted_packet.clh"
 #include "scene.clh"
 #include "shared/frame.h"
 
-__kernel void render_tile(__global FrameParameters const* frame, Tile const tile, __global BvhNode const* nodes,
-                          __global PrimitiveReference const* references, __global TrianglePrimitive const* triangles,
-                          __global SpherePrimitive const* spheres, __global EllipsoidPrimitive const* ellipsoids,
-                          __global BoxPrimitive const* boxes, __global Instance const* instances,
-                          __global PhongMaterial const* materials, __global PointLight const* lights,
-                          __global float* film, __global WorkItemRays* rays) {
-  uint const column = (uint)get_global_id(0);
-  uint const row = (uint)get_global_id(1);
-  if (column >= tile.width || row >= tile.height) {
-    return;
-  }
-  Scene const scene = {nodes,     references, triangles,          spheres,          ellipsoids,        boxes, instances,
-                       materials, lights,     frame->light_count, frame->root_node, frame->ray_epsilon};
-  uint const x = tile.x + column;
-  uint const y = tile.y + row;
-  __global float* pixel = film + 3 * ((size_t)y * frame->width + x);
-  float3 sum = tile.first_sample == 0u ? (float3)(0.f) : (float3)(pixel[0], pixel[1], pixel[2]);
-  WorkItemRays counts = {0u, 0u, 0u, 0u};
-  uint const end_sample = tile.first_sample + tile.sample_count;
-  for (uint sample = tile.first_sample; sample < end_sample; ++sample) {
-    float2 const offset = sample_in_pixel(frame, x, y, sample);
-    Ray const ray = generate_camera_ray(frame->camera, (float)x + offset.x, (float)y + offset.y);
-    sum += trace_whitted(&scene, frame, ray, &counts);
-  }
-  if (end_sample == frame->sample_count) {
+/* Adds a sample to a pixel's sum; with the last one the pixel is finished. */
+static inline void finish_pixel(__global FrameParameters const* frame, bool is_last, __global float* pixel,
+                                float3 sum) {
+  if (is_last) {
     float3 const mean = sum / (float)frame->sample_count;
     sum = (float3)(develop_channel(mean.x, frame->tone_map, frame->transfer),
                    develop_channel(mean.y, frame->tone_map, frame->transfer),
@@ -48,5 +30,107 @@ __kernel void render_tile(__global FrameParameters const* frame, Tile const tile
   pixel[0] = sum.x;
   pixel[1] = sum.y;
   pixel[2] = sum.z;
-  rays[(size_t)row * tile.width + column] = counts;
+}
+
+#ifdef TRAVERSAL_SCALAR
+#define TREE_PARAMETERS                                                         \
+  __global BvhNode const *nodes, __global PrimitiveReference const *references, \
+      __global TrianglePrimitive const *triangles
+#else
+#define TREE_PARAMETERS                                                               \
+  __global WideNode const *wide_nodes, __global TriangleBlock const *triangle_blocks, \
+      __global PrimitiveTag const *triangle_tags
+#endif
+
+__kernel void render_tile(__global FrameParameters const* frame, Tile const tile, TREE_PARAMETERS,
+                          __global SpherePrimitive const* spheres, __global EllipsoidPrimitive const* ellipsoids,
+                          __global BoxPrimitive const* boxes, __global Instance const* instances,
+                          __global PhongMaterial const* materials, __global PointLight const* lights,
+                          __global float* film, __global WorkItemRays* rays) {
+  Scene scene;
+#ifdef TRAVERSAL_SCALAR
+  scene.nodes = nodes;
+  scene.references = references;
+  scene.triangles = triangles;
+#else
+  scene.wide_nodes = wide_nodes;
+  scene.triangle_blocks = triangle_blocks;
+  scene.triangle_tags = triangle_tags;
+#endif
+  scene.spheres = spheres;
+  scene.ellipsoids = ellipsoids;
+  scene.boxes = boxes;
+  scene.instances = instances;
+  scene.materials = materials;
+  scene.lights = lights;
+  scene.light_count = frame->light_count;
+  scene.root_node = frame->root_node;
+  scene.ray_epsilon = frame->ray_epsilon;
+  scene.has_transparency = frame->has_transparency;
+  uint const end_sample = tile.first_sample + tile.sample_count;
+  bool const is_last = end_sample == frame->sample_count;
+  WorkItemRays counts = {0u, 0u, 0u, 0u};
+#ifdef TRAVERSAL_PACKET
+  uint const column = (uint)get_global_id(0);
+  uint const row = (uint)get_global_id(1);
+  /* Squares lie on a grid of the picture, whatever the tile: so which rays share a packet does not depend on it. */
+  uint const corner_x = (tile.x / PACKET_SIDE + column) * PACKET_SIDE;
+  uint const corner_y = (tile.y / PACKET_SIDE + row) * PACKET_SIDE;
+  uint const work_items_a_row = (tile.x + tile.width + PACKET_SIDE - 1u) / PACKET_SIDE - tile.x / PACKET_SIDE;
+  if (corner_x >= tile.x + tile.width || corner_y >= tile.y + tile.height) {
+    return;
+  }
+  Packet packet;
+  PacketShading shading;
+  float3 sums[PACKET_GROUPS * PACKET_LANES];
+  for (uint i = 0u; i < PACKET_GROUPS * PACKET_LANES; ++i) {
+    uint const x = corner_x + packet_ray_column(i);
+    uint const y = corner_y + packet_ray_row(i);
+    bool const inside = x >= tile.x && x < tile.x + tile.width && y >= tile.y && y < tile.y + tile.height;
+    bool const has_sum = inside && tile.first_sample > 0u;
+    __global float const* pixel = film + (has_sum ? 3 * ((size_t)y * frame->width + x) : 0);
+    sums[i] = has_sum ? (float3)(pixel[0], pixel[1], pixel[2]) : (float3)(0.f);
+  }
+  for (uint sample = tile.first_sample; sample < end_sample; ++sample) {
+    packet.origin = frame->camera.origin.xyz;
+    for (uint i = 0u; i < PACKET_GROUPS * PACKET_LANES; ++i) {
+      uint const x = corner_x + packet_ray_column(i);
+      uint const y = corner_y + packet_ray_row(i);
+      bool const inside = x >= tile.x && x < tile.x + tile.width && y >= tile.y && y < tile.y + tile.height;
+      float2 const offset = sample_in_pixel(frame, x, y, sample);
+      Ray const ray = generate_camera_ray(frame->camera, (float)x + offset.x, (float)y + offset.y);
+      set_packet_ray(&packet, i, ray.direction, inside ? INFINITY : -1.f);
+    }
+    trace_whitted_packet(&scene, frame, &packet, &shading, &counts);
+    for (uint i = 0u; i < PACKET_GROUPS * PACKET_LANES; ++i) {
+      sums[i] += shading.radiance[i];
+    }
+  }
+  for (uint i = 0u; i < PACKET_GROUPS * PACKET_LANES; ++i) {
+    uint const x = corner_x + packet_ray_column(i);
+    uint const y = corner_y + packet_ray_row(i);
+    if (x >= tile.x && x < tile.x + tile.width && y >= tile.y && y < tile.y + tile.height) {
+      __global float* pixel = film + 3 * ((size_t)y * frame->width + x);
+      finish_pixel(frame, is_last, pixel, sums[i]);
+    }
+  }
+#else
+  uint const column = (uint)get_global_id(0);
+  uint const row = (uint)get_global_id(1);
+  uint const work_items_a_row = tile.width;
+  if (column >= tile.width || row >= tile.height) {
+    return;
+  }
+  uint const x = tile.x + column;
+  uint const y = tile.y + row;
+  __global float* pixel = film + 3 * ((size_t)y * frame->width + x);
+  float3 sum = tile.first_sample == 0u ? (float3)(0.f) : (float3)(pixel[0], pixel[1], pixel[2]);
+  for (uint sample = tile.first_sample; sample < end_sample; ++sample) {
+    float2 const offset = sample_in_pixel(frame, x, y, sample);
+    Ray const ray = generate_camera_ray(frame->camera, (float)x + offset.x, (float)y + offset.y);
+    sum += trace_whitted(&scene, frame, ray, &counts);
+  }
+  finish_pixel(frame, is_last, pixel, sum);
+#endif
+  rays[(size_t)row * work_items_a_row + column] = counts;
 }

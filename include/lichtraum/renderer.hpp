@@ -13,6 +13,14 @@
 
 namespace lichtraum {
 
+/// How rays find what they hit. The picture is the same, the time is not.
+enum class Traversal {
+  automatic,  ///< packet on a CPU, scalar elsewhere
+  scalar,     ///< one ray, binary tree: plain, and for GPUs
+  wide,       ///< one ray, eight children a node: for CPUs
+  packet,     ///< camera and shadow rays in packets of one origin, others as `wide`
+};
+
 /// A rectangle of pixels; x and y count from the top left corner.
 struct Region {
   int x = 0;
@@ -113,7 +121,7 @@ class Renderer {
   virtual RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress = {}) = 0;
 };
 
-/// For a device of `list` (see select_device).
-std::unique_ptr<Renderer> make_renderer(DeviceInfo const& device);
+/// For a device of `list` (see select_device). The reference tracer has one way to trace only.
+std::unique_ptr<Renderer> make_renderer(DeviceInfo const& device, Traversal traversal = Traversal::automatic);
 
 }  // namespace lichtraum

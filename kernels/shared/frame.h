@@ -42,12 +42,14 @@ typedef struct {
   uint seed_high;
   uint max_depth;
   uint light_count;
-  uint tone_map;     /* TONE_MAP_... */
-  uint transfer;     /* TRANSFER_... */
-  float ray_epsilon; /* how far, relative to its coordinates, a computed hit point may lie off its surface */
-  uint root_node;    /* of the world's hierarchy */
+  uint tone_map;         /* TONE_MAP_... */
+  uint transfer;         /* TRANSFER_... */
+  float ray_epsilon;     /* how far, relative to its coordinates, a computed hit point may lie off its surface */
+  uint root_node;        /* of the world's hierarchy */
+  uint has_transparency; /* some material lets light through */
+  uint padding[3];
 } FrameParameters;
-DEVICE_STRUCT_SIZE(FrameParameters, 144);
+DEVICE_STRUCT_SIZE(FrameParameters, 160);
 
 /* What one launch computes: a rectangle of pixels, a range of their samples. */
 typedef struct {

@@ -15,7 +15,7 @@ typedef struct {
 DEVICE_STRUCT_SIZE(PhongMaterial, 64);
 
 typedef struct {
-  float4 position; /* world; w unused */
+  float4 position; /* world; w: 1 when shadow rays may start here, as the scene is near enough for that; else 0 */
   float4 ld;       /* rgb; w unused */
 } PointLight;
 DEVICE_STRUCT_SIZE(PointLight, 32);

@@ -14,7 +14,8 @@ struct BuildPrimitive {
 };
 
 /// The canonical hierarchy of one object: binary, with its root at nodes[0]. Nodes lie in depth-first order, and each
-/// leaf's references next to each other. Without primitives the root has two absent children.
+/// leaf's references next to each other. A leaf has up to four triangles, or one of anything else. Without primitives
+/// the root has two absent children.
 struct Bvh {
   std::vector<device::BvhNode> nodes;
   std::vector<device::PrimitiveReference> references;

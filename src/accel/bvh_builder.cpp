@@ -106,10 +106,16 @@ class Builder {
 
   bool is_leaf(Range const& range) const {
     if (range.size() == 1) return true;
-    if (range.size() > max_leaf_size) return false;
+    if (range.size() > max_leaf_size || !is_only_triangles(range)) return false;
     // The best split's cost is relative to this range's area.
     return !(node_cost * range.bounds.half_area() + best_split(range).cost <
              float(range.size()) * range.bounds.half_area());
+  }
+
+  bool is_only_triangles(Range const& range) const {
+    return std::all_of(primitives_.begin() + std::ptrdiff_t(range.begin),
+                       primitives_.begin() + std::ptrdiff_t(range.end),
+                       [](BuildPrimitive const& primitive) { return primitive.reference.kind == PRIMITIVE_TRIANGLE; });
   }
 
   /// Divides the range in two parts that are not empty; returns where the second begins.

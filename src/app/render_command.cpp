@@ -80,6 +80,8 @@ void add_quality_options(CLI::App& parser, RenderOptions& options) {
   add_value(parser, "--transfer", options.transfer, transfer, "NAME", "linear (default) or srgb", group);
   add_value(parser, "--device", options.device, parse_name, "NAME",
             "Index, part of a name, cpu, gpu or reference\n(default: the best)", group);
+  add_value(parser, "--traversal", options.traversal, parse_traversal, "NAME",
+            "How rays find what they hit: auto (default),\nscalar, wide or packet. The picture is the same", group);
 }
 
 bool parse_render(Arguments const& arguments, RenderOptions& options, Console& console) {
@@ -113,7 +115,7 @@ int render_command(Arguments const& arguments, Console& console) {
   if (options.size) check_memory(*options.size, ErrorKind::usage);
 
   auto const start = std::chrono::steady_clock::now();
-  auto const renderer = choose_renderer(options.device, console);
+  auto const renderer = choose_renderer(options.device, options.traversal, console);
   console.detail(fmt::format("device {}: {}", renderer->device().index, renderer->device().name));
   RunReport report;
   report.device = renderer->device();

@@ -32,6 +32,7 @@ struct RenderOptions {
   ToneMap tone_map = ToneMap::automatic;
   Transfer transfer = Transfer::linear;
   std::string device;
+  Traversal traversal = Traversal::automatic;
 
   bool json = false;
 };

@@ -105,6 +105,13 @@ int parse_bits(std::string_view text) { return word<int>(text, {{"8", 8}, {"16",
 
 int parse_quality(std::string_view text) { return number_in_range(text, 1, 100); }
 
+Traversal parse_traversal(std::string_view text) {
+  return word<Traversal>(text, {{"auto", Traversal::automatic},
+                                {"scalar", Traversal::scalar},
+                                {"wide", Traversal::wide},
+                                {"packet", Traversal::packet}});
+}
+
 ToneMap parse_tone_map(std::string_view text) {
   return word<ToneMap>(text, {{"auto", ToneMap::automatic}, {"none", ToneMap::none}, {"reinhard", ToneMap::reinhard}});
 }

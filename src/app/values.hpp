@@ -19,6 +19,7 @@ int parse_depth(std::string_view text);                                   ///< 0
 std::uint64_t parse_seed(std::string_view text);                          ///< any 64-bit number
 int parse_bits(std::string_view text);                                    ///< 8 or 16
 int parse_quality(std::string_view text);                                 ///< 1..100
+Traversal parse_traversal(std::string_view text);                         ///< auto, scalar, wide, packet
 ToneMap parse_tone_map(std::string_view text);                            ///< auto, none, reinhard
 Transfer parse_transfer(std::string_view text);                           ///< linear, srgb
 TransformOrder parse_transform_order(std::string_view text);              ///< parent, local

@@ -7,12 +7,46 @@
 #include "cl/error.hpp"
 #include "cl/opencl_devices.hpp"
 #include "cl/program.hpp"
+#include "shared/packet.h"
 
 namespace lichtraum {
 namespace {
 
-constexpr std::size_t local_width = 8;
-constexpr std::size_t local_height = 8;
+/// The work-items of a launch, in two dimensions, and how many of them make a work-group.
+struct LaunchSize {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::size_t local_side = 0;
+};
+
+/// A work-item traces a pixel, or a packet's square of pixels on the picture's grid. A packet has much memory of its
+/// own: a group of one lets the next work-item find it in the cache.
+LaunchSize launch_size(device::Tile const& tile, Traversal traversal) {
+  if (traversal != Traversal::packet) return {tile.width, tile.height, 8};
+  auto const squares = [](std::size_t begin, std::size_t length) {
+    return (begin + length + PACKET_SIDE - 1) / PACKET_SIDE - begin / PACKET_SIDE;
+  };
+  return {squares(tile.x, tile.width), squares(tile.y, tile.height), 1};
+}
+
+/// A traversal's stack, as one of a few sizes: each is a program of its own.
+std::size_t traversal_stack_size(std::size_t needed) {
+  for (std::size_t const size : {std::size_t(96), std::size_t(256)}) {
+    if (needed <= size) return size;
+  }
+  return 2 * WIDE_STACK_SIZE;  // no two levels need more
+}
+
+std::string_view layout_name(Traversal traversal) {
+  switch (traversal) {
+    case Traversal::wide:
+      return "TRAVERSAL_WIDE";
+    case Traversal::packet:
+      return "TRAVERSAL_PACKET";
+    default:
+      return "TRAVERSAL_SCALAR";
+  }
+}
 
 std::size_t round_up(std::size_t n, std::size_t multiple) { return (n + multiple - 1) / multiple * multiple; }
 
@@ -57,7 +91,7 @@ struct TileTracer::State {
   cl::Device device;
   cl::Context context;
   cl::CommandQueue queue;
-  std::map<unsigned, cl::Kernel> kernels;  // by the size of the ray stack
+  std::map<std::string, cl::Kernel> kernels;  // by their programs' options
 
   SceneBuffers scene;
   std::uint64_t device_bytes = 0;
@@ -68,6 +102,9 @@ struct TileTracer::State {
   HostBuffer<device::EllipsoidPrimitive> ellipsoids;
   HostBuffer<device::BoxPrimitive> boxes;
   HostBuffer<device::Instance> instances;
+  HostBuffer<device::WideNode> wide_nodes;
+  HostBuffer<device::TriangleBlock> triangle_blocks;
+  HostBuffer<device::PrimitiveTag> triangle_tags;
   HostBuffer<device::PhongMaterial> materials;
   HostBuffer<device::PointLight> lights;
 
@@ -82,9 +119,15 @@ struct TileTracer::State {
   /// Calls f(vector, buffer) for each array of the scene, in the order of the kernel's arguments.
   template <class F>
   void for_each_array(F&& f) {
-    f(scene.nodes, nodes);
-    f(scene.references, references);
-    f(scene.triangles, triangles);
+    if (scene.traversal == Traversal::scalar) {
+      f(scene.nodes, nodes);
+      f(scene.references, references);
+      f(scene.triangles, triangles);
+    } else {
+      f(scene.wide_nodes, wide_nodes);
+      f(scene.triangle_blocks, triangle_blocks);
+      f(scene.triangle_tags, triangle_tags);
+    }
     f(scene.spheres, spheres);
     f(scene.ellipsoids, ellipsoids);
     f(scene.boxes, boxes);
@@ -110,12 +153,15 @@ struct TileTracer::State {
   }
 
   cl::Kernel& kernel_for(device::uint max_depth) {
-    unsigned const size = ray_stack_size(max_depth);
-    auto found = kernels.find(size);
+    std::string options = fmt::format("-cl-std=CL1.2 -D RAY_STACK_SIZE={} -D {}", ray_stack_size(max_depth),
+                                      layout_name(scene.traversal));
+    if (scene.traversal != Traversal::scalar) {
+      options += fmt::format(" -D TRAVERSAL_STACK_SIZE={}", traversal_stack_size(scene.stack_size));
+    }
+    auto found = kernels.find(options);
     if (found == kernels.end()) {
-      auto const program =
-          build_program(context, device, "render", fmt::format("-cl-std=CL1.2 -D RAY_STACK_SIZE={}", size));
-      found = kernels.emplace(size, checked([&] { return cl::Kernel(program, "render_tile"); })).first;
+      auto const program = build_program(context, device, "render", options);
+      found = kernels.emplace(options, checked([&] { return cl::Kernel(program, "render_tile"); })).first;
     }
     return found->second;
   }
@@ -168,28 +214,29 @@ void TileTracer::begin_frame(device::FrameParameters const& frame, Image& image)
 RayCounts TileTracer::trace(device::Tile const& tile) {
   State& state = *state_;
   constexpr cl_uint tile_argument = 1, rays_argument = 12;
-  std::size_t const pixels = std::size_t(tile.width) * tile.height;
+  LaunchSize const size = launch_size(tile, state.scene.traversal);
+  std::size_t const work_items = size.width * size.height;
   RayCounts counts;
   checked([&] {
-    if (state.rays.size() < pixels) {
-      state.rays.resize(pixels);
+    if (state.rays.size() < work_items) {
+      state.rays.resize(work_items);
       state.rays_buffer.create(state.context, CL_MEM_WRITE_ONLY, state.rays);
     }
     state.kernel.setArg(rays_argument, state.rays_buffer.get());
     state.kernel.setArg(tile_argument, sizeof tile, &tile);
     state.queue.enqueueNDRangeKernel(
         state.kernel, cl::NullRange,
-        cl::NDRange(round_up(tile.width, local_width), round_up(tile.height, local_height)),
-        cl::NDRange(local_width, local_height));
-    std::size_t const bytes = pixels * sizeof(device::WorkItemRays);
+        cl::NDRange(round_up(size.width, size.local_side), round_up(size.height, size.local_side)),
+        cl::NDRange(size.local_side, size.local_side));
+    std::size_t const bytes = work_items * sizeof(device::WorkItemRays);
     void* const mapped = state.queue.enqueueMapBuffer(state.rays_buffer.get(), CL_TRUE, CL_MAP_READ, 0, bytes);
     auto const* rays = static_cast<device::WorkItemRays const*>(mapped);
-    for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t i = 0; i < work_items; ++i) {
       counts.shadow += rays[i].shadow;
       counts.secondary += rays[i].secondary;
       counts.camera_hits += rays[i].camera_hits;
     }
-    counts.camera = pixels * tile.sample_count;
+    counts.camera = std::uint64_t(tile.width) * tile.height * tile.sample_count;
     state.queue.enqueueUnmapMemObject(state.rays_buffer.get(), mapped);
   });
   return counts;

@@ -3,18 +3,28 @@
 #include <cstdint>
 #include <vector>
 
+#include "lichtraum/renderer.hpp"
 #include "scene/flat_scene.hpp"
 #include "shared/bvh.h"
 #include "shared/geometry.h"
 #include "shared/shading.h"
+#include "shared/wide.h"
 
 namespace lichtraum {
 
 /// A scene as the kernels read it: plain arrays, the hierarchies of all objects in one.
 struct SceneBuffers {
+  Traversal traversal = Traversal::scalar;  ///< which arrays are filled
+  /// Only for the scalar layout.
   std::vector<device::BvhNode> nodes;
   std::vector<device::PrimitiveReference> references;
   std::vector<device::TrianglePrimitive> triangles;
+  /// Only for the others.
+  std::vector<device::WideNode> wide_nodes;
+  std::vector<device::TriangleBlock> triangle_blocks;
+  std::vector<device::PrimitiveTag> triangle_tags;  ///< BLOCK_LANES a block
+  std::size_t stack_size = 0;                       ///< that a traversal needs
+  /// For all.
   std::vector<device::SpherePrimitive> spheres;
   std::vector<device::EllipsoidPrimitive> ellipsoids;
   std::vector<device::BoxPrimitive> boxes;
@@ -26,9 +36,11 @@ struct SceneBuffers {
   Bounds world_bounds;                ///< empty when nothing is drawn
   std::vector<Shape const*> shapes;   ///< what PrimitiveTag::shape counts in
   std::uint64_t unrepresentable = 0;  ///< primitives left out, see FlatScene
+  std::uint64_t triangle_count = 0;
+  bool has_transparency = false;  ///< some material lets light through
 };
 
-/// Builds a hierarchy per object and puts everything into the device's arrays.
-SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights);
+/// Builds a hierarchy per object and puts everything into the device's arrays. `traversal` is not `automatic`.
+SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Traversal traversal);
 
 }  // namespace lichtraum

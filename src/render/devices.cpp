@@ -88,9 +88,9 @@ DeviceInfo const& select_device(DeviceList const& list, std::string_view selecto
                           selector, known));
 }
 
-std::unique_ptr<Renderer> make_renderer(DeviceInfo const& device) {
+std::unique_ptr<Renderer> make_renderer(DeviceInfo const& device, Traversal traversal) {
   if (device.kind == DeviceKind::reference) return make_reference_renderer(device);
-  return make_opencl_renderer(device);
+  return make_opencl_renderer(device, traversal);
 }
 
 }  // namespace lichtraum

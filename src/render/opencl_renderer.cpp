@@ -37,7 +37,8 @@ void clear(Image& image, Region const& region) {
 
 class OpenClRenderer final : public Renderer {
  public:
-  explicit OpenClRenderer(DeviceInfo const& device) : device_(device), tracer_(device) {}
+  OpenClRenderer(DeviceInfo const& device, Traversal traversal)
+      : device_(device), traversal_(resolve(traversal, device.kind)), tracer_(device) {}
 
   DeviceInfo const& device() const override { return device_; }
 
@@ -49,13 +50,13 @@ class OpenClRenderer final : public Renderer {
     statistics.flatten_ms = 1e3 * seconds_since(start);
 
     start = Clock::now();
-    SceneBuffers buffers = compile_scene(std::move(flat), scene.lights);
+    SceneBuffers buffers = compile_scene(std::move(flat), scene.lights, traversal_);
     statistics.build_ms = 1e3 * seconds_since(start);
-    statistics.triangles = buffers.triangles.size();
+    statistics.triangles = buffers.triangle_count;
     statistics.spheres = buffers.spheres.size() + buffers.ellipsoids.size();
     statistics.boxes = buffers.boxes.size();
     statistics.instances = buffers.instances.size();
-    statistics.bvh_nodes = buffers.nodes.size();
+    statistics.bvh_nodes = buffers.nodes.size() + buffers.wide_nodes.size();
     statistics.unrepresentable = buffers.unrepresentable;
     light_count_ = device::uint(buffers.lights.size());
 
@@ -76,7 +77,8 @@ class OpenClRenderer final : public Renderer {
   }
 
   RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress) override {
-    auto const frame = frame_parameters(request, *scene_, tracer_.scene().root_node, light_count_);
+    auto frame = frame_parameters(request, *scene_, tracer_.scene().root_node, light_count_);
+    frame.has_transparency = tracer_.scene().has_transparency ? 1 : 0;
     if (image.size() != request.resolution) image = Image(request.resolution);
     clear(image, request.region);
 
@@ -102,7 +104,13 @@ class OpenClRenderer final : public Renderer {
   }
 
  private:
+  static Traversal resolve(Traversal traversal, DeviceKind kind) {
+    if (traversal != Traversal::automatic) return traversal;
+    return kind == DeviceKind::cpu ? Traversal::packet : Traversal::scalar;
+  }
+
   DeviceInfo device_;
+  Traversal traversal_;
   TileTracer tracer_;
   Scene const* scene_ = nullptr;
   device::uint light_count_ = 0;
@@ -110,8 +118,8 @@ class OpenClRenderer final : public Renderer {
 
 }  // namespace
 
-std::unique_ptr<Renderer> make_opencl_renderer(DeviceInfo const& device) {
-  return std::make_unique<OpenClRenderer>(device);
+std::unique_ptr<Renderer> make_opencl_renderer(DeviceInfo const& device, Traversal traversal) {
+  return std::make_unique<OpenClRenderer>(device, traversal);
 }
 
 }  // namespace lichtraum

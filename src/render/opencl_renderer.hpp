@@ -7,6 +7,6 @@
 namespace lichtraum {
 
 /// Throws DeviceError when the device fails.
-std::unique_ptr<Renderer> make_opencl_renderer(DeviceInfo const& device);
+std::unique_ptr<Renderer> make_opencl_renderer(DeviceInfo const& device, Traversal traversal);
 
 }  // namespace lichtraum

@@ -3,6 +3,7 @@
 #include "shared/geometry.h"
 #include "shared/sampling.h"
 #include "shared/shading.h"
+#include "shared/wide.h"
 
 /* In the order of struct_members.h. */
 #define OFFSET_OF(type, member) ((uint)(size_t) & (((__private type*)0)->member))

@@ -6,6 +6,7 @@
 #include "shared/geometry.h"
 #include "shared/sampling.h"
 #include "shared/shading.h"
+#include "shared/wide.h"
 #include "support/catch.hpp"
 #include "support/opencl_probe.hpp"
 #include "support/skip.hpp"

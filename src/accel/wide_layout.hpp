@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "accel/bvh.hpp"
+#include "shared/geometry.h"
+#include "shared/wide.h"
+
+namespace lichtraum {
+
+/// The hierarchy of one object with eight children a node. nodes[0] is the root.
+struct WideBvh {
+  std::vector<device::WideNode> nodes;
+  /// Which references share a block of triangles: references[first, first + count) of the binary hierarchy.
+  struct Block {
+    device::uint first = 0;
+    device::uint count = 0;
+  };
+  std::vector<Block> blocks;
+  /// The entries that a traversal's stack needs for this tree: it visits one child and keeps the others.
+  std::size_t stack_size = 0;
+};
+
+/// Collapses a binary hierarchy (Wald, Benthin and Boulos 2008): a node takes the place of the binary nodes below it
+/// that have the largest surface, until it has eight children. Subtrees of at most four triangles become one block. A
+/// leaf child's index is that of the block in `blocks`, or the primitive's own (see shared/wide.h). Nodes lie in
+/// depth-first order, blocks in the order of the binary tree's leaves. The same result whatever the number of threads.
+WideBvh collapse(Bvh const& bvh);
+
+/// Gathers the triangles of blocks.
+void fill_blocks(std::span<WideBvh::Block const> blocks, std::span<device::PrimitiveReference const> references,
+                 std::span<device::TrianglePrimitive const> triangles, std::span<device::TriangleBlock> filled,
+                 std::span<device::PrimitiveTag> tags);
+
+}  // namespace lichtraum

@@ -1,0 +1,115 @@
+/* The traversal interface of one layout, chosen by -D. */
+#include "traversal/traversal.clh"
+
+typedef struct {
+  float t; /* INFINITY: nothing */
+  uint shape;
+  uint instance;
+  uint padding;
+} ProbeHit;
+
+#ifdef TRAVERSAL_SCALAR
+#define TREE_PARAMETERS                                                         \
+  __global BvhNode const *nodes, __global PrimitiveReference const *references, \
+      __global TrianglePrimitive const *triangles
+#else
+#define TREE_PARAMETERS                                                               \
+  __global WideNode const *wide_nodes, __global TriangleBlock const *triangle_blocks, \
+      __global PrimitiveTag const *triangle_tags
+#endif
+#define SCENE_PARAMETERS                                                                                               \
+  TREE_PARAMETERS, __global SpherePrimitive const *spheres, __global EllipsoidPrimitive const *ellipsoids,             \
+      __global BoxPrimitive const *boxes, __global Instance const *instances, __global PhongMaterial const *materials, \
+      uint const root_node
+
+#ifdef TRAVERSAL_SCALAR
+#define SET_TREE                 \
+  scene.nodes = nodes;           \
+  scene.references = references; \
+  scene.triangles = triangles
+#else
+#define SET_TREE                           \
+  scene.wide_nodes = wide_nodes;           \
+  scene.triangle_blocks = triangle_blocks; \
+  scene.triangle_tags = triangle_tags
+#endif
+#define MAKE_SCENE               \
+  Scene scene;                   \
+  SET_TREE;                      \
+  scene.spheres = spheres;       \
+  scene.ellipsoids = ellipsoids; \
+  scene.boxes = boxes;           \
+  scene.instances = instances;   \
+  scene.materials = materials;   \
+  scene.has_transparency = 1u;   \
+  scene.root_node = root_node
+
+static inline ProbeHit probe_hit(Scene const* scene, Hit hit) {
+  ProbeHit out = {INFINITY, 0u, 0u, 0u};
+  if (hit.kind != NO_PRIMITIVE) {
+    PrimitiveReference const reference = {hit.kind, hit.index};
+    out.t = hit.t;
+    out.shape = primitive_tag(scene, reference).shape;
+    out.instance = hit.instance;
+  }
+  return out;
+}
+
+__kernel void probe_closest(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
+                            __global ProbeHit* hits) {
+  MAKE_SCENE;
+  size_t const i = get_global_id(0);
+  hits[i] = probe_hit(&scene, trace_closest(&scene, make_ray(origins[i].xyz, directions[i].xyz), INFINITY));
+}
+
+/* Bit 0: something lies before t_max; bit 1: something opaque does. */
+__kernel void probe_hidden(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
+                           float const t_max, __global uint* hidden) {
+  MAKE_SCENE;
+  size_t const i = get_global_id(0);
+  Ray const ray = make_ray(origins[i].xyz, directions[i].xyz);
+  hidden[i] = (trace_any(&scene, ray, t_max) ? 1u : 0u) | (trace_visibility(&scene, ray, t_max) == 0.f ? 2u : 0u);
+}
+
+#ifdef TRAVERSAL_PACKET
+static inline void load_packet(Packet* packet, __global float4 const* origins, __global float4 const* directions,
+                               float t_max) {
+  size_t const first = get_global_id(0) * PACKET_GROUPS * PACKET_LANES;
+  packet->origin = origins[first].xyz;
+  packet->t_min = 0.f;
+  for (uint i = 0u; i < PACKET_GROUPS * PACKET_LANES; ++i) {
+    float* direction = (float*)packet->direction[i / PACKET_LANES] + i % PACKET_LANES;
+    direction[0] = directions[first + i].x;
+    direction[PACKET_LANES] = directions[first + i].y;
+    direction[2u * PACKET_LANES] = directions[first + i].z;
+    ((float*)packet->limit)[i] = directions[first + i].w > 0.f ? t_max : -1.f;
+  }
+}
+
+/* Packets of 64 rays that follow each other and share an origin; w of a direction: 1, or 0 for no ray. */
+__kernel void probe_packet_closest(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
+                                   __global ProbeHit* hits) {
+  MAKE_SCENE;
+  Packet packet;
+  load_packet(&packet, origins, directions, INFINITY);
+  trace_packet_closest(&scene, &packet);
+  for (uint i = 0u; i < PACKET_GROUPS * PACKET_LANES; ++i) {
+    hits[get_global_id(0) * PACKET_GROUPS * PACKET_LANES + i] = probe_hit(&scene, packet_hit(&packet, i));
+  }
+}
+
+/* Bit 0: something lies before t_max (occluded or filtered); bit 1: something opaque does. */
+__kernel void probe_packet_hidden(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
+                                  float const t_max, __global uint* hidden) {
+  MAKE_SCENE;
+  Packet packet;
+  load_packet(&packet, origins, directions, t_max);
+  trace_packet_any(&scene, &packet);
+  for (uint i = 0u; i < PACKET_GROUPS * PACKET_LANES; ++i) {
+    bool const occluded = packet_is_occluded(&packet, i);
+    bool const filtered = ((int const*)packet.filtered)[i] != 0;
+    hidden[get_global_id(0) * PACKET_GROUPS * PACKET_LANES + i] =
+        (occluded || filtered ? 1u : 0u) | (occluded ? 2u : 0u);
+  }
+}
+#endif

@@ -1,0 +1,362 @@
+/// Every layout of the tree finds what the scalar one finds, to the last bit, and no ray slips through a closed mesh.
+
+#include <glm/gtc/constants.hpp>
+#include <map>
+
+#include "compile/scene_buffers.hpp"
+#include "reference.hpp"
+#include "scene/device_conversion.hpp"
+#include "support/catch.hpp"
+#include "support/opencl_probe.hpp"
+#include "support/skip.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+namespace {
+
+constexpr std::size_t packet_size = 64;
+
+struct ProbeHit {
+  float t;
+  device::uint shape;
+  device::uint instance;
+  device::uint padding;
+};
+
+/// Rays in packets of one origin each.
+struct Rays {
+  std::vector<float4> origins, directions;
+  void add_packet(Vec3 const& origin, auto&& direction) {
+    for (std::size_t i = 0; i < packet_size; ++i) {
+      origins.push_back(to_float4(origin));
+      directions.push_back(to_float4(direction(), 1));
+    }
+  }
+  std::size_t size() const { return origins.size(); }
+};
+
+/// One compiled scene in one layout, and the probes for it.
+class LayoutProbe {
+ public:
+  LayoutProbe(FlatScene scene, Traversal traversal)
+      : scene_(compile_scene(std::move(scene), {}, traversal)),
+        packets_(traversal == Traversal::packet),
+        program_("layouts.cl", options(scene_)) {}
+
+  std::vector<ProbeHit> closest(Rays const& rays) const {
+    std::vector<ProbeHit> hits(rays.size());
+    run(packets_ ? "probe_packet_closest" : "probe_closest", rays, {out(hits)});
+    return hits;
+  }
+  std::vector<device::uint> hidden(Rays const& rays, float t_max) const {
+    std::vector<device::uint> hidden(rays.size());
+    run(packets_ ? "probe_packet_hidden" : "probe_hidden", rays, {value(t_max), out(hidden)});
+    return hidden;
+  }
+  SceneBuffers const& scene() const { return scene_; }
+
+ private:
+  static std::string options(SceneBuffers const& scene) {
+    char const* const names[] = {"", "SCALAR", "WIDE", "PACKET"};
+    return std::string("-D TRAVERSAL_") + names[int(scene.traversal)] +
+           " -D TRAVERSAL_STACK_SIZE=" + std::to_string(std::max<std::size_t>(scene.stack_size, 1));
+  }
+  void run(std::string const& kernel, Rays const& rays, std::vector<ProbeArgument> const& last) const {
+    std::vector<ProbeArgument> arguments;
+    if (scene_.traversal == Traversal::scalar) {
+      arguments = {in(scene_.nodes), in(scene_.references), in(scene_.triangles)};
+    } else {
+      arguments = {in(scene_.wide_nodes), in(scene_.triangle_blocks), in(scene_.triangle_tags)};
+    }
+    for (auto const& argument :
+         {in(scene_.spheres), in(scene_.ellipsoids), in(scene_.boxes), in(scene_.instances), in(scene_.materials),
+          value(scene_.root_node), in(rays.origins), in(rays.directions)}) {
+      arguments.push_back(argument);
+    }
+    arguments.insert(arguments.end(), last.begin(), last.end());
+    // Small groups: each work-item has much memory of its own.
+    program_.run(kernel, packets_ ? rays.size() / packet_size : rays.size(), arguments, 1, packets_ ? 1 : 16, 1);
+  }
+
+  SceneBuffers scene_;
+  bool packets_;
+  ProbeProgram program_;
+};
+
+device::TrianglePrimitive triangle(Vec3 const& a, Vec3 const& b, Vec3 const& c, device::uint shape) {
+  device::TrianglePrimitive t{};
+  store(a, t.vertices[0]);
+  store(b, t.vertices[1]);
+  store(c, t.vertices[2]);
+  t.tag = {shape % 2, shape};
+  return t;
+}
+
+void add_triangles(Random& random, std::size_t count, FlatObject& object) {
+  for (std::size_t i = 0; i < count; ++i) {
+    Vec3 const a = random.in_cube(3);
+    Vec3 const b = a + random.in_cube(0.5);
+    // Some degenerate: a point, a line, a flat one.
+    Vec3 const c = i % 17 == 0 ? a : i % 19 == 0 ? 0.5 * (a + b) : a + random.in_cube(i % 23 == 0 ? 1e-6 : 0.5);
+    object.triangles.push_back(triangle(a, b, c, device::uint(object.primitive_count())));
+  }
+}
+
+Transform random_transform(Random& random, Vec3 const& offset) {
+  Mat3 const m = random.rotation() * Mat3(random.uniform(0.3, 1.2), 0, 0, 0, random.uniform(0.3, 1.2), 0, 0, 0, 0.7);
+  Mat4 matrix(m);
+  matrix[3] = glm::dvec4(offset, 1);
+  return Transform::from_matrix(matrix);
+}
+
+/// Every kind of primitive, half of them of glass, overlapping; and instances of half of them.
+FlatScene mixed_scene(std::uint64_t seed) {
+  Random random(seed);
+  FlatScene scene;
+  scene.objects.resize(2);
+  for (FlatObject& object : scene.objects) {
+    add_triangles(random, 400, object);
+    for (int i = 0; i < 40; ++i) {
+      auto const tag = [&] {
+        return device::PrimitiveTag{device::uint(i % 2), device::uint(object.primitive_count())};
+      };
+      Vec3 const center = random.in_cube(3);
+      device::SpherePrimitive sphere{};
+      store(center, sphere.center);
+      sphere.radius = float(random.uniform(0.05, 0.4));
+      sphere.tag = tag();
+      object.spheres.push_back(sphere);
+      object.ellipsoids.push_back({device_transform(random_transform(random, random.in_cube(3)).inverse()), tag(), {}});
+      device::BoxPrimitive box{};
+      box.box_from_object = device_transform(random_transform(random, random.in_cube(3)).inverse());
+      for (int axis = 0; axis < 3; ++axis) {
+        box.min[axis] = float(random.uniform(-0.4, 0));
+        box.max[axis] = i % 5 == axis ? box.min[axis] : float(random.uniform(0, 0.4));  // some flat
+      }
+      box.tag = tag();
+      object.boxes.push_back(box);
+    }
+  }
+  for (int i = 0; i < 12; ++i) scene.instances.push_back({1, random_transform(random, random.in_cube(8))});
+  scene.materials = {std::make_shared<Material>(), std::make_shared<Material>()};
+  auto glass = std::make_shared<Material>();
+  glass->set_mirror_and_glass(0, 0.5, 1.5);
+  scene.materials[1] = glass;
+  return scene;
+}
+
+/// Narrow packets from outside, wide ones from inside, some along axes and some within planes of them.
+Rays mixed_rays(std::uint64_t seed, std::size_t packets) {
+  Random random(seed);
+  Rays rays;
+  for (std::size_t i = 0; i < packets; ++i) {
+    bool const outside = i % 2 == 0;
+    Vec3 const origin = outside ? random.direction() * 20. : random.in_cube(3);
+    Vec3 const center = random.in_cube(3) - origin;
+    double const spread = outside ? 0.5 : 8;
+    rays.add_packet(origin, [&] {
+      Vec3 d = center + random.in_cube(spread);
+      for (int axis = 0; axis < 3; ++axis) {
+        if (i % 11 == std::size_t(axis) || i % 13 == std::size_t(axis)) d[axis] = 0;
+      }
+      return d;
+    });
+  }
+  return rays;
+}
+
+std::size_t count_different(std::vector<ProbeHit> const& a, std::vector<ProbeHit> const& b) {
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    bool const same = a[i].t == b[i].t && a[i].shape == b[i].shape && a[i].instance == b[i].instance;
+    if (!same && different++ < 3) {
+      UNSCOPED_INFO("ray " << i << ": t " << a[i].t << " and " << b[i].t << ", shape " << a[i].shape << " and "
+                           << b[i].shape);
+    }
+  }
+  return different;
+}
+
+/// A closed, bumpy surface around `center`: a sphere of 2 n^2 quads, split.
+std::vector<Vec3> mesh_corners(Vec3 const& center, int n, std::vector<device::TrianglePrimitive>& triangles) {
+  auto const corner = [&](int i, int j) {
+    j = (j + 2 * n) % (2 * n);
+    double const theta = glm::pi<double>() * i / n, phi = glm::pi<double>() * j / n;
+    double const r = i == 0 || i == n ? 1 : 1 + 0.1 * std::sin(5. * theta) * std::cos(3. * phi);
+    Vec3 const p = i == 0   ? Vec3(0, 0, 1)
+                   : i == n ? Vec3(0, 0, -1)
+                            : Vec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+    return center + r * p;
+  };
+  std::vector<Vec3> corners;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < 2 * n; ++j) {
+      Vec3 const a = corner(i, j), b = corner(i, j + 1), c = corner(i + 1, j + 1), d = corner(i + 1, j);
+      if (i > 0) triangles.push_back(triangle(a, b, c, device::uint(triangles.size())));
+      if (i + 1 < n) triangles.push_back(triangle(a, c, d, device::uint(triangles.size())));
+      for (Vec3 const& p : {a, b, c, d}) corners.push_back(p);
+    }
+  }
+  return corners;
+}
+
+/// How many of about `count` rays from within a closed mesh, aimed at its vertices and edges, meet nothing.
+std::size_t count_leaks(Vec3 const& center, std::size_t count, Traversal traversal) {
+  FlatScene scene;
+  scene.objects.resize(1);
+  std::vector<Vec3> const corners = mesh_corners(center, 40, scene.objects[0].triangles);
+  scene.materials = {std::make_shared<Material>(), std::make_shared<Material>()};
+  LayoutProbe const probe(std::move(scene), traversal);
+  Random random(3);
+  std::size_t leaks = 0;
+  std::size_t const batch = std::min<std::size_t>(count, 1 << 18) / packet_size;
+  for (std::size_t done = 0; done < count; done += batch * packet_size) {
+    Rays rays;
+    for (std::size_t i = 0; i < batch; ++i) {
+      Vec3 const origin = center + random.in_cube(0.3);
+      Vec3 const from(float(origin.x), float(origin.y), float(origin.z));
+      std::size_t const near = random.index(corners.size() / 4);
+      rays.add_packet(from, [&] {
+        std::size_t const quad = (near + random.index(3)) % (corners.size() / 4);
+        Vec3 const a = corners[4 * quad + random.index(4)], b = corners[4 * quad + random.index(4)];
+        double const s = random.index(3) == 0 ? 0 : random.uniform();
+        return a + s * (b - a) - from;
+      });
+    }
+    for (ProbeHit const& hit : probe.closest(rays)) leaks += std::isfinite(hit.t) ? 0 : 1;
+  }
+  return leaks;
+}
+
+}  // namespace
+
+TEST_CASE("wide and packet find the scalar layout's hits, to the last bit", "[kernel][layouts]") {
+  NEEDS_OPENCL_DEVICE();
+  Rays const rays = mixed_rays(5, scaled_count(2000));
+  auto const expected = LayoutProbe(mixed_scene(1), Traversal::scalar).closest(rays);
+  std::size_t hits = 0;
+  for (ProbeHit const& hit : expected) hits += std::isfinite(hit.t) ? 1 : 0;
+  CHECK(hits > rays.size() / 4);
+  CHECK(hits < rays.size());
+  for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
+    CHECK(count_different(LayoutProbe(mixed_scene(1), traversal).closest(rays), expected) == 0);
+  }
+}
+
+TEST_CASE("wide and packet agree with the scalar layout on what is hidden, also by glass", "[kernel][layouts]") {
+  NEEDS_OPENCL_DEVICE();
+  Rays const rays = mixed_rays(6, scaled_count(1000));
+  auto const expected = LayoutProbe(mixed_scene(2), Traversal::scalar).hidden(rays, 0.5f);
+  std::map<device::uint, std::size_t> kinds;
+  for (device::uint const h : expected) ++kinds[h];
+  CHECK(kinds[0] > 100);
+  CHECK(kinds[1] > 100);
+  CHECK(kinds[3] > 100);
+  for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
+    CHECK((LayoutProbe(mixed_scene(2), traversal).hidden(rays, 0.5f) == expected));
+  }
+}
+
+TEST_CASE("what a ray of a packet hits does not depend on the others", "[kernel][layouts]") {
+  NEEDS_OPENCL_DEVICE();
+  Rays rays = mixed_rays(7, scaled_count(200));
+  LayoutProbe const probe(mixed_scene(1), Traversal::packet);
+  auto const together = probe.closest(rays);
+  Random random(1);
+  for (float4& direction : rays.directions) direction.w = random.index(8) == 0 ? 1.f : 0.f;
+  auto const few = probe.closest(rays);
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    bool const same = few[i].t == together[i].t && few[i].shape == together[i].shape;
+    different += rays.directions[i].w > 0 && !same ? 1 : 0;
+    if (rays.directions[i].w == 0) different += std::isfinite(few[i].t) ? 1 : 0;
+  }
+  CHECK(different == 0);
+}
+
+TEST_CASE("no ray slips through a closed mesh", "[kernel][layouts]") {
+  NEEDS_OPENCL_DEVICE();
+  for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
+    CHECK(count_leaks(Vec3(0), scaled_count(1 << 20), traversal) == 0);
+    CHECK(count_leaks(Vec3(1e5, -1e5, 1e5), scaled_count(1 << 18), traversal) == 0);
+  }
+}
+
+TEST_CASE("none of 10^8 rays slips through a closed mesh", "[kernel][layouts][long][.]") {
+  NEEDS_OPENCL_DEVICE();
+  for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
+    CHECK(count_leaks(Vec3(0), 100'000'000, traversal) == 0);
+    CHECK(count_leaks(Vec3(1e5, -1e5, 1e5), 100'000'000, traversal) == 0);
+  }
+}
+
+TEST_CASE("odd scenes are traced in every layout", "[kernel][layouts]") {
+  NEEDS_OPENCL_DEVICE();
+  auto const scene_of = [](std::vector<device::TrianglePrimitive> triangles) {
+    FlatScene scene;
+    scene.objects.resize(1);
+    scene.objects[0].triangles = std::move(triangles);
+    scene.materials = {std::make_shared<Material>(), std::make_shared<Material>()};
+    return scene;
+  };
+  auto const one = triangle({-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, 0);
+  auto broken = one;
+  broken.vertices[1][2] = float_nan;
+  auto infinite = one;
+  infinite.vertices[2][0] = float_infinity;
+  Rays rays;
+  Random random(1);
+  rays.add_packet({0, 0, 2}, [&] { return Vec3(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), -1); });
+  rays.add_packet({0, 0, 2}, [&] { return Vec3(0); });
+  rays.add_packet({0, 0, 2}, [&] { return Vec3(0, 0, -1); });
+  rays.add_packet({0, 0, 0}, [&] { return Vec3(random.uniform(-1, 1), random.uniform(-1, 1), 0); });  // in its plane
+
+  struct Case {
+    char const* name;
+    std::vector<device::TrianglePrimitive> triangles;
+    bool is_seen;
+  };
+  std::vector<Case> cases{{"nothing", {}, false},
+                          {"one triangle", {one}, true},
+                          {"NaN and infinite vertices", {broken, infinite}, false},
+                          {"one between broken ones", {broken, one, infinite}, true},
+                          {"identical triangles", std::vector(scaled_count(100'000) + 9, one), true}};
+  for (Case const& c : cases) {
+    INFO(c.name);
+    for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
+      INFO("layout " << int(traversal));
+      auto const hits = LayoutProbe(scene_of(c.triangles), traversal).closest(rays);
+      std::size_t wrong = 0;
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        bool const seen = c.is_seen && (i < packet_size || (i >= 2 * packet_size && i < 3 * packet_size));
+        wrong += std::isfinite(hits[i].t) != seen ? 1 : 0;
+      }
+      CHECK(wrong == 0);
+    }
+  }
+}
+
+TEST_CASE("a traversal never needs more stack than the host computes", "[kernel][layouts]") {
+  NEEDS_OPENCL_DEVICE();
+  // Distances grow so fast that the tree is as deep as it gets.
+  FlatScene scene;
+  scene.objects.resize(1);
+  for (device::uint i = 0; i < 3000; ++i) {
+    double const x = std::pow(1.02, double(i % 1500));
+    scene.objects[0].triangles.push_back(triangle({x, -x, 0}, {x, x, -x}, {x * 1.0001, x, x}, i));
+  }
+  scene.materials = {std::make_shared<Material>(), std::make_shared<Material>()};
+  Rays const rays = [] {
+    Rays r;
+    Random random(1);
+    for (int i = 0; i < 50; ++i) r.add_packet({-1, 0, 0}, [&] { return Vec3(1, 0, 0) + random.in_cube(1); });
+    return r;
+  }();
+  auto const expected = LayoutProbe(scene, Traversal::scalar).closest(rays);
+  for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
+    LayoutProbe const probe(scene, traversal);
+    CHECK(probe.scene().stack_size > 50);  // it is a hard case
+    CHECK(count_different(probe.closest(rays), expected) == 0);
+  }
+}

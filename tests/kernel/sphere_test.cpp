@@ -141,3 +141,16 @@ TEST_CASE("Ellipsoid hits are the reference's under any affine map", "[kernel]")
   CHECK(hits > count / 5);
   CHECK(unclear <= 1 + count / 50);
 }
+
+TEST_CASE("Surfaces in front of the origin and before t_max are counted once each", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  struct Ends {
+    float enter, leave;
+  };
+  float const inf = float_infinity;
+  std::vector<Ends> const ends{{1, 2}, {1, 2}, {1, 2}, {-1, 2}, {-2, -1}, {1, 1}, {0, 1}, {inf, inf}, {-1, 0}, {1, 2}};
+  std::vector<float> const t_max{inf, 1.5f, 0.5f, inf, inf, inf, inf, inf, inf, 2};
+  std::vector<device::uint> counts(ends.size());
+  ProbeProgram("shapes.cl").run("probe_count_in_front", ends.size(), {in(ends), in(t_max), out(counts)});
+  CHECK(counts == std::vector<device::uint>{2, 1, 0, 1, 0, 1, 1, 0, 0, 1});
+}

@@ -189,12 +189,14 @@ TEST_CASE("Bounds that are absent or not numbers are never entered", "[kernel]")
   NEEDS_OPENCL_DEVICE();
   float const inf = float_infinity, nan = float_nan;
   std::vector<device::BvhChild> const children{
-      {{1, 1, 1}, 0, {-1, -1, -1}, 0},
-      {{inf, inf, inf}, 0, {-inf, -inf, -inf}, 0},
-      {{nan, nan, nan}, 0, {nan, nan, nan}, 0},
-      {{-1, -1, -1}, 0, {1, 1, 1}, 0},  // this one is
+      {{1, 1, 1}, 0, {-1, -1, -1}, 0},          {{inf, inf, inf}, 0, {-inf, -inf, -inf}, 0},
+      {{nan, nan, nan}, 0, {nan, nan, nan}, 0}, {{-1, -1, -1}, 0, {1, 1, 1}, 0},  // these are: a cube,
+      {{0, 0, -3}, 0, {0, 0, -3}, 0},  // and a point at the ray's origin, where 0 is multiplied by infinity
+      {{0, 0, -3}, 0, {0, 0, -3}, 0},           {{0, 0, -3}, 0, {0, 0, -3}, 0},
   };
-  std::vector<ProbeRay> const rays(children.size(), ProbeRay{{0, 0, -3, 0}, {0, 0, 1, 0}});
+  std::vector<ProbeRay> rays(children.size(), ProbeRay{{0, 0, -3, 0}, {0, 0, 1, 0}});
+  rays[5].direction = {1, 0, 0, 0};
+  rays[6].direction = {0, -1, 0, 0};
   std::vector<float> const t_max(children.size(), inf);
   std::vector<float> t(children.size());
   ProbeProgram("traversal.cl").run("probe_enter_bounds", t.size(), {in(children), in(rays), in(t_max), out(t)});
@@ -202,4 +204,5 @@ TEST_CASE("Bounds that are absent or not numbers are never entered", "[kernel]")
   CHECK(t[1] == inf);
   CHECK(t[2] == inf);
   CHECK(t[3] == Approx(2));
+  for (std::size_t i = 4; i < t.size(); ++i) CHECK(t[i] == 0);
 }

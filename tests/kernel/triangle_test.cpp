@@ -97,6 +97,9 @@ TEST_CASE("Triangle edge cases", "[kernel]") {
   add(front, inside, {0, 0, 0}, inf, inf);                                        // no direction
   add(triangle(1e6 * a, 1e6 * b, 1e6 * c), {2.5e5, 2.5e5, -1e-3}, z, inf, 1e-3);  // close above a huge floor
   add(triangle(1e-3 * a, 1e-3 * b, 1e-3 * c), {2.5e-4, 2.5e-4, -1e-3}, z, inf, 1e-3);
+  // Rays that leave a floor of 1e6 from next to nothing above it, at small angles.
+  auto const floor = triangle({-1e6, 0, -1e6}, {1e6, 0, -7e5}, {1e5, 0, 1e6});
+  for (int k = 0; k < 20; ++k) add(floor, {300. * k, 1e-6, 77. * k}, {1, 0.1, 0.3 - 0.05 * k}, inf, inf);
   auto const t = cases.run("probe_triangle");
   for (std::size_t i = 0; i < t.size(); ++i) {
     INFO("case " << i);

@@ -15,6 +15,7 @@ struct GltfOptions {
   std::string scene;                   ///< index or name of the scene to import; empty: the file's default one
   std::optional<double> time_seconds;  ///< pose of the animation at that time; nothing: as the nodes stand in the file
   std::string animation;               ///< index or name of the animation that `time_seconds` is for; empty: the first
+  int max_texture = 4096;              ///< pictures with a longer side are halved until they fit; >= 1
   std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the model's that may be read
   std::shared_ptr<Material const> material;          ///< for everything, instead of the model's own; null: these
 };

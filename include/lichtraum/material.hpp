@@ -1,14 +1,16 @@
 #pragma once
 
 #include <iosfwd>
+#include <memory>
 #include <string>
 
 #include "lichtraum/math.hpp"
+#include "lichtraum/pbr_material.hpp"
 
 namespace lichtraum {
 
 /// Phong's coefficients (Phong 1975) with Whitted's mirror and glass terms (Whitted 1980). A surface shows
-///   (1 - reflect - transmit) * (ambient + diffuse) + specular highlight
+///   emission + (1 - reflect - transmit) * (ambient + diffuse) + specular highlight
 ///   + reflect * (what its mirror ray sees) + transmit * (what its refracted ray sees).
 class Material {
  public:
@@ -27,12 +29,20 @@ class Material {
   double transmit() const { return transmit_; }  ///< share of the refracted ray, 0..1
   double ior() const { return ior_; }            ///< index of refraction, > 0
 
+  Rgb const& emission() const { return emission_; }  ///< what it shows without any light; none lights other surfaces
+  void set_emission(Rgb const& emission) { emission_ = emission; }
+
   /// Throws std::invalid_argument unless reflect, transmit and their sum lie in 0..1 and ior is positive.
   void set_mirror_and_glass(double reflect, double transmit, double ior);
   bool is_opaque() const { return transmit_ == 0; }
 
+  /// The physically based material that the coefficients were derived from; null for one that never had any.
+  std::shared_ptr<PbrMaterial const> const& pbr() const { return pbr_; }
+  void set_pbr(std::shared_ptr<PbrMaterial const> pbr) { pbr_ = std::move(pbr); }
+
  private:
   std::string name_;
+  std::shared_ptr<PbrMaterial const> pbr_;
   Rgb ka_{0.8};
   Rgb kd_{0.8};
   Rgb ks_{0};
@@ -40,6 +50,7 @@ class Material {
   double reflect_ = 0;
   double transmit_ = 0;
   double ior_ = 1;
+  Rgb emission_{0};
 };
 
 std::ostream& operator<<(std::ostream& out, Material const& material);

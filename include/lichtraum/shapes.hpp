@@ -66,6 +66,9 @@ class Mesh final : public Shape {
   /// empty nor as long as the positions.
   Mesh(std::string name, std::shared_ptr<MeshGeometry const> geometry, std::shared_ptr<Material const> material);
   std::shared_ptr<MeshGeometry const> const& geometry() const { return geometry_; }
+  /// The box around its positions (those that are finite), in its own frame; min > max when there are none.
+  Vec3 const& min() const { return min_; }
+  Vec3 const& max() const { return max_; }
 
   bool intersect(Ray const& ray, float& t) const override;
   bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
@@ -73,7 +76,7 @@ class Mesh final : public Shape {
 
  private:
   std::shared_ptr<MeshGeometry const> geometry_;
-  Vec3 min_;  // of the positions, in the mesh's own frame
+  Vec3 min_;
   Vec3 max_;
 };
 

@@ -10,7 +10,7 @@ typedef struct {
   float4 kd; /* w: reflect, 0..1 */
   float4 ks; /* w: transmit, 0..1 */
   float ior; /* > 0 */
-  uint padding[3];
+  float emission[3]; /* what the surface shows without any light */
 } PhongMaterial;
 DEVICE_STRUCT_SIZE(PhongMaterial, 64);
 

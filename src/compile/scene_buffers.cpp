@@ -113,6 +113,7 @@ device::PhongMaterial device_material(Material const& material) {
   out.kd = device_float4(material.kd(), material.reflect());
   out.ks = device_float4(material.ks(), material.transmit());
   out.ior = float(material.ior());
+  store(material.emission(), out.emission);
   return out;
 }
 

@@ -45,13 +45,7 @@ class LeafBox final : public ShapeVisitor {
   void visit(Triangle const& triangle) override {
     for (Vec3 const& vertex : triangle.vertices()) add(box, vertex);
   }
-  void visit(Mesh const& mesh) override {
-    MeshGeometry const& geometry = *mesh.geometry();
-    for (std::uint32_t const index : geometry.indices) {
-      Float3 const& p = geometry.positions[index];
-      add(box, {p[0], p[1], p[2]});
-    }
-  }
+  void visit(Mesh const& mesh) override { box = {mesh.min(), mesh.max()}; }
   void visit(Composite const& shape) override { composite = &shape; }
 };
 

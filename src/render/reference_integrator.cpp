@@ -64,12 +64,12 @@ double visibility(ReferenceScene const& scene, Vec3 const& from, Vec3 const& lig
   return share;
 }
 
-/// What the surface shows by itself: ambient, diffuse and specular term. A light that could not add anything costs no
+/// What the surface shows by itself: emission, ambient, diffuse and specular term. A light that could not add anything costs no
 /// shadow ray.
 Rgb local_radiance(ReferenceScene const& scene, SurfacePoint const& point, RayCounts& counts) {
   Material const& material = point.material;
   double const matt_share = 1 - material.reflect() - material.transmit();
-  Rgb radiance = matt_share * material.ka() * scene.ambient;
+  Rgb radiance = material.emission() + matt_share * material.ka() * scene.ambient;
   for (Light const& light : scene.point_lights) {
     Vec3 const towards_light = light.position() - point.position;
     if (towards_light == Vec3(0)) continue;

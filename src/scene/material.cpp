@@ -23,6 +23,7 @@ void Material::set_mirror_and_glass(double reflect, double transmit, double ior)
 std::ostream& operator<<(std::ostream& out, Material const& material) {
   out << fmt::format("material '{}': ka {}, kd {}, ks {}, m {}", material.name(), format_numbers(material.ka()),
                      format_numbers(material.kd()), format_numbers(material.ks()), material.m());
+  if (material.emission() != Rgb(0)) out << fmt::format(", emission {}", format_numbers(material.emission()));
   if (material.reflect() != 0) out << fmt::format(", reflect {}", material.reflect());
   if (material.transmit() != 0) out << fmt::format(", transmit {}, ior {}", material.transmit(), material.ior());
   return out;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <glm/common.hpp>
 #include <limits>
 #include <stdexcept>
 
@@ -49,16 +48,21 @@ std::array<Vec3, 3> MeshGeometry::triangle(std::size_t number) const {
 }
 
 Mesh::Mesh(std::string name, std::shared_ptr<MeshGeometry const> geometry, std::shared_ptr<Material const> material)
-    : Shape(std::move(name), std::move(material)),
-      geometry_(std::move(geometry)),
-      min_(std::numeric_limits<double>::infinity()),
-      max_(-std::numeric_limits<double>::infinity()) {
+    : Shape(std::move(name), std::move(material)), geometry_(std::move(geometry)) {
   if (!geometry_) throw std::invalid_argument("a mesh needs a geometry");
   check(*geometry_);
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  Float3 min{infinity, infinity, infinity};
+  Float3 max{-infinity, -infinity, -infinity};
   for (Float3 const& p : geometry_->positions) {
-    min_ = glm::min(min_, to_vec3(p));
-    max_ = glm::max(max_, to_vec3(p));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      // An infinity is on the wrong side of neither comparison; nor is a NaN.
+      if (p[axis] < min[axis] && p[axis] > -infinity) min[axis] = p[axis];
+      if (p[axis] > max[axis] && p[axis] < infinity) max[axis] = p[axis];
+    }
   }
+  min_ = to_vec3(min);
+  max_ = to_vec3(max);
 }
 
 bool Mesh::closest_hit(Ray const& ray, double t_min, Hit& hit) const {

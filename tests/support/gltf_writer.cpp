@@ -1,9 +1,5 @@
 #include "support/gltf_writer.hpp"
 
-#include <unistd.h>
-
-#include <fstream>
-
 namespace lichtraum::testing {
 namespace {
 
@@ -50,19 +46,6 @@ std::string GltfWriter::glb() const {
   append_uint32(file, 2);
   append_uint32(file, 12 + chunks.size());
   return file + chunks;
-}
-
-std::filesystem::path GltfWriter::write(std::string const& name) const {
-  return write_temporary(name, name.ends_with(".glb") ? glb() : text());
-}
-
-std::filesystem::path write_temporary(std::string const& name, std::string const& content) {
-  static int count = 0;
-  auto const folder = std::filesystem::path(LICHTRAUM_ARTIFACT_DIR) /
-                      ("models-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / name, std::ios::binary) << content;
-  return folder / name;
 }
 
 }  // namespace lichtraum::testing

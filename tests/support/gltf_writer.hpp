@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstring>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -49,9 +48,7 @@ class GltfWriter {
   /// The buffer's bytes, to be damaged.
   std::string& buffer() { return buffer_; }
 
-  /// Writes a .gltf with the buffer as a data URI, or a .glb; returns its path in a fresh folder.
-  std::filesystem::path write(std::string const& name = "model.gltf") const;
-  std::string text() const;
+  std::string text() const;  ///< a .gltf with the buffer as a data URI
   std::string glb() const;
 
  private:
@@ -67,9 +64,6 @@ class GltfWriter {
 
   std::string buffer_;
 };
-
-/// A file of that name and content in a folder that nothing else uses.
-std::filesystem::path write_temporary(std::string const& name, std::string const& content);
 
 std::string encode_base64(std::string const& bytes);
 

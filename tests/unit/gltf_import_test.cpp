@@ -1,33 +1,24 @@
 #include "lichtraum/gltf.hpp"
 
-#include "scene/flatten.hpp"
 #include "support/catch.hpp"
+#include "support/gltf_triangles.hpp"
 #include "support/gltf_writer.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace lichtraum;
+using testing::Corners;
 using testing::GltfWriter;
+using testing::is_same_triangle;
+using testing::world_triangles;
 
 namespace {
 
 std::vector<float> const triangle_positions = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
-using Corners = std::array<Vec3, 3>;
-
-/// Every triangle in the world, instances unfolded.
-std::vector<Corners> world_triangles(Scene const& scene) {
-  FlatScene const flat = flatten(scene.roots());
-  std::vector<Corners> result;
-  auto const add = [&](FlatObject const& object, Transform const& transform) {
-    for (auto const& t : object.triangles) {
-      auto const corner = [&](int i) {
-        return transform.point({t.vertices[i][0], t.vertices[i][1], t.vertices[i][2]});
-      };
-      result.push_back({corner(0), corner(1), corner(2)});
-    }
-  };
-  add(flat.objects[0], Transform());
-  for (auto const& instance : flat.instances) add(flat.objects[instance.object], instance.world_from_object);
-  return result;
+GltfModel import_model(GltfWriter const& writer, GltfOptions const& options = {}, char const* name = "model.gltf") {
+  TemporaryFolder const folder;
+  return import_gltf(folder.write(name, std::string_view(name).ends_with(".glb") ? writer.glb() : writer.text()),
+                     options);
 }
 
 std::string messages(GltfModel const& model) {
@@ -42,7 +33,7 @@ TEST_CASE("a triangle in a .gltf and in a .glb", "[unit][gltf]") {
   GltfWriter writer;
   writer.add_mesh(triangle_positions);
   for (char const* name : {"model.gltf", "model.glb"}) {
-    GltfModel const model = import_gltf(writer.write(name));
+    GltfModel const model = import_model(writer, {}, name);
     CHECK(messages(model) == "");
     auto const triangles = world_triangles(model.scene);
     REQUIRE(triangles.size() == 1);
@@ -53,7 +44,8 @@ TEST_CASE("a triangle in a .gltf and in a .glb", "[unit][gltf]") {
 TEST_CASE("a model without camera and lights gets some that show it", "[unit][gltf]") {
   GltfWriter writer;
   writer.add_mesh(triangle_positions);
-  Scene const scene = load_gltf(writer.write());
+  GltfModel const model = import_model(writer);
+  Scene const& scene = model.scene;
   REQUIRE(scene.cameras.size() == 1);
   CHECK(scene.lights.size() == 3);
   Camera const& camera = scene.cameras.front();
@@ -63,4 +55,268 @@ TEST_CASE("a model without camera and lights gets some that show it", "[unit][gl
   Ray const ray = camera.generate_ray(center.x - 5, center.y + 5, *camera.resolution());
   auto const root = scene.roots().at(0);
   CHECK(root->closest_hit(ray, 0, hit));
+}
+
+TEST_CASE("strips, fans and every width of index", "[unit][gltf]") {
+  std::vector<float> const square = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+  auto const triangles_of = [&](int mode, auto indices) {
+    GltfWriter writer;
+    auto& primitive = writer.add_mesh(square);
+    primitive["mode"] = mode;
+    primitive["indices"] = writer.add_accessor("SCALAR", 1, indices);
+    return world_triangles(import_model(writer).scene);
+  };
+  auto const strip = triangles_of(5, std::vector<std::uint8_t>{0, 1, 2, 3});
+  REQUIRE(strip.size() == 2);
+  CHECK(is_same_triangle(strip[0], {Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, 0));
+  CHECK(is_same_triangle(strip[1], {Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}, 0));
+  auto const fan = triangles_of(6, std::vector<std::uint16_t>{0, 1, 3, 2});
+  REQUIRE(fan.size() == 2);
+  CHECK(is_same_triangle(fan[0], {Vec3(0), Vec3(1, 0, 0), Vec3(1, 1, 0)}, 0));
+  CHECK(is_same_triangle(fan[1], {Vec3(0), Vec3(1, 1, 0), Vec3(0, 1, 0)}, 0));
+  CHECK(triangles_of(4, std::vector<std::uint32_t>{0, 1, 2, 1, 3}).size() == 1);
+}
+
+TEST_CASE("quantised, strided and sparse positions", "[unit][gltf]") {
+  SECTION("normalised") {
+    GltfWriter writer;
+    auto& primitive = writer.add_mesh(triangle_positions);
+    primitive["attributes"]["POSITION"] =
+        writer.add_accessor("VEC3", 3, std::vector<std::int8_t>{127, -128, 0, 0, 127, 0, 0, 0, -127}, true);
+    auto const triangles = world_triangles(import_model(writer).scene);
+    REQUIRE(triangles.size() == 1);
+    CHECK(triangles[0] == Corners{Vec3(1, -1, 0), Vec3(0, 1, 0), Vec3(0, 0, -1)});
+  }
+  SECTION("strided") {
+    GltfWriter writer;
+    auto& primitive = writer.add_mesh({9, 0, 0, 0, 9, 1, 0, 0, 9, 0, 1, 0});
+    int const accessor = primitive["attributes"]["POSITION"];
+    writer.json["accessors"][std::size_t(accessor)]["count"] = 3;
+    writer.json["accessors"][std::size_t(accessor)]["byteOffset"] = 4;
+    writer.json["bufferViews"][0]["byteStride"] = 16;
+    CHECK(world_triangles(import_model(writer).scene) == std::vector<Corners>{{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)}});
+    writer.json["accessors"][std::size_t(accessor)]["byteOffset"] = 8;  // the last would end behind the view
+    CHECK_THROWS_WITH(import_model(writer), contains_text("/meshes/0/primitives/0/attributes/POSITION") &&
+                                                contains_text("are out of range of buffer view 0 (48 bytes)"));
+  }
+  SECTION("sparse over zeros") {
+    GltfWriter writer;
+    auto& primitive = writer.add_mesh(triangle_positions);
+    int const indices = writer.add_accessor("SCALAR", 1, std::vector<std::uint16_t>{1, 2, 7});
+    int const values = writer.add_vec3({5, 0, 0, 0, 5, 0, 1, 1, 1});
+    auto const view = [&](int accessor) { return writer.json["accessors"][std::size_t(accessor)]["bufferView"]; };
+    writer.json["accessors"].push_back({{"componentType", 5126},
+                                        {"count", 3},
+                                        {"type", "VEC3"},
+                                        {"sparse",
+                                         {{"count", 3},
+                                          {"indices", {{"bufferView", view(indices)}, {"componentType", 5123}}},
+                                          {"values", {{"bufferView", view(values)}}}}}});
+    primitive = writer.json["meshes"][0]["primitives"][0];
+    writer.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = writer.json["accessors"].size() - 1;
+    GltfModel const model = import_model(writer);
+    CHECK(world_triangles(model.scene) == std::vector<Corners>{{Vec3(0), Vec3(5, 0, 0), Vec3(0, 5, 0)}});
+    CHECK_THAT(messages(model), contains_text("sparse: 1 indices are out of range (3)"));
+  }
+}
+
+TEST_CASE("node transforms, mirrored winding, and instances", "[unit][gltf]") {
+  GltfWriter writer;
+  std::vector<float> positions;
+  for (int i = 0; i < 10; ++i) {
+    positions.insert(positions.end(), triangle_positions.begin(), triangle_positions.end());
+  }
+  writer.add_mesh(positions);
+  writer.json["nodes"] = {{{"mesh", 0}, {"scale", {-1, 1, 1}}, {"translation", {0, 0, 3}}},
+                          {{"children", {0, 2}}, {"rotation", {0, 0, 0.5, 0.5}}},  // not of unit length: 90 degrees
+                          {{"mesh", 0}, {"matrix", {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 7, 0, 0, 1}}}};
+  writer.json["scenes"] = {{{"nodes", {1}}}};
+  GltfModel const model = import_model(writer);
+  CHECK(messages(model) == "");
+  FlatScene const flat = flatten(model.scene.roots());
+  CHECK(flat.instances.size() == 2);
+  REQUIRE(flat.objects.size() == 2);
+  CHECK(flat.objects[1].triangles.size() == 10);
+  auto const triangles = world_triangles(model.scene);
+  REQUIRE(triangles.size() == 20);
+  CHECK(is_same_triangle(triangles[10], {Vec3(0, 7, 0), Vec3(0, 9, 0), Vec3(-2, 7, 0)}, 1e-12));
+  CHECK(is_same_triangle(triangles[0], {Vec3(0, 0, 3), Vec3(0, -1, 3), Vec3(-1, 0, 3)}, 1e-12));
+}
+
+TEST_CASE("what is broken is named by its JSON pointer, and the rest is drawn", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  auto& broken = writer.add_mesh(triangle_positions);
+  auto const expect = [&](char const* message) {
+    GltfModel const model = import_model(writer);
+    CHECK(world_triangles(model.scene).size() == 1);
+    CHECK_THAT(messages(model), contains_text(message));
+  };
+  SECTION("a reference out of range") {
+    broken["attributes"]["POSITION"] = 17;
+    expect("/meshes/1/primitives/0/attributes/POSITION: accessor 17 is out of range (2)");
+  }
+  SECTION("no number") {
+    broken["indices"] = "zero";
+    expect("/meshes/1/primitives/0/indices: expected a non-negative integer, found \"zero\"");
+  }
+  SECTION("indices out of range") {
+    broken["indices"] = writer.add_accessor("SCALAR", 1, std::vector<std::uint8_t>{0, 1, 9});
+    expect("/meshes/1/primitives/0/indices: 1 triangles left out: their indices are out of range (3)");
+  }
+  SECTION("a corner that is no number") {
+    broken["attributes"]["POSITION"] = writer.add_vec3({0, 0, 0, 1, NAN, 0, 0, 1, 0});
+    expect("/meshes/1/primitives/0/attributes/POSITION: 1 triangles left out: a corner is not a finite number");
+  }
+  SECTION("an unknown mode") {
+    broken["mode"] = 7;
+    expect("/meshes/1/primitives/0/mode: glTF knows no mode 7");
+  }
+  SECTION("points") {
+    broken["mode"] = 0;
+    expect("/meshes/1/primitives/0: points and lines are not drawn");
+  }
+  SECTION("a cycle") {
+    writer.json["nodes"][1] = {{"children", {1}}};
+    writer.json["scenes"] = {{{"nodes", {0, 1}}}};
+    expect("/nodes/1: it occurs twice in the tree of nodes");
+  }
+  SECTION("a required extension") {
+    writer.json["nodes"].erase(1);
+    writer.json["extensionsRequired"] = {"ACME_fur"};
+    expect("the model needs ACME_fur, which is not supported");
+  }
+  SECTION("a file outside of its folder") {
+    writer.json["buffers"] = {
+        {{"byteLength", writer.buffer().size()}, {"uri", "data:;base64," + testing::encode_base64(writer.buffer())}},
+        {{"byteLength", 12}, {"uri", "..%2Fsecret.bin"}}};
+    writer.json["bufferViews"][1]["buffer"] = 1;
+    expect("/buffers/1/uri: cannot use '..%2Fsecret.bin': it contains '..'");
+  }
+}
+
+TEST_CASE("JSON that is none is refused with its place", "[unit][gltf]") {
+  TemporaryFolder const folder;
+  auto const error_of = [&](std::string const& text) -> std::string {
+    try {
+      import_gltf(folder.write("m.gltf", text));
+    } catch (SceneError const& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  CHECK_THAT(error_of("{\n  \"asset\": }"), contains_text("m.gltf:2:12: error: not JSON"));
+  CHECK_THAT(error_of(std::string(200000, '[')), contains_text("nests deeper than 256 levels"));
+  CHECK_THAT(error_of("[]"), contains_text("expected a JSON object, found an array of 0"));
+  CHECK_THAT(error_of(R"({"asset":{"version":"1.0"}})"), contains_text("this is glTF 1.0; only glTF 2 is supported"));
+  CHECK_THAT(error_of(""), contains_text("the file is empty"));
+  CHECK_THAT(error_of("glTF"), contains_text("the GLB header is cut off"));
+}
+
+TEST_CASE("a whole number may be written as 1.0", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  writer.json["accessors"][0]["count"] = 3.0;
+  writer.json["nodes"][0]["mesh"] = 0.0;
+  CHECK(world_triangles(import_model(writer).scene).size() == 1);
+}
+
+TEST_CASE("an animation moves its node to where it is at a time", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  int const times = writer.add_accessor("SCALAR", 1, std::vector<float>{1, 3});
+  int const linear = writer.add_vec3({0, 0, 0, 10, 0, 0});
+  int const cubic = writer.add_vec3({0, 0, 0, 0, 0, 0, 4, 0, 0, 0, 0, 0, 10, 0, 0, 0, 0, 0});
+  writer.json["animations"] = {{{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
+                                {"samplers", {{{"input", times}, {"output", linear}}}}}};
+  auto const x_at = [&](double time) {
+    GltfOptions options;
+    options.time_seconds = time;
+    return world_triangles(import_model(writer, options).scene).at(0)[0].x;
+  };
+  CHECK(x_at(0) == 0);
+  CHECK(x_at(1.5) == Approx(2.5));
+  CHECK(x_at(7) == 10);
+  auto& sampler = writer.json["animations"][0]["samplers"][0];
+  sampler["interpolation"] = "STEP";
+  CHECK(x_at(2.9) == 0);
+  sampler["interpolation"] = "CUBICSPLINE";
+  sampler["output"] = cubic;
+  // Appendix C.4 by hand, t = 1/2: 1/2 * 0 + 2 * 1/8 * 4 + 1/2 * 10
+  CHECK(x_at(2) == Approx(6));
+}
+
+TEST_CASE("morph targets are added by their weights", "[unit][gltf]") {
+  GltfWriter writer;
+  auto& primitive = writer.add_mesh(triangle_positions);
+  int const target = writer.add_vec3({0, 0, 2, 0, 0, 0, 0, 0, 0});
+  writer.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", target}}};
+  (void)primitive;
+  writer.json["meshes"][0]["weights"] = {0.5};
+  CHECK(world_triangles(import_model(writer).scene).at(0)[0] == Vec3(0, 0, 1));
+  writer.json["nodes"][0]["weights"] = {1.5};
+  CHECK(world_triangles(import_model(writer).scene).at(0)[0] == Vec3(0, 0, 3));
+}
+
+TEST_CASE("a skin moves vertices by their joints, and the node's own place does not count", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  int const joints = writer.add_accessor("VEC4", 4, std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0});
+  int const weights = writer.add_accessor("VEC4", 4, std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0.5f, 0, 0});
+  auto& attributes = writer.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = joints;
+  attributes["WEIGHTS_0"] = weights;
+  writer.json["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"translation", {100, 0, 0}}},
+                          {{"translation", {0, 0, 4}}, {"children", {2}}},
+                          {{"translation", {0, 0, 2}}}};
+  writer.json["skins"] = {{{"joints", {1, 2}}}};
+  CHECK(world_triangles(import_model(writer).scene) ==
+        std::vector<Corners>{{Vec3(0, 0, 4), Vec3(1, 0, 6), Vec3(0, 1, 5)}});
+}
+
+TEST_CASE("cameras and lights stand where their nodes do", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  writer.json["cameras"] = {
+      {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"aspectRatio", 2}, {"znear", 1}}}}};
+  writer.json["nodes"].push_back({{"name", "eye"}, {"camera", 0}, {"translation", {0, 0, 5}}});
+  writer.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+      {{"type", "directional"}, {"intensity", 3}, {"color", {1, 0.5, 0}}}, {{"type", "point"}, {"intensity", 0}}};
+  writer.json["nodes"].push_back({{"name", "sun"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  GltfModel const model = import_model(writer);
+  CHECK(messages(model) == "");
+  REQUIRE(model.scene.cameras.size() == 1);
+  Camera const& camera = model.scene.cameras.front();
+  CHECK(camera.name() == "eye");
+  CHECK(std::tan(camera.fov_x_degrees() * 3.14159265358979 / 360) == Approx(2 * std::tan(0.5)));
+  CHECK(camera.generate_ray(720, 360, {1440, 720}).origin == Vec3(0, 0, 5));
+  Light const* sun = model.scene.lights.find("sun");
+  REQUIRE(sun);
+  CHECK(sun->ld() == Rgb(1, 0.5, 0));
+  CHECK(sun->position().z > 1000);
+}
+
+TEST_CASE("materials are kept whole and mapped to Phong", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions)["material"] = 0;
+  writer.json["materials"] = {
+      {{"name", "paint"},
+       {"pbrMetallicRoughness",
+        {{"baseColorFactor", {1, 0.5, 0, 0.25}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}},
+       {"alphaMode", "BLEND"},
+       {"emissiveFactor", {0, 0, 0.5}},
+       {"extensions",
+        {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}},
+         {"KHR_materials_clearcoat", {{"clearcoatFactor", 0.75}}}}}}};
+  GltfModel const model = import_model(writer);
+  Material const& paint = **model.scene.materials.find("paint");
+  CHECK(paint.kd() == Rgb(1, 0.5, 0));
+  CHECK(paint.m() == 0);
+  CHECK(paint.transmit() == 0.75);
+  CHECK(paint.ior() == 1);
+  CHECK(paint.emission() == Rgb(0, 0, 2));
+  REQUIRE(paint.pbr());
+  CHECK(paint.pbr()->clearcoat == 0.75);
+  CHECK(paint.pbr()->base_color == glm::dvec4(1, 0.5, 0, 0.25));
+  CHECK(paint.pbr()->alpha_mode == AlphaMode::blend);
 }

@@ -5,10 +5,10 @@
 #include <new>
 
 #include "core/read_file.hpp"
-#include "io/framing.hpp"
 #include "io/gltf/extensions.hpp"
 #include "io/gltf/materials.hpp"
 #include "io/gltf/scene_graph.hpp"
+#include "io/gltf/views.hpp"
 #include "lichtraum/gltf.hpp"
 
 namespace lichtraum {
@@ -73,8 +73,7 @@ class Importer {
     NodeTree const tree = build_node_tree(model, scene_number, pose, findings_);
 
     GltfModel result;
-    Names material_names;
-    auto const own_materials = read_materials(model, material_names, findings_);
+    auto const own_materials = read_materials(document_, options_.max_texture, buffers, findings_);
     for (auto const& material : own_materials) result.scene.materials.insert(material);
     std::vector<std::shared_ptr<Material const>> materials(own_materials.begin(), own_materials.end());
     if (options_.material) std::fill(materials.begin(), materials.end(), options_.material);
@@ -89,19 +88,19 @@ class Importer {
       findings_.warn("", "the scene shows no triangles");
     }
 
-    add_view(result.scene);
+    add_view(tree, result.scene);
     result.diagnostics = findings_.take();
     return result;
   }
 
  private:
-  void add_view(Scene& scene) {
-    if (!scene.cameras.empty() && !scene.lights.empty()) return;
+  void add_view(NodeTree const& tree, Scene& scene) {
     WorldBox const box = bounds_of(scene.roots());
+    for (Camera& camera : read_cameras(document_.model, tree, findings_)) scene.cameras.insert(std::move(camera));
     if (scene.cameras.empty()) scene.cameras.insert(frame_box("default", box));
-    if (scene.lights.empty()) {
-      for (Light& light : studio_lights(box)) scene.lights.insert(std::move(light));
-    }
+    std::vector<Light> lights = read_lights(document_.model, tree, box, findings_);
+    if (lights.empty()) lights = studio_lights(box);
+    for (Light& light : lights) scene.lights.insert(std::move(light));
   }
 
   GltfOptions const& options_;

@@ -1,0 +1,117 @@
+#include "io/gltf/image_decoder.hpp"
+
+#include <fmt/format.h>
+#include <png.h>
+#include <turbojpeg.h>
+#include <webp/decode.h>
+
+#include <memory>
+
+namespace lichtraum::gltf {
+namespace {
+
+constexpr std::int64_t max_pixels = std::int64_t(1) << 26;
+
+/// Sets the size and takes the memory; false, with a reason, for what is empty or too large.
+bool allocate(TextureImage& image, std::int64_t width, std::int64_t height, std::string& reason) {
+  if (width <= 0 || height <= 0 || width > max_pixels / height) {
+    reason = fmt::format("{} x {} pixels", width, height);
+    return false;
+  }
+  image.width = int(width);
+  image.height = int(height);
+  image.rgba.resize(std::size_t(width * height * 4));
+  return true;
+}
+
+bool decode_png(std::string_view bytes, TextureImage& image, std::string& reason) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  std::unique_ptr<png_image, void (*)(png_image*)> const cleanup(&png, png_image_free);
+  if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) {
+    reason = png.message;
+    return false;
+  }
+  if (!allocate(image, png.width, png.height, reason)) return false;
+  png.format = PNG_FORMAT_RGBA;
+  if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr)) return true;
+  reason = png.message;
+  return false;
+}
+
+bool decode_jpeg(std::string_view bytes, TextureImage& image, std::string& reason) {
+  std::unique_ptr<void, int (*)(tjhandle)> const decoder(tjInitDecompress(), tjDestroy);
+  auto const* data = reinterpret_cast<unsigned char const*>(bytes.data());
+  int width = 0, height = 0, subsampling = 0, color_space = 0;
+  if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &color_space) != 0) {
+    reason = tjGetErrorStr2(decoder.get());
+    return false;
+  }
+  if (!allocate(image, width, height, reason)) return false;
+  int const result =
+      tjDecompress2(decoder.get(), data, bytes.size(), image.rgba.data(), width, 0, height, TJPF_RGBA, 0);
+  if (result == 0 || tjGetErrorCode(decoder.get()) == TJERR_WARNING) return true;  // cut off: what is there is shown
+  reason = tjGetErrorStr2(decoder.get());
+  return false;
+}
+
+bool decode_webp(std::string_view bytes, TextureImage& image, std::string& reason) {
+  auto const* data = reinterpret_cast<std::uint8_t const*>(bytes.data());
+  int width = 0, height = 0;
+  if (!WebPGetInfo(data, bytes.size(), &width, &height)) {
+    reason = "the WebP header is damaged";
+    return false;
+  }
+  if (!allocate(image, width, height, reason)) return false;
+  if (WebPDecodeRGBAInto(data, bytes.size(), image.rgba.data(), image.rgba.size(), 4 * width)) return true;
+  reason = "the WebP data is damaged";
+  return false;
+}
+
+/// Half as wide and high: the mean of four pixels. The last row or column of an odd size counts twice.
+TextureImage halved(TextureImage const& image) {
+  TextureImage half;
+  half.name = image.name;
+  half.width = std::max(1, image.width / 2);
+  half.height = std::max(1, image.height / 2);
+  half.rgba.resize(std::size_t(half.width) * std::size_t(half.height) * 4);
+  auto const at = [&](int x, int y, int channel) {
+    auto const column = std::size_t(std::min(x, image.width - 1));
+    auto const row = std::size_t(std::min(y, image.height - 1));
+    return unsigned(image.rgba[4 * (row * std::size_t(image.width) + column) + std::size_t(channel)]);
+  };
+  std::uint8_t* out = half.rgba.data();
+  for (int y = 0; y < half.height; ++y) {
+    for (int x = 0; x < half.width; ++x) {
+      for (int c = 0; c < 4; ++c) {
+        unsigned const sum =
+            at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) + at(2 * x, 2 * y + 1, c) + at(2 * x + 1, 2 * y + 1, c);
+        *out++ = static_cast<std::uint8_t>((sum + 2) / 4);
+      }
+    }
+  }
+  return half;
+}
+
+}  // namespace
+
+std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, std::string& reason) {
+  TextureImage image;
+  bool is_decoded = false;
+  if (bytes.substr(0, 4) == "\x89PNG") {
+    is_decoded = decode_png(bytes, image, reason);
+  } else if (bytes.substr(0, 3) == "\xFF\xD8\xFF") {
+    is_decoded = decode_jpeg(bytes, image, reason);
+  } else if (bytes.substr(0, 4) == "RIFF" && bytes.size() >= 12 && bytes.substr(8, 4) == "WEBP") {
+    is_decoded = decode_webp(bytes, image, reason);
+  } else if (bytes.substr(0, 7) == "\xABKTX 20" || bytes.substr(0, 7) == "\xABKTX 11") {
+    reason = "KTX pictures cannot be decoded";
+  } else {
+    reason = "it is no PNG, JPEG or WebP";
+  }
+  if (!is_decoded) return std::nullopt;
+  while (image.width > max_size || image.height > max_size) image = halved(image);
+  return image;
+}
+
+}  // namespace lichtraum::gltf

@@ -1,0 +1,137 @@
+#include "io/gltf/textures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <new>
+#include <thread>
+
+#include "io/gltf/image_decoder.hpp"
+#include "io/gltf/uri.hpp"
+#include "io/gltf/values.hpp"
+
+namespace lichtraum::gltf {
+namespace {
+
+/// All pictures of a model together; a small file can hold a very large picture.
+constexpr std::uint64_t max_decoded_bytes = std::uint64_t(1) << 29;
+
+/// A picture on its way: where its bytes are, and what became of them.
+struct Job {
+  bool is_wanted = false;
+  std::string owned;
+  std::string_view bytes;
+  std::shared_ptr<TextureImage const> image;
+  std::string reason;
+};
+
+/// EXT_texture_webp and KHR_texture_basisu name a picture that is to be preferred; the plain one is the fallback. What
+/// only the extension names is used all the same.
+int image_of(tinygltf::Texture const& texture, std::size_t image_count) {
+  if (auto const* webp = find_extension(texture.extensions, "EXT_texture_webp")) {
+    if (auto const source = index_of(*webp, "source", image_count)) return *source;
+  }
+  if (texture.source >= 0) return texture.source;
+  if (auto const* basisu = find_extension(texture.extensions, "KHR_texture_basisu")) {
+    if (auto const source = index_of(*basisu, "source", image_count)) return *source;
+  }
+  return -1;
+}
+
+void fetch(Document const& document, int index, Buffers& buffers, Job& job) {
+  ImageSource const& source = document.images[std::size_t(index)];
+  if (source.buffer_view >= 0) {
+    auto const bytes = buffers.view(source.buffer_view);
+    if (bytes) job.bytes = *bytes;
+    if (!bytes) job.reason = fmt::format("nothing can be read from buffer view {}", source.buffer_view);
+    return;
+  }
+  if (!source.uri) {
+    job.reason = "it has neither uri nor bufferView";
+    return;
+  }
+  auto content =
+      is_data_uri(*source.uri) ? decode_data_uri(*source.uri) : read_external_file(document, *source.uri, job.reason);
+  if (!content) {
+    if (job.reason.empty()) job.reason = "the data URI is malformed";
+    return;
+  }
+  job.owned = std::move(*content);
+  job.bytes = job.owned;
+}
+
+/// Each thread takes the next picture until none is left.
+void decode_all(std::vector<Job>& jobs, int max_size) {
+  std::atomic<std::size_t> next{0};
+  std::atomic<std::uint64_t> decoded_bytes{0};
+  auto const work = [&] {
+    for (std::size_t i = next++; i < jobs.size(); i = next++) {
+      Job& job = jobs[i];
+      if (!job.is_wanted || !job.reason.empty()) continue;
+      if (decoded_bytes > max_decoded_bytes) {
+        job.reason =
+            fmt::format("the pictures need more than {} bytes; a smaller --max-texture helps", max_decoded_bytes);
+        continue;
+      }
+      try {
+        if (auto image = decode_image(job.bytes, max_size, job.reason)) {
+          decoded_bytes += image->rgba.size();
+          job.image = std::make_shared<TextureImage>(std::move(*image));
+        }
+      } catch (std::bad_alloc const&) {
+        job.reason = "not enough memory";
+      }
+      job.owned = {};
+    }
+  };
+  auto const wanted = std::size_t(std::count_if(jobs.begin(), jobs.end(), [](Job const& j) { return j.is_wanted; }));
+  std::size_t const thread_count = std::min<std::size_t>(wanted, std::max(1u, std::thread::hardware_concurrency()));
+  std::vector<std::jthread> threads;
+  for (std::size_t i = 1; i < thread_count; ++i) threads.emplace_back(work);
+  work();
+}
+
+TextureWrap wrap(int mode) {
+  if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return TextureWrap::clamp_to_edge;
+  return mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? TextureWrap::mirrored_repeat : TextureWrap::repeat;
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<Texture const>> read_textures(Document const& document, std::vector<bool> const& wanted,
+                                                          int max_size, Buffers& buffers, Findings& findings) {
+  auto const& model = document.model;
+  std::vector<Job> jobs(document.images.size());
+  for (std::size_t i = 0; i < model.textures.size(); ++i) {
+    int const image = image_of(model.textures[i], jobs.size());
+    if (wanted[i] && image >= 0) jobs[std::size_t(image)].is_wanted = true;
+  }
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (jobs[i].is_wanted) fetch(document, int(i), buffers, jobs[i]);
+  }
+  decode_all(jobs, max_size);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (!jobs[i].reason.empty()) {
+      findings.warn(fmt::format("/images/{}", i), fmt::format("the picture is left out: {}", jobs[i].reason));
+    }
+  }
+
+  std::vector<std::shared_ptr<Texture const>> textures(model.textures.size());
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    int const image = image_of(model.textures[i], jobs.size());
+    if (!wanted[i] || image < 0 || !jobs[std::size_t(image)].image) continue;
+    Texture texture{jobs[std::size_t(image)].image};
+    int const sampler = model.textures[i].sampler;
+    if (sampler >= 0) {
+      auto const& source = model.samplers[std::size_t(sampler)];
+      texture.wrap_s = wrap(source.wrapS);
+      texture.wrap_t = wrap(source.wrapT);
+      if (source.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) texture.filter = TextureFilter::nearest;
+    }
+    textures[i] = std::make_shared<Texture>(std::move(texture));
+  }
+  return textures;
+}
+
+}  // namespace lichtraum::gltf

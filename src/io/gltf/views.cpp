@@ -1,0 +1,147 @@
+#include "io/gltf/views.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
+#include "io/gltf/values.hpp"
+
+namespace lichtraum::gltf {
+namespace {
+
+constexpr char const* lights_extension = "KHR_lights_punctual";
+constexpr double pi = 3.14159265358979323846;
+
+/// Where a node of the world stands and where its -z and y axes point; scales do not count.
+std::optional<Transform> frame_of(Mat4 const& world_from_node) {
+  try {
+    return Transform::look_along(Vec3(world_from_node[3]), -Vec3(world_from_node[2]), Vec3(world_from_node[1]));
+  } catch (std::invalid_argument const&) {
+    return std::nullopt;
+  }
+}
+
+constexpr int picture_height = 720;
+constexpr double usual_aspect_ratio = 16.0 / 9;
+
+Resolution resolution_for(double aspect_ratio) {
+  constexpr double largest = 16;  // beyond that the file is damaged rather than wide
+  return {std::max(1, int(std::lround(picture_height * std::clamp(aspect_ratio, 1 / largest, largest)))),
+          picture_height};
+}
+
+std::optional<Camera> make_camera(tinygltf::Camera const& source, std::string name,
+                                  Transform const& world_from_camera) {
+  if (source.type == "orthographic") {
+    auto const& lens = source.orthographic;
+    double const half_width = std::abs(lens.xmag);
+    double const half_height = std::abs(lens.ymag);
+    if (!(half_width > 0 && half_height > 0 && std::isfinite(half_width) && std::isfinite(half_height))) return {};
+    // Seen from very far away, rays are as good as parallel.
+    double const distance = 200 * std::max(half_width, half_height);
+    double const fov = 2 * std::atan(half_width / distance);
+    return Camera(std::move(name), glm::degrees(fov), world_from_camera * Transform::translation({0, 0, distance}),
+                  resolution_for(half_width / half_height));
+  }
+  auto const& lens = source.perspective;
+  if (!(lens.yfov > 0 && lens.yfov < pi)) return {};
+  bool const has_aspect = lens.aspectRatio > 0 && std::isfinite(lens.aspectRatio);
+  Resolution const resolution = resolution_for(has_aspect ? lens.aspectRatio : usual_aspect_ratio);
+  double const fov = 2 * std::atan(std::tan(lens.yfov / 2) * resolution.width / resolution.height);
+  return Camera(std::move(name), glm::degrees(fov), world_from_camera, resolution);
+}
+
+/// A light before it is scaled: what it throws on the middle of the scene.
+struct PlacedLight {
+  std::string name;
+  Vec3 position;
+  Rgb illumination;
+};
+
+std::optional<PlacedLight> place_light(tinygltf::Light const& source, std::string name, Mat4 const& world_from_node,
+                                       WorldBox const& box) {
+  Rgb color(1);
+  if (source.color.size() == 3) color = {source.color[0], source.color[1], source.color[2]};
+  double const intensity = source.intensity;
+  if (!(intensity > 0 && std::isfinite(intensity))) return std::nullopt;
+  Vec3 const center = 0.5 * box.min + 0.5 * box.max;
+  double const size = std::max(glm::length(box.max - box.min), 1e-30);
+  if (source.type == "directional") {
+    Vec3 const backwards(world_from_node[2]);
+    if (!(glm::length(backwards) > 0)) return std::nullopt;
+    // A point light this far away is as good as parallel: its shadows spread by less than a thousandth.
+    return PlacedLight{std::move(name), center + 1000 * size * glm::normalize(backwards), color * intensity};
+  }
+  if (source.type != "point" && source.type != "spot") return std::nullopt;
+  Vec3 const position(world_from_node[3]);
+  // Within the model there is no telling what is near: then half its size counts.
+  double const distance = std::max(glm::length(position - center), 0.5 * size);
+  return PlacedLight{std::move(name), position, color * (intensity / (distance * distance))};
+}
+
+std::string name_of(tinygltf::Model const& model, int node, std::string const& own) {
+  std::string const& name = model.nodes[std::size_t(node)].name;
+  if (!name.empty()) return name;
+  return own.empty() ? fmt::format("node_{}", node) : own;
+}
+
+}  // namespace
+
+std::vector<Camera> read_cameras(tinygltf::Model const& model, NodeTree const& tree, Findings& findings) {
+  std::vector<Camera> cameras;
+  Names names;
+  for (int const node : tree.order) {
+    int const number = model.nodes[std::size_t(node)].camera;
+    if (number < 0) continue;
+    auto const& source = model.cameras[std::size_t(number)];
+    auto const frame = frame_of(tree.world_from_node[std::size_t(node)]);
+    auto camera = frame ? make_camera(source, names.unique(name_of(model, node, source.name)), *frame) : std::nullopt;
+    if (camera) {
+      cameras.push_back(std::move(*camera));
+    } else {
+      findings.warn(fmt::format("/cameras/{}", number), "it opens no view: left out");
+    }
+  }
+  return cameras;
+}
+
+std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tree, WorldBox const& box,
+                               Findings& findings) {
+  std::vector<PlacedLight> placed;
+  Names names;
+  for (int const node : tree.order) {
+    auto const* extension = find_extension(model.nodes[std::size_t(node)].extensions, lights_extension);
+    if (!extension) continue;
+    auto const number = index_of(*extension, "light", model.lights.size());
+    if (!number) {
+      findings.warn(fmt::format("/nodes/{}/extensions/{}/light", node, lights_extension),
+                    fmt::format("it is missing or out of range ({})", model.lights.size()));
+      continue;
+    }
+    auto const& source = model.lights[std::size_t(*number)];
+    auto light = place_light(source, names.unique(name_of(model, node, source.name)),
+                             tree.world_from_node[std::size_t(node)], box);
+    if (!light) continue;
+    if (source.type == "spot") {
+      findings.warn(fmt::format("/extensions/{}/lights/{}", lights_extension, *number),
+                    "a spot light shines in all directions");
+    }
+    placed.push_back(std::move(*light));
+  }
+  double brightest = 0;
+  Rgb sum(0);
+  for (PlacedLight const& light : placed) sum += light.illumination;
+  brightest = std::max({sum.r, sum.g, sum.b});
+  std::vector<Light> lights;
+  if (!(brightest > 0 && std::isfinite(brightest))) return lights;
+  for (PlacedLight& light : placed) {
+    lights.push_back(Light::point(std::move(light.name), light.position, light.illumination / brightest));
+  }
+  // Light from all around, which the lights of a file leave to the viewer.
+  lights.push_back(Light::ambient(names.unique("soft"), Rgb(0.1)));
+  return lights;
+}
+
+}  // namespace lichtraum::gltf

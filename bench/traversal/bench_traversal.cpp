@@ -177,9 +177,12 @@ int run(Options const& options) {
   SceneBuffers wide, scalar;
   for (int i = 0; i < std::min(options.repetitions, 5); ++i) {
     embree = std::make_unique<EmbreeTracer>(mesh, EmbreeTracer::Quality::medium, options.threads);
-    embree_build.push_back(embree->build_ms());
+    embree_build.push_back(options.processor_time ? embree->build_processor_ms() / options.threads
+                                                  : embree->build_ms());
     FlatScene flat = flat_scene(mesh);
-    own_build.push_back(milliseconds([&] { wide = compile_scene(std::move(flat), {}, Traversal::wide); }));
+    auto const compile = [&] { wide = compile_scene(std::move(flat), {}, Traversal::wide); };
+    own_build.push_back(options.processor_time ? processor_milliseconds(compile, options.threads)
+                                               : milliseconds(compile));
   }
   embree_high = std::make_unique<EmbreeTracer>(mesh, EmbreeTracer::Quality::high, options.threads);
   scalar = compile_scene(flat_scene(mesh), {}, Traversal::scalar);

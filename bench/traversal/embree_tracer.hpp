@@ -14,8 +14,9 @@ class EmbreeTracer {
   EmbreeTracer(TriangleMesh const& mesh, Quality quality, int threads);
   ~EmbreeTracer();
 
-  double build_ms() const;           ///< of rtcCommitScene
-  std::size_t device_bytes() const;  ///< what Embree allocated for this scene
+  double build_ms() const;            ///< of rtcCommitScene
+  double build_processor_ms() const;  ///< of all its threads
+  std::size_t device_bytes() const;   ///< what Embree allocated for this scene
 
   void closest(PrimaryRays const& rays, std::vector<RayHit>& hits, bool packets) const;
   void any(ShadowRays const& rays, std::vector<std::uint8_t>& occluded, bool packets) const;

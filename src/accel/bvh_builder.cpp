@@ -17,16 +17,36 @@ constexpr std::size_t max_leaf_size = 4;
 /// Visiting a node costs about as much as testing one primitive.
 constexpr float node_cost = 1.0f;
 /// Smaller subtrees are not worth a thread.
-constexpr std::size_t min_parallel_size = 1 << 15;
+constexpr std::size_t min_parallel_size = 1 << 13;
+/// Longer ranges are binned in parts of this size, on every core. The parts do not depend on the number of threads.
+constexpr std::size_t part_size = 1 << 17;
 
 using Nodes = std::vector<device::BvhNode>;
+
+/// What lies in a range: bounds of the primitives, and of their centres.
+struct Extents {
+  Bounds bounds;
+  Bounds centers;
+
+  void add(Bounds const& primitive) {
+    bounds.add(primitive);
+    for (int axis = 0; axis < 3; ++axis) {
+      float const center = primitive.center(axis);
+      centers.min[axis] = std::min(centers.min[axis], center);
+      centers.max[axis] = std::max(centers.max[axis], center);
+    }
+  }
+  void add(Extents const& other) {
+    bounds.add(other.bounds);
+    centers.add(other.centers);
+  }
+};
 
 /// primitives[begin, end) and what encloses them.
 struct Range {
   std::size_t begin = 0;
   std::size_t end = 0;
-  Bounds bounds;
-  Bounds centers;
+  Extents extents;
   std::size_t size() const { return end - begin; }
 };
 
@@ -34,6 +54,54 @@ struct Split {
   int axis = 0;
   std::size_t bin = 0;  ///< bins below it go left
   float cost = std::numeric_limits<float>::infinity();
+};
+
+/// Where the centres of a range fall.
+class Binning {
+ public:
+  explicit Binning(Bounds const& centers) {
+    for (int axis = 0; axis < 3; ++axis) {
+      float const width = centers.max[axis] - centers.min[axis];
+      min_[axis] = centers.min[axis];
+      // A little less than all bins, so that the last centre falls into the last bin.
+      float const scale = float(bin_count) * (1 - 1e-6f) / width;
+      scale_[axis] = width > 0 && std::isfinite(scale) ? scale : 0;
+    }
+  }
+  /// Whether planes across this axis separate anything.
+  bool separates(int axis) const { return scale_[axis] > 0; }
+  std::size_t bin_of(Bounds const& bounds, int axis) const {
+    auto const bin = std::size_t((bounds.center(axis) - min_[axis]) * scale_[axis]);
+    return std::min(bin, bin_count - 1);
+  }
+
+ private:
+  float min_[3];
+  float scale_[3];
+};
+
+/// How many primitives have their centres in each bin of each axis, and what those enclose.
+struct Bins {
+  std::array<std::array<Bounds, bin_count>, 3> bounds;
+  std::array<std::array<std::uint32_t, bin_count>, 3> count{};
+
+  void add(std::span<BuildPrimitive const> primitives, Binning const& binning) {
+    for (BuildPrimitive const& primitive : primitives) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::size_t const bin = binning.bin_of(primitive.bounds, int(axis));
+        bounds[axis][bin].add(primitive.bounds);
+        ++count[axis][bin];
+      }
+    }
+  }
+  void add(Bins const& other) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t bin = 0; bin < bin_count; ++bin) {
+        bounds[axis][bin].add(other.bounds[axis][bin]);
+        count[axis][bin] += other.count[axis][bin];
+      }
+    }
+  }
 };
 
 /// The path below a node of n primitives has at most this many nodes when every split halves.
@@ -49,31 +117,39 @@ device::BvhChild make_child(Bounds const& bounds, std::size_t first, std::size_t
 class Builder {
  public:
   explicit Builder(std::span<BuildPrimitive> primitives)
-      : primitives_(primitives), spawn_depth_(std::size_t(std::bit_width(std::thread::hardware_concurrency())) + 2) {}
+      : primitives_(primitives), spawn_depth_(std::size_t(std::bit_width(std::thread::hardware_concurrency())) + 4) {}
 
   Range enclose(std::size_t begin, std::size_t end) const {
-    Range range{begin, end, {}, {}};
-    for (std::size_t i = begin; i < end; ++i) {
-      Bounds const& bounds = primitives_[i].bounds;
-      range.bounds.add(bounds);
-      for (int axis = 0; axis < 3; ++axis) {
-        range.centers.min[axis] = std::min(range.centers.min[axis], bounds.center(axis));
-        range.centers.max[axis] = std::max(range.centers.max[axis], bounds.center(axis));
-      }
-    }
-    return range;
+    auto const work = [this](std::size_t from, std::size_t to) {
+      Extents extents;
+      for (std::size_t i = from; i < to; ++i) extents.add(primitives_[i].bounds);
+      return extents;
+    };
+    return {begin, end, in_parts<Extents>(begin, end, work)};
   }
 
   /// The subtree of a range with at least two primitives, its root first. Node numbers count from the subtree's root.
   Nodes build(Range const& range, std::size_t depth) {
     Nodes nodes;
-    append(range, depth, nodes);
+    nodes.reserve(range.size() / 2);
+    append(range, best_split(range), depth, nodes);
     return nodes;
   }
 
  private:
-  void append(Range const& range, std::size_t depth, Nodes& nodes) {
-    std::size_t const middle = partition(range, depth);
+  /// The sum of work(begin, end) over the parts of a range, on several threads where it is long.
+  template <class Sum, class Work>
+  static Sum in_parts(std::size_t begin, std::size_t end, Work const& work) {
+    if (end - begin <= 2 * part_size) return work(begin, end);
+    std::size_t const middle = begin + std::bit_floor(end - begin - 1);
+    auto other = std::async(std::launch::async, [&] { return in_parts<Sum>(middle, end, work); });
+    Sum sum = in_parts<Sum>(begin, middle, work);
+    sum.add(other.get());
+    return sum;
+  }
+
+  void append(Range const& range, Split const& split, std::size_t depth, Nodes& nodes) {
+    std::size_t const middle = partition(range, split, depth);
     std::size_t const self = nodes.size();
     nodes.emplace_back();
     Range const left = enclose(range.begin, middle);
@@ -88,7 +164,7 @@ class Builder {
         }
         nodes.push_back(node);
       }
-      nodes[self].children[1] = make_child(right.bounds, offset, 0);
+      nodes[self].children[1] = make_child(right.extents.bounds, offset, 0);
     } else {
       device::BvhChild const left_child = append_child(left, depth, nodes);  // may move the nodes
       nodes[self].children[0] = left_child;
@@ -98,47 +174,41 @@ class Builder {
   }
 
   device::BvhChild append_child(Range const& range, std::size_t depth, Nodes& nodes) {
-    if (is_leaf(range)) return make_child(range.bounds, range.begin, range.size());
-    std::size_t const first = nodes.size();
-    append(range, depth + 1, nodes);
-    return make_child(range.bounds, first, 0);
-  }
-
-  bool is_leaf(Range const& range) const {
-    if (range.size() == 1) return true;
-    if (range.size() > max_leaf_size || !is_only_triangles(range)) return false;
+    Bounds const& bounds = range.extents.bounds;
+    if (range.size() == 1) return make_child(bounds, range.begin, 1);
+    Split const split = best_split(range);
     // The best split's cost is relative to this range's area.
-    return !(node_cost * range.bounds.half_area() + best_split(range).cost <
-             float(range.size()) * range.bounds.half_area());
+    bool const is_leaf = range.size() <= max_leaf_size && is_only_triangles(range) &&
+                         !(node_cost * bounds.half_area() + split.cost < float(range.size()) * bounds.half_area());
+    if (is_leaf) return make_child(bounds, range.begin, range.size());
+    std::size_t const first = nodes.size();
+    append(range, split, depth + 1, nodes);
+    return make_child(bounds, first, 0);
   }
 
   bool is_only_triangles(Range const& range) const {
-    return std::all_of(primitives_.begin() + std::ptrdiff_t(range.begin),
-                       primitives_.begin() + std::ptrdiff_t(range.end),
+    auto const members = primitives_.subspan(range.begin, range.size());
+    return std::all_of(members.begin(), members.end(),
                        [](BuildPrimitive const& primitive) { return primitive.reference.kind == PRIMITIVE_TRIANGLE; });
   }
 
   /// Divides the range in two parts that are not empty; returns where the second begins.
-  std::size_t partition(Range const& range, std::size_t depth) {
+  std::size_t partition(Range const& range, Split const& split, std::size_t depth) {
     // A child of a binned split may hold all but one primitive. Halving from here on must still keep to the limit.
-    if (depth + halving_depth(range.size()) < BVH_MAX_DEPTH) {
-      Split const split = best_split(range);
-      if (std::isfinite(split.cost)) {
-        auto const begin = primitives_.begin();
-        auto const middle = std::partition(begin + std::ptrdiff_t(range.begin), begin + std::ptrdiff_t(range.end),
-                                           [&](BuildPrimitive const& primitive) {
-                                             return bin_of(primitive.bounds, range.centers, split.axis) < split.bin;
-                                           });
-        return std::size_t(middle - begin);
-      }
-    }
-    return halve(range);
+    if (depth + halving_depth(range.size()) >= BVH_MAX_DEPTH || !std::isfinite(split.cost)) return halve(range);
+    Binning const binning(range.extents.centers);
+    auto const begin = primitives_.begin();
+    auto const middle = std::partition(
+        begin + std::ptrdiff_t(range.begin), begin + std::ptrdiff_t(range.end),
+        [&](BuildPrimitive const& primitive) { return binning.bin_of(primitive.bounds, split.axis) < split.bin; });
+    return std::size_t(middle - begin);
   }
 
   std::size_t halve(Range const& range) {
+    Bounds const& centers = range.extents.centers;
     int axis = 0;
     for (int other = 1; other < 3; ++other) {
-      if (extent(range.centers, other) > extent(range.centers, axis)) axis = other;
+      if (centers.max[other] - centers.min[other] > centers.max[axis] - centers.min[axis]) axis = other;
     }
     std::size_t const middle = range.begin + range.size() / 2;
     auto const at = [&](std::size_t i) { return primitives_.begin() + std::ptrdiff_t(i); };
@@ -147,43 +217,69 @@ class Builder {
     return middle;
   }
 
-  static float extent(Bounds const& bounds, int axis) { return bounds.max[axis] - bounds.min[axis]; }
-
-  static std::size_t bin_of(Bounds const& bounds, Bounds const& centers, int axis) {
-    float const position = (bounds.center(axis) - centers.min[axis]) / extent(centers, axis);
-    return std::min(std::size_t(position * float(bin_count)), bin_count - 1);
-  }
-
   /// The cost of its split is the sum over both sides of area times count; infinite when no plane separates anything.
   Split best_split(Range const& range) const {
+    Binning const binning(range.extents.centers);
+    if (range.size() <= small_size) return best_split_of_few(range, binning);
+    auto const work = [&](std::size_t begin, std::size_t end) {
+      Bins bins;
+      bins.add(primitives_.subspan(begin, end - begin), binning);
+      return bins;
+    };
+    Bins const bins = in_parts<Bins>(range.begin, range.end, work);
     Split best;
-    for (int axis = 0; axis < 3; ++axis) {
-      float const width = extent(range.centers, axis);
-      if (!(width > 0) || !std::isfinite(width)) continue;
-      struct Bin {
-        Bounds bounds;
-        std::size_t count = 0;
-      };
-      std::array<Bin, bin_count> bins;
-      for (std::size_t i = range.begin; i < range.end; ++i) {
-        Bin& bin = bins[bin_of(primitives_[i].bounds, range.centers, axis)];
-        bin.bounds.add(primitives_[i].bounds);
-        ++bin.count;
-      }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!binning.separates(int(axis))) continue;
       std::array<float, bin_count> cost_from_right;  // of bins [i, end) on one side
-      Bin sum;
+      Bounds bounds;
+      std::size_t count = 0;
       for (std::size_t i = bin_count; i-- > 1;) {
-        sum.bounds.add(bins[i].bounds);
-        sum.count += bins[i].count;
-        cost_from_right[i] = sum.bounds.half_area() * float(sum.count);
+        bounds.add(bins.bounds[axis][i]);
+        count += bins.count[axis][i];
+        cost_from_right[i] = bounds.half_area() * float(count);
       }
-      sum = {};
+      bounds = {};
+      count = 0;
       for (std::size_t i = 1; i < bin_count; ++i) {
-        sum.bounds.add(bins[i - 1].bounds);
-        sum.count += bins[i - 1].count;
-        if (sum.count == 0 || sum.count == range.size()) continue;
-        float const cost = sum.bounds.half_area() * float(sum.count) + cost_from_right[i];
-        if (cost < best.cost) best = {axis, i, cost};
+        bounds.add(bins.bounds[axis][i - 1]);
+        count += bins.count[axis][i - 1];
+        if (count == 0 || count == range.size()) continue;
+        float const cost = bounds.half_area() * float(count) + cost_from_right[i];
+        if (cost < best.cost) best = {int(axis), i, cost};
+      }
+    }
+    return best;
+  }
+
+  /// For so few, most bins would be empty.
+  static constexpr std::size_t small_size = 8;
+
+  /// best_split without the bins that nothing falls into: the same splits, plane by plane between the members.
+  Split best_split_of_few(Range const& range, Binning const& binning) const {
+    Split best;
+    auto const members = primitives_.subspan(range.begin, range.size());
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!binning.separates(axis)) continue;
+      std::array<std::size_t, small_size> bin;
+      std::array<std::size_t, small_size> order;
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        bin[i] = binning.bin_of(members[i].bounds, axis);
+        std::size_t place = i;
+        for (; place > 0 && bin[order[place - 1]] > bin[i]; --place) order[place] = order[place - 1];
+        order[place] = i;
+      }
+      std::array<float, small_size> cost_from_right;
+      Bounds bounds;
+      for (std::size_t i = members.size(); i-- > 1;) {
+        bounds.add(members[order[i]].bounds);
+        cost_from_right[i] = bounds.half_area() * float(members.size() - i);
+      }
+      bounds = {};
+      for (std::size_t i = 1; i < members.size(); ++i) {
+        bounds.add(members[order[i - 1]].bounds);
+        if (bin[order[i - 1]] == bin[order[i]]) continue;
+        float const cost = bounds.half_area() * float(i) + cost_from_right[i];
+        if (cost < best.cost) best = {axis, bin[order[i]], cost};
       }
     }
     return best;
@@ -199,12 +295,12 @@ Bvh build_bvh(std::vector<BuildPrimitive>&& primitives) {
   Bvh bvh;
   Builder builder(primitives);
   Range const all = builder.enclose(0, primitives.size());
-  bvh.bounds = all.bounds;
+  bvh.bounds = all.extents.bounds;
   if (primitives.size() >= 2) {
     bvh.nodes = builder.build(all, 1);
   } else {
     device::BvhChild const absent = make_child(Bounds(), 0, 0);
-    bvh.nodes.push_back({{primitives.empty() ? absent : make_child(all.bounds, 0, 1), absent}});
+    bvh.nodes.push_back({{primitives.empty() ? absent : make_child(bvh.bounds, 0, 1), absent}});
   }
   bvh.references.reserve(primitives.size());
   for (BuildPrimitive const& primitive : primitives) bvh.references.push_back(primitive.reference);

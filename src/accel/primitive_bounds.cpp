@@ -30,7 +30,12 @@ Vec3 mapped_extent(Mat3 const& m, Vec3 const& extent) {
 
 Bounds bounds_of(device::TrianglePrimitive const& triangle) {
   Bounds bounds;
-  for (auto const& vertex : triangle.vertices) bounds.add(vec3(vertex));
+  for (auto const& vertex : triangle.vertices) {
+    for (int axis = 0; axis < 3; ++axis) {  // NaN changes nothing
+      bounds.min[axis] = std::min(bounds.min[axis], vertex[axis]);
+      bounds.max[axis] = std::max(bounds.max[axis], vertex[axis]);
+    }
+  }
   return bounds;
 }
 

@@ -1,6 +1,8 @@
 #include "accel/wide_layout.hpp"
 
 #include <algorithm>
+#include <array>
+#include <future>
 #include <limits>
 
 namespace lichtraum {
@@ -27,6 +29,24 @@ struct Content {
 struct Candidate {
   BvhChild child;
   Content content;
+};
+
+/// The children of a wide node that is being made, from left to right.
+class Candidates {
+ public:
+  std::size_t size() const { return size_; }
+  Candidate const& operator[](std::size_t i) const { return items_[i]; }
+  void push_back(Candidate const& candidate) { items_[size_++] = candidate; }
+  /// Puts two in the place of one.
+  void replace(std::size_t place, Candidate const& first, Candidate const& second) {
+    for (std::size_t i = size_++; i > place + 1; --i) items_[i] = items_[i - 1];
+    items_[place] = first;
+    items_[place + 1] = second;
+  }
+
+ private:
+  std::array<Candidate, WIDE_CHILDREN> items_;
+  std::size_t size_ = 0;
 };
 
 float half_area(BvhChild const& child) {
@@ -62,19 +82,19 @@ class Collapser {
       std::size_t const self = wide_.nodes.size();
       if (top.parent != none)
         wide_.nodes[top.parent].children[top.lane] = WIDE_KIND_NODE << WIDE_INDEX_BITS | uint(self);
-      auto const children = gather(top.binary);
+      Candidates const children = gather(top.binary);
       device::WideNode& node = wide_.nodes.emplace_back();
-      std::size_t const stack_size = top.stack_size + (children.empty() ? 0 : children.size() - 1);
+      std::size_t const stack_size = top.stack_size + (std::max<std::size_t>(children.size(), 1) - 1);
       wide_.stack_size = std::max(wide_.stack_size, stack_size);
       std::size_t const first_open = open.size();
       for (int lane = 0; lane < WIDE_CHILDREN; ++lane) {
         bool const present = std::size_t(lane) < children.size();
         for (int axis = 0; axis < 3; ++axis) {
-          node.bounds[2 * axis][lane] = present ? children[lane].child.min[axis] : Bounds::infinity;
-          node.bounds[2 * axis + 1][lane] = present ? children[lane].child.max[axis] : -Bounds::infinity;
+          node.bounds[2 * axis][lane] = present ? children[std::size_t(lane)].child.min[axis] : Bounds::infinity;
+          node.bounds[2 * axis + 1][lane] = present ? children[std::size_t(lane)].child.max[axis] : -Bounds::infinity;
         }
         if (!present) continue;
-        Candidate const& candidate = children[lane];
+        Candidate const& candidate = children[std::size_t(lane)];
         if (candidate.content.is_block()) {
           node.children[lane] = PRIMITIVE_TRIANGLE << WIDE_INDEX_BITS | uint(wide_.blocks.size());
           wide_.blocks.push_back({candidate.content.first, candidate.content.count});
@@ -104,31 +124,23 @@ class Collapser {
     return !candidate.content.is_block() && candidate.content.count > 1;
   }
 
-  /// The children of the wide node that begins at a binary node, from left to right.
-  std::vector<Candidate> gather(uint binary) const {
-    std::vector<Candidate> children;
-    append(bvh_.nodes[binary], children);
+  /// The children of the wide node that begins at a binary node.
+  Candidates gather(uint binary) const {
+    Candidates children;
+    for (BvhChild const& child : bvh_.nodes[binary].children) {
+      if (!is_absent(child)) children.push_back({child, content_of(child)});
+    }
     while (children.size() < WIDE_CHILDREN) {
       std::size_t best = children.size();
       for (std::size_t i = 0; i < children.size(); ++i) {
-        Candidate const& candidate = children[i];
-        if (!can_open(candidate)) continue;
-        if (best == children.size() || half_area(candidate.child) > half_area(children[best].child)) best = i;
+        if (!can_open(children[i])) continue;
+        if (best == children.size() || half_area(children[i].child) > half_area(children[best].child)) best = i;
       }
       if (best == children.size()) break;
-      Candidate const opened = children[best];
-      std::vector<Candidate> parts;
-      append(bvh_.nodes[opened.child.first], parts);
-      children.erase(children.begin() + std::ptrdiff_t(best));
-      children.insert(children.begin() + std::ptrdiff_t(best), parts.begin(), parts.end());
+      auto const& [left, right] = bvh_.nodes[children[best].child.first].children;  // only a root has absent ones
+      children.replace(best, {left, content_of(left)}, {right, content_of(right)});
     }
     return children;
-  }
-
-  void append(device::BvhNode const& node, std::vector<Candidate>& out) const {
-    for (BvhChild const& child : node.children) {
-      if (!is_absent(child)) out.push_back({child, content_of(child)});
-    }
   }
 
   Bvh const& bvh_;
@@ -140,22 +152,40 @@ class Collapser {
 
 WideBvh collapse(Bvh const& bvh) { return Collapser(bvh).run(); }
 
+namespace {
+
+void fill_block(WideBvh::Block const& block, std::span<device::PrimitiveReference const> references,
+                std::span<device::TrianglePrimitive const> triangles, device::TriangleBlock& filled,
+                device::PrimitiveTag* tags) {
+  for (uint lane = 0; lane < BLOCK_LANES; ++lane) {
+    bool const present = lane < block.count;
+    device::TrianglePrimitive const* triangle = present ? &triangles[references[block.first + lane].index] : nullptr;
+    for (int corner = 0; corner < 3; ++corner) {
+      for (int axis = 0; axis < 3; ++axis) {
+        filled.vertices[corner][axis][lane] =
+            present ? triangle->vertices[corner][axis] : std::numeric_limits<float>::quiet_NaN();
+      }
+    }
+    tags[lane] = present ? triangle->tag : device::PrimitiveTag{};
+  }
+}
+
+}  // namespace
+
 void fill_blocks(std::span<WideBvh::Block const> blocks, std::span<device::PrimitiveReference const> references,
                  std::span<device::TrianglePrimitive const> triangles, std::span<device::TriangleBlock> filled,
                  std::span<device::PrimitiveTag> tags) {
+  constexpr std::size_t part_size = 1 << 14;
+  if (blocks.size() > part_size) {
+    std::size_t const half = blocks.size() / 2;
+    auto rest = std::async(std::launch::async, [&] {
+      fill_blocks(blocks.subspan(half), references, triangles, filled.subspan(half), tags.subspan(half * BLOCK_LANES));
+    });
+    fill_blocks(blocks.first(half), references, triangles, filled, tags);
+    return;
+  }
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    for (uint lane = 0; lane < BLOCK_LANES; ++lane) {
-      bool const present = lane < blocks[b].count;
-      device::TrianglePrimitive const* triangle =
-          present ? &triangles[references[blocks[b].first + lane].index] : nullptr;
-      for (int corner = 0; corner < 3; ++corner) {
-        for (int axis = 0; axis < 3; ++axis) {
-          filled[b].vertices[corner][axis][lane] =
-              present ? triangle->vertices[corner][axis] : std::numeric_limits<float>::quiet_NaN();
-        }
-      }
-      tags[b * BLOCK_LANES + lane] = present ? triangle->tag : device::PrimitiveTag{};
-    }
+    fill_block(blocks[b], references, triangles, filled[b], &tags[b * BLOCK_LANES]);
   }
 }
 

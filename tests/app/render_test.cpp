@@ -4,6 +4,7 @@
 #include "lichtraum.hpp"
 #include "pictures.hpp"
 #include "support/catch.hpp"
+#include "support/skip.hpp"
 
 using Json = nlohmann::json;
 
@@ -198,6 +199,7 @@ TEST_CASE("quiet says nothing, verbose says more", "[app][render]") {
 }
 
 TEST_CASE("colours and a progress bar are for terminals only", "[app][render]") {
+  if (!has_pseudo_terminals()) SKIP_TEST("there are no pseudo-terminals here");
   Lichtraum const lichtraum;
   lichtraum.folder.write("a.sdf", ball_scene);
   lichtraum.folder.write("bad.sdf", "define nonsense\n");

@@ -129,3 +129,12 @@ ProcessResult run_process(Process const& process) {
   if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
   return result;
 }
+
+bool has_pseudo_terminals() {
+  int ours = -1;
+  int theirs = -1;
+  if (::openpty(&ours, &theirs, nullptr, nullptr, nullptr) != 0) return false;
+  ::close(ours);
+  ::close(theirs);
+  return true;
+}

@@ -36,3 +36,6 @@ struct ProcessResult {
 
 /// Throws std::runtime_error when it takes longer than the timeout (and kills it).
 ProcessResult run_process(Process const& process);
+
+/// Whether this machine lends pseudo-terminals (a chroot without /dev/pts has none): else has_terminal cannot be had.
+bool has_pseudo_terminals();

@@ -11,9 +11,9 @@ typedef struct {
 #define SCENE_PARAMETERS                                                        \
   __global BvhNode const *nodes, __global PrimitiveReference const *references, \
       __global TrianglePrimitive const *triangles, uint const root_node
-#define MAKE_SCENE            \
-  Scene scene;                \
-  scene.nodes = nodes;        \
+#define MAKE_SCENE               \
+  Scene scene;                   \
+  scene.nodes = nodes;           \
   scene.references = references; \
   scene.triangles = triangles;   \
   scene.has_transparency = 0u;   \
@@ -47,8 +47,8 @@ static inline Ray camera_ray(__global PinholeCamera const* camera, float x, floa
 
 #ifndef TRAVERSAL_PACKET
 
-__kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, uint const width, float const pixels_per_ray,
-                      __global BenchHit* hits) {
+__kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, uint const width,
+                      float const pixels_per_ray, __global BenchHit* hits) {
   MAKE_SCENE;
   uint const x = (uint)get_global_id(0);
   uint const y = (uint)get_global_id(1);
@@ -89,9 +89,12 @@ __kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, ui
   for (uint group = 0u; group < PACKET_GROUPS; ++group) {
     float16 const px = (packet_column(group) + ((float)x + 0.5f)) * pixels_per_ray;
     float16 const py = (packet_row(group) + ((float)y + 0.5f)) * pixels_per_ray;
-    packet.direction[group][0] = fma(py, (float16)(camera->step_y.x), fma(px, (float16)(camera->step_x.x), (float16)(camera->corner.x)));
-    packet.direction[group][1] = fma(py, (float16)(camera->step_y.y), fma(px, (float16)(camera->step_x.y), (float16)(camera->corner.y)));
-    packet.direction[group][2] = fma(py, (float16)(camera->step_y.z), fma(px, (float16)(camera->step_x.z), (float16)(camera->corner.z)));
+    packet.direction[group][0] =
+        fma(py, (float16)(camera->step_y.x), fma(px, (float16)(camera->step_x.x), (float16)(camera->corner.x)));
+    packet.direction[group][1] =
+        fma(py, (float16)(camera->step_y.y), fma(px, (float16)(camera->step_x.y), (float16)(camera->corner.y)));
+    packet.direction[group][2] =
+        fma(py, (float16)(camera->step_y.z), fma(px, (float16)(camera->step_x.z), (float16)(camera->corner.z)));
     packet.limit[group] = (float16)(INFINITY);
   }
   trace_packet_closest(&scene, &packet);

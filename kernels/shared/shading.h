@@ -6,10 +6,10 @@
 DEVICE_NAMESPACE_BEGIN
 
 typedef struct {
-  float4 ka; /* w: specular exponent m */
-  float4 kd; /* w: reflect, 0..1 */
-  float4 ks; /* w: transmit, 0..1 */
-  float ior; /* > 0 */
+  float4 ka;         /* w: specular exponent m */
+  float4 kd;         /* w: reflect, 0..1 */
+  float4 ks;         /* w: transmit, 0..1 */
+  float ior;         /* > 0 */
   float emission[3]; /* what the surface shows without any light */
 } PhongMaterial;
 DEVICE_STRUCT_SIZE(PhongMaterial, 64);

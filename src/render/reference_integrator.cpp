@@ -64,8 +64,8 @@ double visibility(ReferenceScene const& scene, Vec3 const& from, Vec3 const& lig
   return share;
 }
 
-/// What the surface shows by itself: emission, ambient, diffuse and specular term. A light that could not add anything costs no
-/// shadow ray.
+/// What the surface shows by itself: emission, ambient, diffuse and specular term. A light that could not add anything
+/// costs no shadow ray.
 Rgb local_radiance(ReferenceScene const& scene, SurfacePoint const& point, RayCounts& counts) {
   Material const& material = point.material;
   double const matt_share = 1 - material.reflect() - material.transmit();

@@ -25,8 +25,9 @@ __kernel void probe_develop(__global float const* radiance, uint tone_map, uint 
   developed[i] = develop_channel(radiance[i], tone_map, transfer);
 }
 
-__kernel void probe_affine(__global AffineTransform const* maps, __global float4 const* vectors, __global float4* points,
-                           __global float4* mapped_vectors, __global float4* transposed, __global float4* solved) {
+__kernel void probe_affine(__global AffineTransform const* maps, __global float4 const* vectors,
+                           __global float4* points, __global float4* mapped_vectors, __global float4* transposed,
+                           __global float4* solved) {
   size_t const i = get_global_id(0);
   float3 const v = vectors[i].xyz;
   LinearMap const linear = compose(maps[i], identity_map());

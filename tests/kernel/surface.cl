@@ -19,12 +19,12 @@ __kernel void probe_find_surface(SCENE_ARGUMENTS, __global ProbeRay const* rays,
 }
 
 /* Rays that leave a surface. */
-__kernel void probe_leave_surface(SCENE_ARGUMENTS, __global float4 const* position_offset, __global float4 const* normals,
-                                  __global float4 const* directions, __global Hit* hits) {
+__kernel void probe_leave_surface(SCENE_ARGUMENTS, __global float4 const* position_offset,
+                                  __global float4 const* normals, __global float4 const* directions,
+                                  __global Hit* hits) {
   size_t const i = get_global_id(0);
   Scene const scene = SCENE_FROM_ARGUMENTS(0u);
-  Ray const ray =
-      leave_surface(position_offset[i].xyz, normals[i].xyz, position_offset[i].w, directions[i].xyz);
+  Ray const ray = leave_surface(position_offset[i].xyz, normals[i].xyz, position_offset[i].w, directions[i].xyz);
   hits[i] = trace_closest(&scene, ray, INFINITY);
 }
 

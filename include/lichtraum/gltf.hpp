@@ -30,6 +30,9 @@ struct GltfModel {
   std::vector<Diagnostic> diagnostics;
 };
 
+/// Whether `path` ends in .gltf or .glb, in any case.
+bool is_gltf_file(std::filesystem::path const& path);
+
 /// Reads a glTF 2.0 model, .gltf or .glb, with all it refers to in its folder or below. Only what cannot be drawn is
 /// left out; docs/GLTF.md lists what is supported. Throws Error{no_input}, Error{io}, or SceneError when the file is no
 /// glTF 2 or nothing in it can be drawn, with everything found, and Error{usage} for an unknown scene or animation.

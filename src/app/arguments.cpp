@@ -159,4 +159,14 @@ void add_language_options(CLI::App& parser, EsdfOptions& options) {
       ->group(group);
 }
 
+void add_model_options(CLI::App& parser, GltfOptions& options) {
+  std::string const group = "glTF models";
+  add_value(parser, "--scene", options.scene, parse_name, "NAME", "Scene of the file: name or number", group);
+  add_value(parser, "--time", options.time_seconds, parse_time, "SECONDS", "Pose of the animation at that time", group);
+  add_value(parser, "--animation", options.animation, parse_name, "NAME",
+            "Animation that --time is for: name or number\n(default: the first)", group);
+  add_value(parser, "--max-texture", options.max_texture, parse_texture_size, "N",
+            "Make pictures with a longer side smaller\n(default: 4096)", group);
+}
+
 }  // namespace lichtraum::app

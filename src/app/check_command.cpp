@@ -12,12 +12,13 @@ namespace lichtraum::app {
 namespace {
 
 constexpr char const* description =
-    "Reports what is wrong in scenes and draws nothing. SCENE is an eSDF file, or -\n"
-    "for standard input.";
+    "Reports what is wrong in scenes and draws nothing. SCENE is an eSDF file, a\n"
+    "glTF model, or - for standard input.";
 
 constexpr char const* examples =
     "  lichtraum check hello.sdf\n"
     "  lichtraum check --strict *.sdf\n"
+    "  lichtraum check model.glb\n"
     "  lichtraum check -v - < hello.sdf\n";
 
 std::string count(std::size_t number, std::string_view what) {
@@ -41,10 +42,11 @@ std::string summary(std::string const& name, std::vector<Diagnostic> const& diag
 
 int check_command(Arguments const& arguments, Console& console) {
   std::vector<std::string> scenes;
-  EsdfOptions language;
+  LoadOptions load;
   auto const parser = make_parser("check", description, examples);
-  parser->add_option("scene", scenes, "eSDF files")->required()->type_name("SCENE...");
-  add_language_options(*parser, language);
+  parser->add_option("scene", scenes, "eSDF files, glTF models")->required()->type_name("SCENE...");
+  add_language_options(*parser, load.language);
+  add_model_options(*parser, load.model);
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return 0;
 
@@ -52,7 +54,7 @@ int check_command(Arguments const& arguments, Console& console) {
   for (std::string const& scene : scenes) {
     std::string line;
     try {
-      EsdfScript const script = SceneSource(scene).load(language);
+      LoadedScene const script = SceneSource(scene).load(load);
       console.show(script.diagnostics());
       line = summary(scene, script.diagnostics());
     } catch (SceneError const& error) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr char const* description =
     "Tells what is in a scene, as it is at the end of the file. FILE is an eSDF file,\n"
-    "or - for standard input.";
+    "a glTF model, or - for standard input.";
 
 constexpr char const* examples =
     "  lichtraum info hello.sdf\n"
@@ -23,16 +23,17 @@ constexpr char const* examples =
 int info_command(Arguments const& arguments, Console& console) {
   std::string file;
   bool json = false;
-  EsdfOptions language;
+  LoadOptions load;
   auto const parser = make_parser("info", description, examples);
-  parser->add_option("file", file, "an eSDF file")->required()->type_name("FILE");
+  parser->add_option("file", file, "an eSDF file, a glTF model")->required()->type_name("FILE");
   parser->add_flag("--json", json, "Print JSON")->group("Output");
-  add_language_options(*parser, language);
+  add_language_options(*parser, load.language);
+  add_model_options(*parser, load.model);
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return 0;
 
   SceneSource const source(file);
-  EsdfScript const script = source.load(language);
+  LoadedScene const script = source.load(load);
   console.show(script.diagnostics());
   SceneSummary const summary = summarise(script.scene());
   write_standard_output(json ? to_json(summary, source.name()) : to_text(summary, source.name()));

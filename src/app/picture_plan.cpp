@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
+#include <iterator>
 
 #include "app/arguments.hpp"
 
@@ -46,6 +48,12 @@ Camera const& find_camera(Scene const& scene, SceneSource const& source, RenderO
   std::string const& name = options.camera.empty() ? name_in_scene : options.camera;
   if (name.empty()) return scene.cameras.front();
   if (Camera const* const camera = scene.cameras.find(name)) return *camera;
+  std::size_t number = 0;
+  auto const [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  bool const is_number = error == std::errc() && end == name.data() + name.size();
+  if (!options.camera.empty() && is_number && number < scene.cameras.size()) {
+    return *std::next(scene.cameras.begin(), std::ptrdiff_t(number));
+  }
   throw Error(options.camera.empty() ? ErrorKind::scene : ErrorKind::usage,
               fmt::format("{}: there is no camera '{}'; there are: {}", source.name(), name, list_cameras(scene)));
 }
@@ -114,7 +122,7 @@ void check_memory(Resolution const& size, ErrorKind kind) {
                                 size.height, human(needed), human(available)));
 }
 
-std::vector<PicturePlan> plan_pictures(EsdfScript const& script, SceneSource const& source,
+std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource const& source,
                                        RenderOptions const& options, OutputNames& names) {
   Scene const& scene = script.scene();
   std::vector<RenderCommand> commands = scene.renders;

@@ -23,7 +23,7 @@ struct PicturePlan {
 /// the command line says wins over the render statement, that over the camera, that over the scene's defaults, those
 /// over 640x480, one sample a pixel and depth 5.
 /// Throws Error{usage}, Error{scene} and Error{cannot_create}, the last when a file could not be written.
-std::vector<PicturePlan> plan_pictures(EsdfScript const& script, SceneSource const& source,
+std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource const& source,
                                        RenderOptions const& options, OutputNames& names);
 
 /// Throws Error{`kind`} with the numbers when a picture of that size needs more memory than the machine has.

@@ -15,12 +15,14 @@ namespace lichtraum::app {
 namespace {
 
 constexpr char const* description =
-    "Draws scenes to pictures. SCENE is an eSDF file, or - for standard input. A\n"
-    "scene names its pictures itself; one that does not is drawn to <scene>.png.";
+    "Draws scenes to pictures. SCENE is an eSDF file, a glTF model (.gltf, .glb), or\n"
+    "- for standard input. A scene names its pictures itself; one that does not, and\n"
+    "a model, is drawn to <scene>.png.";
 
 constexpr char const* examples =
     "  lichtraum render hello.sdf\n"
     "  lichtraum render hello.sdf -o hello.exr --size 1920x1080 --samples 4x4\n"
+    "  lichtraum render model.glb --time 1.5 -o model.png\n"
     "  lichtraum render film.sdf -o frames/%04d.png\n"
     "  lichtraum render old.sdf --rotation left --transform-order local\n"
     "  lichtraum render - -o - --format ppm < hello.sdf > hello.ppm\n"
@@ -57,7 +59,7 @@ void add_picture_options(CLI::App& parser, RenderOptions& options) {
   add_value(parser, "--size", options.size, parse_size, "WxH",
             "Pixels, such as 1280x720 (default: the scene's,\nelse 640x480)", group);
   add_value(parser, "--region", options.region, parse_region, "X,Y,W,H", "Draw and write this part of it only", group);
-  add_value(parser, "--camera", options.camera, parse_name, "NAME", "Look through this camera", group);
+  add_value(parser, "--camera", options.camera, parse_name, "NAME", "Look through this camera: name or number", group);
   add_value(parser, "--root", options.root, parse_name, "NAME", "Draw this shape and what is below it only", group);
 }
 
@@ -77,7 +79,8 @@ void add_quality_options(CLI::App& parser, RenderOptions& options) {
   };
   add_value(parser, "--tonemap", options.tone_map, tone_map, "NAME",
             "auto (default: what the scene's lights need),\nnone or reinhard", group);
-  add_value(parser, "--transfer", options.transfer, transfer, "NAME", "linear (default) or srgb", group);
+  add_value(parser, "--transfer", options.transfer, transfer, "NAME",
+            "linear (default for scenes) or srgb (for models)", group);
   add_value(parser, "--device", options.device, parse_name, "NAME",
             "Index, part of a name, cpu, gpu or reference\n(default: the best)", group);
   add_value(parser, "--traversal", options.traversal, parse_traversal, "NAME",
@@ -86,15 +89,16 @@ void add_quality_options(CLI::App& parser, RenderOptions& options) {
 
 bool parse_render(Arguments const& arguments, RenderOptions& options, Console& console) {
   auto const parser = make_parser("render", description, examples);
-  parser->add_option("scene", options.scenes, "eSDF files")->required()->type_name("SCENE...");
+  parser->add_option("scene", options.scenes, "eSDF files, glTF models")->required()->type_name("SCENE...");
   add_output_options(*parser, options);
   add_picture_options(*parser, options);
   add_quality_options(*parser, options);
-  add_language_options(*parser, options.language);
+  add_language_options(*parser, options.load.language);
+  add_model_options(*parser, options.load.model);
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return false;
 
-  options.output.allowed_paths = options.language.allowed_paths;
+  options.output.allowed_paths = options.load.language.allowed_paths;
   if (std::count(options.scenes.begin(), options.scenes.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input (-) is named more than once");
   }

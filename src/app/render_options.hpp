@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/loaded_scene.hpp"
 #include "app/output_names.hpp"
-#include "lichtraum/esdf.hpp"
 #include "lichtraum/renderer.hpp"
 
 namespace lichtraum::app {
@@ -13,7 +13,7 @@ namespace lichtraum::app {
 /// What `lichtraum render` is asked for. What is not given comes from the scene.
 struct RenderOptions {
   std::vector<std::string> scenes;
-  EsdfOptions language;
+  LoadOptions load;
 
   OutputOptions output;
   ImageEncoding encoding;
@@ -30,7 +30,7 @@ struct RenderOptions {
   std::optional<int> depth;
   std::uint64_t seed = 0;
   ToneMap tone_map = ToneMap::automatic;
-  Transfer transfer = Transfer::linear;
+  std::optional<Transfer> transfer;  // nothing: srgb for models, linear for scenes
   std::string device;
   Traversal traversal = Traversal::automatic;
 

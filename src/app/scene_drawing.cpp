@@ -35,28 +35,18 @@ class SceneDrawing {
 
   void run(OutputNames& names, SceneReport& report) {
     auto const start = Clock::now();
-    EsdfScript const script = source_.load(options_.language);
+    LoadedScene const script = source_.load(options_.load);
+    is_model_ = script.is_model();
     report.load_ms = milliseconds_since(start);
     console_.show(script.diagnostics());
     console_.detail(fmt::format("{}: loaded in {:.3g} ms", source_.name(), report.load_ms));
 
     std::vector<PicturePlan> const plans = plan_pictures(script, source_, options_, names);
     say_what_was_decided(plans);
-    play(script, [&](Scene const& scene, std::size_t index) { draw(scene, plans[index], index, report); });
+    script.play([&](Scene const& scene, std::size_t index) { draw(scene, plans[index], index, report); });
   }
 
  private:
-  /// Calls `draw` with the scene as it is at each `render`; once at the end for a script without any.
-  template <class Draw>
-  static void play(EsdfScript const& script, Draw const& draw) {
-    if (script.scene().renders.empty()) return draw(script.scene(), 0);
-    std::size_t index = 0;
-    script.play([&](Scene const& scene, RenderCommand const&) {
-      draw(scene, index++);
-      return true;
-    });
-  }
-
   void say_what_was_decided(std::vector<PicturePlan> const& plans) const {
     std::map<std::filesystem::path, int> uses;
     for (PicturePlan const& plan : plans) {
@@ -94,7 +84,7 @@ class SceneDrawing {
     request.seed = options_.seed;
     if (!plan.output.format->is_linear_float) {
       request.tone_map = options_.tone_map == ToneMap::automatic ? scene.tone_map : options_.tone_map;
-      request.transfer = options_.transfer;
+      request.transfer = options_.transfer.value_or(is_model_ ? Transfer::srgb : Transfer::linear);
     }
     return request;
   }
@@ -164,8 +154,8 @@ class SceneDrawing {
     std::string message =
         fmt::format("{}: the camera '{}' sees nothing: {}", source_.name(), request.camera.name(),
                     describe_direction(request.camera, renderer_.bounds_min(), renderer_.bounds_max()));
-    for (Convention const& convention : other_conventions(options_.language)) {
-      if (!shows_something(convention.options, request, index)) continue;
+    for (Convention const& convention : other_conventions(options_.load.language)) {
+      if (is_model_ || !shows_something(convention.options, request, index)) continue;
       message += fmt::format("; with {} it is in view", convention.arguments);
       break;
     }
@@ -181,8 +171,10 @@ class SceneDrawing {
     request.sampling = {};
     request.max_depth = 0;
     bool is_seen = false;
-    EsdfScript const script = source_.load(language);
-    play(script, [&](Scene const& scene, std::size_t index) {
+    LoadOptions load = options_.load;
+    load.language = language;
+    LoadedScene const script = source_.load(load);
+    script.play([&](Scene const& scene, std::size_t index) {
       Camera const* const camera = scene.cameras.find(request.camera.name());
       if (index != wanted || !camera) return;
       request.camera = *camera;
@@ -197,6 +189,7 @@ class SceneDrawing {
   RenderOptions const& options_;
   Renderer& renderer_;
   Console const& console_;
+  bool is_model_ = false;
   bool has_explained_ = false;
 };
 

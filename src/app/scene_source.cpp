@@ -36,8 +36,12 @@ SceneSource::SceneSource(std::string argument) : name_(std::move(argument)) {
 
 std::string SceneSource::stem() const { return text_ ? "stdin" : std::filesystem::path(name_).stem().string(); }
 
-EsdfScript SceneSource::load(EsdfOptions const& options) const {
-  return text_ ? EsdfScript::from_text(*text_, name_, options) : EsdfScript::from_file(name_, options);
+LoadedScene SceneSource::load(LoadOptions const& options) const {
+  if (text_) return LoadedScene(EsdfScript::from_text(*text_, name_, options.language));
+  if (!is_gltf_file(name_)) return LoadedScene(EsdfScript::from_file(name_, options.language));
+  GltfOptions model = options.model;
+  model.allowed_paths = options.language.allowed_paths;
+  return LoadedScene(import_gltf(name_, model));
 }
 
 }  // namespace lichtraum::app

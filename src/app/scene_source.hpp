@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "lichtraum/esdf.hpp"
+#include "app/loaded_scene.hpp"
 
 namespace lichtraum::app {
 
@@ -19,8 +19,8 @@ class SceneSource {
   /// The file's name without folder and extension, or "stdin": what a picture is called when nothing else says.
   std::string stem() const;
 
-  /// Same exceptions as EsdfScript::from_file.
-  EsdfScript load(EsdfOptions const& options) const;
+  /// Same exceptions as EsdfScript::from_file and import_gltf.
+  LoadedScene load(LoadOptions const& options) const;
 
  private:
   std::string name_;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -100,6 +101,14 @@ int parse_depth(std::string_view text) { return number_in_range(text, 0, 1000); 
 std::uint64_t parse_seed(std::string_view text) {
   return number_in_range(text, std::uint64_t(0), std::numeric_limits<std::uint64_t>::max());
 }
+
+double parse_time(std::string_view text) {
+  auto const seconds = number<double>(text);
+  if (!seconds || !std::isfinite(*seconds)) throw std::invalid_argument("expected a number of seconds");
+  return *seconds;
+}
+
+int parse_texture_size(std::string_view text) { return number_in_range(text, 1, 65536); }
 
 int parse_bits(std::string_view text) { return word<int>(text, {{"8", 8}, {"16", 16}}); }
 

@@ -17,6 +17,8 @@ Region parse_region(std::string_view text);                               ///< x
 Sampling parse_samples(std::string_view text);                            ///< 16: seeded; 4x4: a grid
 int parse_depth(std::string_view text);                                   ///< 0..1000
 std::uint64_t parse_seed(std::string_view text);                          ///< any 64-bit number
+double parse_time(std::string_view text);                                 ///< seconds
+int parse_texture_size(std::string_view text);                            ///< 1..65536
 int parse_bits(std::string_view text);                                    ///< 8 or 16
 int parse_quality(std::string_view text);                                 ///< 1..100
 Traversal parse_traversal(std::string_view text);                         ///< auto, scalar, wide, packet

@@ -50,7 +50,7 @@ TEST_CASE("the examples in the help texts are good commands", "[app][help]") {
   Lichtraum const lichtraum;
   std::string const folder = std::filesystem::path(LICHTRAUM_PROGRAM).parent_path();
   // A faulty scene shows that the command line was understood, without drawing for long.
-  for (char const* const name : {"hello.sdf", "film.sdf", "old.sdf", "a.sdf", "b.sdf"}) {
+  for (char const* const name : {"hello.sdf", "film.sdf", "old.sdf", "a.sdf", "b.sdf", "model.glb"}) {
     lichtraum.folder.write(name, "define nonsense\n");
   }
   std::size_t count = 0;
@@ -63,7 +63,7 @@ TEST_CASE("the examples in the help texts are good commands", "[app][help]") {
       shell.arguments = {"sh", "-c", example};
       shell.environment = {{"PATH", folder + ":" + std::getenv("PATH")}};
       int const code = run_process(shell).exit_code;
-      bool const reads_a_scene = example.find(".sdf") != std::string::npos;
+      bool const reads_a_scene = example.find(".sdf") != std::string::npos || example.find(".glb") != std::string::npos;
       CHECK((reads_a_scene ? code == 65 : code == 0 || code == 69));
       ++count;
     }

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <new>
 
+#include "core/ascii.hpp"
 #include "core/read_file.hpp"
 #include "io/gltf/extensions.hpp"
 #include "io/gltf/materials.hpp"
@@ -110,6 +111,11 @@ class Importer {
 
 }  // namespace
 }  // namespace gltf
+
+bool is_gltf_file(std::filesystem::path const& path) {
+  std::string const extension = to_lower_ascii(path.extension().string());
+  return extension == ".gltf" || extension == ".glb";
+}
 
 GltfModel import_gltf(std::filesystem::path const& path, GltfOptions const& options) {
   try {

@@ -1,0 +1,24 @@
+#include <unistd.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+
+#include "lichtraum/gltf.hpp"
+#include "scene/flatten.hpp"
+
+// libFuzzer's target for the importer. Run it on seeds from tools/make_gltf_seeds:
+//   gltf_fuzz -max_total_time=60 -rss_limit_mb=2048 seeds
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
+  static std::filesystem::path const path =
+      std::filesystem::temp_directory_path() / ("lichtraum-fuzz-" + std::to_string(::getpid()) + ".gltf");
+  std::ofstream(path, std::ios::binary).write(reinterpret_cast<char const*>(data), std::streamsize(size));
+  try {
+    lichtraum::GltfOptions options;
+    options.time_seconds = 0.5;
+    options.max_texture = 256;
+    lichtraum::flatten(lichtraum::load_gltf(path, options).roots());
+  } catch (lichtraum::Error const&) {  // what a faulty model must end in; anything else is a finding
+  }
+  return 0;
+}

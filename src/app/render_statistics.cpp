@@ -68,7 +68,7 @@ std::string to_json(RunReport const& report) {
 }
 
 std::string summary(PictureReport const& report) {
-  return fmt::format("{}: {}x{}, {:.3g} ms, {:.3g} Mrays/s", report.written_to, report.plan.region.width,
+  return fmt::format("{}: {}x{}, {:.1f} ms, {:.1f} Mrays/s", report.written_to, report.plan.region.width,
                      report.plan.region.height, report.render.trace_ms, report.mrays_per_second());
 }
 
@@ -77,7 +77,7 @@ std::string details(PictureReport const& report) {
   RayCounts const& rays = report.render.rays;
   return fmt::format(
       "  scene: {} triangles, {} spheres, {} boxes, {} instances, {} nodes, {} bytes on the device\n"
-      "  flatten {:.3g} ms, build {:.3g} ms, upload {:.3g} ms, trace {:.3g} ms, write {:.3g} ms\n"
+      "  flatten {:.1f} ms, build {:.1f} ms, upload {:.1f} ms, trace {:.1f} ms, write {:.1f} ms\n"
       "  rays: {} camera ({} hit something), {} shadow, {} mirror and glass",
       s.triangles, s.spheres, s.boxes, s.instances, s.bvh_nodes, s.device_bytes, s.flatten_ms, s.build_ms, s.upload_ms,
       report.render.trace_ms, report.write_ms, rays.camera, rays.camera_hits, rays.shadow, rays.secondary);

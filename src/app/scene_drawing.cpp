@@ -39,7 +39,7 @@ class SceneDrawing {
     is_model_ = script.is_model();
     report.load_ms = milliseconds_since(start);
     console_.show(script.diagnostics());
-    console_.detail(fmt::format("{}: loaded in {:.3g} ms", source_.name(), report.load_ms));
+    console_.detail(fmt::format("{}: loaded in {:.1f} ms", source_.name(), report.load_ms));
 
     std::vector<PicturePlan> const plans = plan_pictures(script, source_, options_, names);
     say_what_was_decided(plans);

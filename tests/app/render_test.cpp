@@ -1,3 +1,5 @@
+#include <signal.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -211,8 +213,15 @@ TEST_CASE("colours and a progress bar are for terminals only", "[app][render]") 
   };
   CHECK_THAT(on_terminal("bad.sdf", false), contains_text("\x1b[1;31merror:\x1b[0m"));
   CHECK_THAT(on_terminal("bad.sdf", true), !contains_text("\x1b["));
-  std::string const slow = "a.sdf --size 600x450 --samples 4x4";
-  CHECK_THAT(on_terminal(slow, true), contains_text("Mrays/s  ") && contains_text(" left") && contains_text(" %"));
-  CHECK_THAT(on_terminal(slow + " -q", true), !contains_text("Mrays/s"));
-  CHECK_THAT(lichtraum.render(slow).err, !contains_text(" left"));
+
+  // A minute of work on two cores, interrupted when a bar must have been seen.
+  auto const interrupted = [&](std::string const& words, bool has_terminal) {
+    Process process = lichtraum.process("render --device reference a.sdf --size 600x450 --samples 60x60 " + words);
+    process.has_terminal = has_terminal;
+    process.signals = {{SIGINT, 1.5}};
+    return run_process(process).err;
+  };
+  CHECK_THAT(interrupted("", true), contains_text("Mrays/s  ") && contains_text(" left") && contains_text(" %"));
+  CHECK_THAT(interrupted("-q", true), !contains_text("Mrays/s"));
+  CHECK_THAT(interrupted("", false), !contains_text(" left"));
 }

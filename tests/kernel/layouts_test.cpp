@@ -338,7 +338,7 @@ TEST_CASE("odd scenes are traced in every layout", "[kernel][layouts]") {
 }
 
 // Too deep a tree for Oclgrind, which would take minutes and gigabytes.
-TEST_CASE("a traversal never needs more stack than the host computes", "[kernel][layouts][uninterpreted]") {
+TEST_CASE("a traversal never needs more stack than the host computes", "[kernel][layouts]") {
   NEEDS_OPENCL_DEVICE();
   // Distances grow so fast that the tree is as deep as it gets.
   FlatScene scene;

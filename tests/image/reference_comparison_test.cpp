@@ -132,6 +132,7 @@ struct Variant {
   int depth = 5;
   ToneMap tone_map = ToneMap::none;
   Transfer transfer = Transfer::linear;
+  Rgb emission{0};  ///< of the red material: eSDF has no word for it
 };
 
 std::vector<Variant> variants() {
@@ -148,6 +149,7 @@ std::vector<Variant> variants() {
       {"mirrors at depth 30", mirrors, {}, 30},
       {"glass", glass},
       {"glass at depth 12", glass, {}, 12},
+      {"glowing shapes", mirrors, {}, 5, ToneMap::none, Transfer::linear, Rgb(0.05, 0.4, 0.3)},
       {"many lights", many_lights()},
       {"grid samples", instances, grid},
       {"seeded samples", instances, seeded},
@@ -166,6 +168,9 @@ RenderRequest request_of(Variant const& variant, Scene const& scene) {
   request.transfer = variant.transfer;
   return request;
 }
+
+std::pair<char const*, Traversal> const layouts[] = {
+    {"scalar", Traversal::scalar}, {"wide", Traversal::wide}, {"packet", Traversal::packet}};
 
 /// The whole scene, scaled and moved, with what looks at it and what lights it.
 Scene placed(std::string const& text, double scale, Vec3 const& offset) {
@@ -188,16 +193,19 @@ Scene placed(std::string const& text, double scale, Vec3 const& offset) {
 
 }  // namespace
 
-TEST_CASE("whole pictures on every OpenCL device agree with the reference tracer", "[image]") {
+TEST_CASE("whole pictures on every OpenCL device, in every layout, agree with the reference tracer", "[image]") {
   REQUIRE_OPENCL_DEVICE();
   for (Variant const& variant : variants()) {
     DYNAMIC_SECTION(variant.name) {
       Scene const scene = scene_of(variant.text);
+      (*scene.materials.find("red"))->set_emission(variant.emission);
       RenderRequest const request = request_of(variant, scene);
       Image const expected = render_reference(scene, request);
       for (DeviceInfo const& device : opencl_devices()) {
-        check_picture(render_on(device, scene, request), expected,
-                      variant.name + ", device " + std::to_string(device.index));
+        for (auto const& [name, traversal] : layouts) {
+          check_picture(render_on(device, scene, request, traversal), expected,
+                        fmt::format("{}, device {}, {}", variant.name, device.index, name));
+        }
       }
     }
   }

@@ -21,8 +21,9 @@ void check_picture(Image const& actual, Image const& expected, std::string const
 /// A request for the whole picture.
 RenderRequest whole_picture(Camera const& camera, Resolution const& resolution);
 
-/// `scene`, or its part `root`, on `device`.
-Image render_on(DeviceInfo const& device, Scene const& scene, RenderRequest const& request);
+/// `scene` on `device`. `traversal` means nothing to the reference renderer.
+Image render_on(DeviceInfo const& device, Scene const& scene, RenderRequest const& request,
+                Traversal traversal = Traversal::automatic);
 
 /// The same by the reference renderer.
 Image render_reference(Scene const& scene, RenderRequest const& request);

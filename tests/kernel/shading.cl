@@ -7,7 +7,8 @@ __kernel void probe_reflect_light(__global PhongMaterial const* materials, __glo
                                   __global float4 const* to_lights, __global float4 const* to_viewers,
                                   __global float4* reflected) {
   size_t const i = get_global_id(0);
-  reflected[i] = (float4)(reflect_light(materials + i, normals[i].xyz, to_lights[i].xyz, to_viewers[i].xyz), 0.f);
+  PhongMaterial const material = materials[i];
+  reflected[i] = (float4)(reflect_light(&material, normals[i].xyz, to_lights[i].xyz, to_viewers[i].xyz), 0.f);
 }
 
 /* w of the result: whether there is a refracted ray. */

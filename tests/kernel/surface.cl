@@ -33,9 +33,9 @@ __kernel void probe_light_visibility(SCENE_ARGUMENTS, __global float4 const* pos
                                      __global float* visibility) {
   size_t const i = get_global_id(0);
   Scene const scene = SCENE_FROM_ARGUMENTS(0u);
-  Surface surface;
-  surface.position = position_offset[i].xyz;
-  surface.normal = normals[i].xyz;
-  surface.offset = position_offset[i].w;
-  visibility[i] = light_visibility(&scene, &surface, surface.normal, light_positions[i].xyz);
+  ShadingPoint point;
+  point.position = position_offset[i].xyz;
+  point.geometric_normal = normals[i].xyz;
+  point.offset = position_offset[i].w;
+  visibility[i] = light_visibility(&scene, &point, light_positions[i].xyz);
 }

@@ -33,7 +33,7 @@ _lichtraum() {
       mapfile -t COMPREPLY < <(compgen -f -- "$current")
       return
       ;;
-    --quality | --region | --camera | --root | --depth | --seed) return ;;
+    --frames | --fps | --turntable | --quality | --region | --camera | --root | --depth | --seed) return ;;
   esac
   if [[ -n $values ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$values" -- "$current")
@@ -46,6 +46,7 @@ _lichtraum() {
       render)
         options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
         options+=' --camera --root --samples --depth --seed --tonemap --transfer --device --traversal'
+        options+=' --frames --fps --turntable --resume'
         ;;
       check) options+=" $language" ;;
       info) options+=" $language --json" ;;

@@ -12,6 +12,7 @@ enum class ErrorKind {
   scene,          ///< a scene or model is faulty (65)
   no_input,       ///< an input cannot be opened (66)
   no_device,      ///< no such device, or it cannot be used (69)
+  unavailable,    ///< another program or a display is needed and not there (69)
   internal,       ///< a fault in lichtraum (70)
   cannot_create,  ///< an output cannot be created (73)
   io,             ///< reading or writing failed half-way (74)

@@ -30,6 +30,26 @@ struct GltfModel {
   std::vector<Diagnostic> diagnostics;
 };
 
+/// A model that is read once and posed at many times: its files, materials and undeformed geometry are shared.
+class GltfAnimation {
+ public:
+  /// Reads what import_gltf reads, with the same exceptions. options.time_seconds plays no role.
+  explicit GltfAnimation(std::filesystem::path const& path, GltfOptions const& options = {});
+  ~GltfAnimation();
+  GltfAnimation(GltfAnimation&&) noexcept;
+  GltfAnimation& operator=(GltfAnimation&&) noexcept;
+
+  /// The time of the last key frame of options.animation; 0 without an animation.
+  double duration_seconds();
+  /// The model at that time; nothing: as the nodes stand in the file. The first call's diagnostics are about the model,
+  /// later ones' about that pose. Same exceptions as import_gltf.
+  GltfModel pose(std::optional<double> time_seconds);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
 /// Whether `path` ends in .gltf or .glb, in any case.
 bool is_gltf_file(std::filesystem::path const& path);
 

@@ -14,6 +14,9 @@ struct ImageEncoding {
   int bits = 8;            ///< per channel; 8 or 16 (16: PNG and PPM only)
   bool ppm_ascii = false;  ///< PPM as text (P3)
   int jpeg_quality = 92;   ///< 1..100
+  /// Stored beside the picture where the format has room for it: PNG in a tEXt chunk "lichtraum fingerprint", OpenEXR
+  /// in a string attribute "lichtraumFingerprint". Empty: nothing is.
+  std::string fingerprint;
 };
 
 /// One row of the table of picture formats.
@@ -24,6 +27,9 @@ struct ImageFormat {
   int max_side;                              ///< pixels
   bool is_linear_float;                      ///< stores radiance as it is: neither tone map nor transfer apply
   std::string (*encode)(Image const& image, ImageEncoding const& encoding);  ///< the file's bytes
+  /// The fingerprint in a whole picture; empty when there is none, or the file is none, or not whole. Null for formats
+  /// without.
+  std::string (*read_fingerprint)(std::filesystem::path const& path);
 };
 
 /// Every format that can be written.

@@ -99,6 +99,24 @@ struct RenderResult {
   RenderStatistics statistics;
 };
 
+/// A scene made ready for a renderer: flat lists, their hierarchies, what shading needs. It does not need the Scene it
+/// was made from any more.
+class PreparedScene {
+ public:
+  virtual ~PreparedScene() = default;
+
+  SceneStatistics statistics;  ///< device_bytes and upload_ms are known once a renderer was given the scene
+  /// The box that holds all that is drawn, in the world; min > max when nothing is.
+  Vec3 bounds_min{0};
+  Vec3 bounds_max{0};
+  /// A hash of everything that decides what rays see. Equal for equal scenes, whatever the device and the traversal,
+  /// except that the reference tracer has its own.
+  std::string fingerprint;
+};
+
+/// A hash of all that decides a picture's pixels, with lichtraum's version: 32 hexadecimal digits.
+std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const& request);
+
 /// Traces pictures of one scene at a time on one device.
 class Renderer {
  public:
@@ -106,14 +124,19 @@ class Renderer {
 
   virtual DeviceInfo const& device() const = 0;
 
-  /// Takes what is drawn of `scene`: all roots, or the shape called `root` with all below it. The scene must outlive
-  /// the next render and is not changed. Throws Error{usage} for an unknown root and Error{no_device} with the numbers
-  /// when the scene does not fit the device.
-  virtual SceneStatistics set_scene(Scene const& scene, std::string_view root = {}) = 0;
+  /// Takes apart what is drawn of `scene`: all roots, or the shape called `root` with all below it. The scene is not
+  /// changed and no longer needed afterwards. What is the same in `previous` (a scene that this renderer prepared, or
+  /// null) is taken from there. May be called from any thread, also while a picture is traced.
+  /// Throws Error{usage} for an unknown root.
+  virtual std::shared_ptr<PreparedScene const> prepare(
+      Scene const& scene, std::string_view root = {},
+      std::shared_ptr<PreparedScene const> const& previous = {}) const = 0;
 
-  /// The box that holds all that is drawn, in the world; min > max when nothing is.
-  virtual Vec3 bounds_min() const = 0;
-  virtual Vec3 bounds_max() const = 0;
+  /// Makes a scene that this renderer prepared the one to draw. Throws Error{no_device} with the numbers when it does
+  /// not fit the device.
+  virtual SceneStatistics set_scene(std::shared_ptr<PreparedScene const> scene) = 0;
+  /// Both in one.
+  SceneStatistics set_scene(Scene const& scene, std::string_view root = {}) { return set_scene(prepare(scene, root)); }
 
   /// Traces request.region of the picture into `image` (size: request.resolution; other pixels are left alone). The
   /// same request gives the same bytes, however the work is cut. When stopped early, finished tiles are in `image`, the

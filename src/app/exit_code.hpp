@@ -14,6 +14,7 @@ constexpr int exit_code(ErrorKind kind) {
     case ErrorKind::no_input:
       return 66;
     case ErrorKind::no_device:
+    case ErrorKind::unavailable:
       return 69;
     case ErrorKind::internal:
       return 70;

@@ -2,24 +2,49 @@
 
 namespace lichtraum::app {
 
+LoadedScene::LoadedScene(GltfAnimation animation, std::vector<double> times_seconds)
+    : content_([&] {
+        GltfModel first = animation.pose(times_seconds.at(0));
+        return AnimatedModel{std::move(animation), std::move(times_seconds), std::move(first)};
+      }()) {}
+
+GltfModel const& LoadedScene::model() const {
+  auto const* animated = std::get_if<AnimatedModel>(&content_);
+  return animated ? animated->first : std::get<GltfModel>(content_);
+}
+
 std::vector<Diagnostic> const& LoadedScene::diagnostics() const {
   auto const* script = std::get_if<EsdfScript>(&content_);
-  return script ? script->diagnostics() : std::get<GltfModel>(content_).diagnostics;
+  return script ? script->diagnostics() : model().diagnostics;
 }
 
 Scene const& LoadedScene::scene() const {
   auto const* script = std::get_if<EsdfScript>(&content_);
-  return script ? script->scene() : std::get<GltfModel>(content_).scene;
+  return script ? script->scene() : model().scene;
 }
 
-void LoadedScene::play(std::function<void(Scene const&, std::size_t)> const& draw) const {
+std::vector<double> const& LoadedScene::times_seconds() const {
+  static std::vector<double> const none;
+  auto const* animated = std::get_if<AnimatedModel>(&content_);
+  return animated ? animated->times_seconds : none;
+}
+
+void LoadedScene::play(std::function<bool(Scene const&, std::size_t)> const& draw) {
+  if (auto* const animated = std::get_if<AnimatedModel>(&content_)) {
+    for (std::size_t i = 0; i < animated->times_seconds.size(); ++i) {
+      bool const goes_on =
+          i == 0 ? draw(animated->first.scene, i) : draw(animated->animation.pose(animated->times_seconds[i]).scene, i);
+      if (!goes_on) return;
+    }
+    return;
+  }
   auto const* script = std::get_if<EsdfScript>(&content_);
-  if (!script || script->scene().renders.empty()) return draw(scene(), 0);
+  if (!script || script->scene().renders.empty()) {
+    draw(scene(), 0);
+    return;
+  }
   std::size_t index = 0;
-  script->play([&](Scene const& scene, RenderCommand const&) {
-    draw(scene, index++);
-    return true;
-  });
+  script->play([&](Scene const& scene, RenderCommand const&) { return draw(scene, index++); });
 }
 
 }  // namespace lichtraum::app

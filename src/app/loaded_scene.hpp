@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <variant>
+#include <vector>
 
 #include "lichtraum/esdf.hpp"
 #include "lichtraum/gltf.hpp"
@@ -12,6 +14,8 @@ namespace lichtraum::app {
 struct LoadOptions {
   EsdfOptions language;  ///< its allowed paths hold for models as well
   GltfOptions model;
+  std::vector<double> times_seconds;  ///< a picture of a model's animation at each; empty: one, see model.time_seconds
+  std::optional<double> whole_animation_rate;  ///< a model's whole animation, at that many pictures a second
 };
 
 /// What a scene file or a model file became.
@@ -19,18 +23,29 @@ class LoadedScene {
  public:
   explicit LoadedScene(EsdfScript script) : content_(std::move(script)) {}
   explicit LoadedScene(GltfModel model) : content_(std::move(model)) {}
+  /// A model at several times (at least one).
+  LoadedScene(GltfAnimation animation, std::vector<double> times_seconds);
 
-  bool is_model() const { return std::holds_alternative<GltfModel>(content_); }
+  bool is_model() const { return !std::holds_alternative<EsdfScript>(content_); }
   std::vector<Diagnostic> const& diagnostics() const;
-  /// At the end of the file.
+  /// At the end of the file; of a model at several times at the first of them.
   Scene const& scene() const;
+  /// Empty unless it is a model at several times.
+  std::vector<double> const& times_seconds() const;
 
-  /// Calls `draw` for each picture that the file asks for, with the scene as it is there and the picture's number; once
-  /// at the end for a file that asks for none.
-  void play(std::function<void(Scene const&, std::size_t)> const& draw) const;
+  /// Calls `draw` for each picture that the file asks for, or each time, with the scene as it is there and its number;
+  /// once at the end for a file that asks for none. `draw` returns false to stop.
+  void play(std::function<bool(Scene const&, std::size_t)> const& draw);
 
  private:
-  std::variant<EsdfScript, GltfModel> content_;
+  struct AnimatedModel {
+    GltfAnimation animation;
+    std::vector<double> times_seconds;
+    GltfModel first;
+  };
+  GltfModel const& model() const;
+
+  std::variant<EsdfScript, GltfModel, AnimatedModel> content_;
 };
 
 }  // namespace lichtraum::app

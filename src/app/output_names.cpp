@@ -4,6 +4,7 @@
 
 #include <cctype>
 
+#include "app/film.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/sandboxed_path.hpp"
 
@@ -52,6 +53,17 @@ OutputNames::OutputNames(OutputOptions options) : options_(std::move(options)) {
     }
   }
   if (options_.file.empty() || options_.file == "-") return;
+  if (find_film_format(options_.file)) {
+    is_film_ = true;
+    if (!number_format_.empty()) {
+      throw Error(ErrorKind::usage, fmt::format("'{}': a film is one file, without a number in its name", pattern));
+    }
+    if (options_.format) {
+      throw Error(ErrorKind::usage, fmt::format("--format {} contradicts the name '{}': leave one of them out",
+                                                options_.format->name, pattern));
+    }
+    return;
+  }
   ImageFormat const* const by_extension = find_image_format(options_.file);
   // A device or pipe has no extension to choose: PNG, as on standard output.
   if (!by_extension && !options_.format && number_format_.empty() && is_stream(path_of(""))) {
@@ -65,12 +77,16 @@ OutputNames::OutputNames(OutputOptions options) : options_(std::move(options)) {
 }
 
 bool OutputNames::has_one_name() const {
-  return !options_.file.empty() && options_.file != "-" && number_format_.empty();
+  return !options_.file.empty() && options_.file != "-" && number_format_.empty() && !is_film_;
 }
 
-Output OutputNames::next(std::string const& name_in_scene) {
+Output OutputNames::next(std::string const& name_in_scene, bool is_one_of_many) {
   ++number_;
-  return options_.file.empty() ? from_scene(name_in_scene) : from_command_line();
+  if (!options_.file.empty()) return from_command_line();
+  if (!is_one_of_many) return from_scene(name_in_scene);
+  fs::path const name = name_in_scene;
+  std::string const numbered = fmt::format("{}_{:04}{}", name.stem().string(), number_, name.extension().string());
+  return from_scene((name.parent_path() / numbered).string());
 }
 
 fs::path OutputNames::path_of(std::string const& number) const {
@@ -87,6 +103,12 @@ Output OutputNames::from_command_line() {
   }
   std::string const number = number_format_.empty() ? "" : fmt::format(fmt::runtime(number_format_), number_);
   output.path = path_of(number);
+  if (is_film_) {
+    output.is_film = true;
+    output.format = &image_format_named("ppm");
+    output.shown = output.path.string();
+    return output;
+  }
   output.format = options_.format ? options_.format : &image_format_for(output.path);
   output.shown = output.path.string();
   return output;

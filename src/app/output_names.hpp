@@ -20,8 +20,9 @@ struct OutputOptions {
 struct Output {
   std::filesystem::path path;  ///< empty: standard output
   ImageFormat const* format = nullptr;
-  std::string shown;  ///< for messages
-  std::string note;   ///< what was decided that the user did not ask for; may be empty
+  std::string shown;     ///< for messages
+  std::string note;      ///< what was decided that the user did not ask for; may be empty
+  bool is_film = false;  ///< one of the pictures of the film `path`
 
   bool is_standard_output() const { return path.empty(); }
   /// Where an unfinished picture goes: picture.partial.png.
@@ -36,10 +37,15 @@ class OutputNames {
 
   /// Whether pictures would overwrite each other when there is more than one.
   bool has_one_name() const;
+  /// Whether all pictures go into one film.
+  bool is_film() const { return is_film_; }
+  /// The number that the next picture gets; 1 unless this is called.
+  void start_at(int number) { number_ = number - 1; }
 
-  /// For the next picture; `name_in_scene` is what the scene calls it. Throws Error{scene} for a name that leads out of
-  /// the output folder.
-  Output next(std::string const& name_in_scene);
+  /// For the next picture; `name_in_scene` is what the scene calls it. `is_one_of_many`: the scene's name is for more
+  /// than this picture, which gets its number in addition (hello_0001.png). Throws Error{scene} for a name that leads
+  /// out of the output folder.
+  Output next(std::string const& name_in_scene, bool is_one_of_many = false);
 
  private:
   std::filesystem::path path_of(std::string const& number) const;
@@ -51,6 +57,7 @@ class OutputNames {
   std::string after_number_;
   std::string number_format_;  // of fmt, empty without a pattern
   int number_ = 0;             // of the last picture named
+  bool is_film_ = false;
 };
 
 }  // namespace lichtraum::app

@@ -95,7 +95,7 @@ void check_encoding(PicturePlan const& plan) {
 }
 
 PicturePlan plan_picture(Scene const& scene, SceneSource const& source, RenderCommand const& command,
-                         RenderOptions const& options, OutputNames& names) {
+                         RenderOptions const& options, OutputNames& names, bool is_one_of_many) {
   Camera const& camera = find_camera(scene, source, options, command.camera);
   PicturePlan plan;
   plan.camera = camera.name();
@@ -104,10 +104,10 @@ PicturePlan plan_picture(Scene const& scene, SceneSource const& source, RenderCo
   plan.region = choose_region(plan.size, options);
   plan.sampling = choose_sampling(command, options);
   plan.depth = options.depth.value_or(command.depth.value_or(default_depth));
-  plan.output = names.next(command.file);
+  plan.output = names.next(command.file, is_one_of_many);
   plan.encoding = options.encoding;
   check_encoding(plan);
-  if (!plan.output.is_standard_output()) check_writable(plan.output.path);
+  if (!plan.output.is_standard_output() && !plan.output.is_film) check_writable(plan.output.path);
   return plan;
 }
 
@@ -131,14 +131,28 @@ std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource co
     command.file = scene.filename.empty() ? source.stem() + ".png" : scene.filename;
     commands.push_back(command);
   }
-  if (commands.size() > 1 && names.has_one_name()) {
+  std::vector<double> const& times = script.times_seconds();
+  std::size_t const scene_count = times.empty() ? commands.size() : times.size();
+  int const turns = std::max(1, options.turntable);
+  std::size_t const picture_count = scene_count * std::size_t(turns);
+  if (picture_count > 1 && names.has_one_name()) {
     throw Error(ErrorKind::usage,
                 fmt::format("{} draws {} pictures, and --output names one file: write a number into the name, such as "
-                            "-o picture-%04d.png",
-                            source.name(), commands.size()));
+                            "-o picture-%04d.png, or make a film, -o film.mp4",
+                            source.name(), picture_count));
   }
   std::vector<PicturePlan> plans;
-  for (RenderCommand const& command : commands) plans.push_back(plan_picture(scene, source, command, options, names));
+  for (std::size_t scene_number = 0; scene_number < scene_count; ++scene_number) {
+    RenderCommand const& command = commands[times.empty() ? scene_number : 0];
+    for (int turn = 0; turn < turns; ++turn) {
+      bool const is_one_of_many = turns > 1 || times.size() > 1;
+      PicturePlan plan = plan_picture(scene, source, command, options, names, is_one_of_many);
+      plan.scene_number = scene_number;
+      if (!times.empty()) plan.time_seconds = times[scene_number];
+      plan.turn_degrees = 360.0 * turn / turns;
+      plans.push_back(std::move(plan));
+    }
+  }
   return plans;
 }
 

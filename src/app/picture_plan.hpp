@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@ namespace lichtraum::app {
 
 /// One picture of a scene, everything decided and checked before anything is drawn.
 struct PicturePlan {
+  std::size_t scene_number = 0;        ///< which of the scenes that LoadedScene::play shows
+  std::optional<double> time_seconds;  ///< of a model's animation
+  double turn_degrees = 0;             ///< how far the camera is carried around the scene
   std::string camera;
   Output output;
   ImageEncoding encoding;
@@ -19,10 +23,11 @@ struct PicturePlan {
   int depth = 0;
 };
 
-/// A plan for each `render` of the script, in order; for a script without any, one of its only (or first) camera. What
-/// the command line says wins over the render statement, that over the camera, that over the scene's defaults, those
-/// over 640x480, one sample a pixel and depth 5.
-/// Throws Error{usage}, Error{scene} and Error{cannot_create}, the last when a file could not be written.
+/// A plan for each `render` of the script (or each time of a model), in order; for a script without any, one of its
+/// only (or first) camera; for a turntable, as many as that has for each of these. What the command line says wins over
+/// the render statement, that over the camera, that over the scene's defaults, those over 640x480, one sample a pixel
+/// and depth 5. Throws Error{usage}, Error{scene} and Error{cannot_create}, the last when a file could not be written.
+/// The pictures of a film must have one size.
 std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource const& source,
                                        RenderOptions const& options, OutputNames& names);
 

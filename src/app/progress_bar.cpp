@@ -46,19 +46,19 @@ std::string progress_line(std::string const& title, RenderProgress const& progre
   return fmt::format("{}  [{}]  {}", title, bar, numbers);
 }
 
-ProgressBar::ProgressBar(Console const& console, std::string title)
-    : is_wanted_(console.is_terminal() && !console.is_quiet()), title_(std::move(title)) {}
+ProgressBar::ProgressBar(Console const& console) : is_wanted_(console.is_terminal() && !console.is_quiet()) {}
 
-ProgressBar::~ProgressBar() {
+void ProgressBar::clear() {
   if (is_drawn_) write_at_once("\r\x1b[K");
+  is_drawn_ = false;
 }
 
-void ProgressBar::update(RenderProgress const& progress) {
+void ProgressBar::update(std::string const& title, RenderProgress const& progress) {
   if (!is_wanted_ || progress.elapsed_seconds < next_seconds_) return;
   next_seconds_ = progress.elapsed_seconds + interval_seconds;
   is_drawn_ = true;
   // Overwrites the old line and clears what is left of it behind: no empty line in between, no flicker.
-  write_at_once("\r" + progress_line(title_, progress, terminal_columns()) + "\x1b[K");
+  write_at_once("\r" + progress_line(title, progress, terminal_columns()) + "\x1b[K");
 }
 
 }  // namespace lichtraum::app

@@ -11,16 +11,17 @@ namespace lichtraum::app {
 /// --quiet, or when the work takes less than 0.3 seconds.
 class ProgressBar {
  public:
-  ProgressBar(Console const& console, std::string title);
-  ~ProgressBar();
+  explicit ProgressBar(Console const& console);
+  ~ProgressBar() { clear(); }
   ProgressBar(ProgressBar const&) = delete;
   ProgressBar& operator=(ProgressBar const&) = delete;
 
-  void update(RenderProgress const& progress);
+  void update(std::string const& title, RenderProgress const& progress);
+  /// Makes room for a message.
+  void clear();
 
  private:
   bool is_wanted_;
-  std::string title_;
   double next_seconds_ = 0.3;
   bool is_drawn_ = false;
 };

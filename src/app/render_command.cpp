@@ -2,28 +2,32 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
-#include "app/exit_code.hpp"
+#include "app/film.hpp"
+#include "app/input_list.hpp"
 #include "app/renderer_choice.hpp"
-#include "app/scene_drawing.hpp"
+#include "app/sequence.hpp"
+#include "app/stopwatch.hpp"
 #include "app/values.hpp"
 
 namespace lichtraum::app {
 namespace {
 
 constexpr char const* description =
-    "Draws scenes to pictures. SCENE is an eSDF file, a glTF model (.gltf, .glb), or\n"
-    "- for standard input. A scene names its pictures itself; one that does not, and\n"
-    "a model, is drawn to <scene>.png.";
+    "Draws scenes to pictures. SCENE is an eSDF file, a glTF model (.gltf, .glb),\n"
+    "- for standard input, or a pattern in quotes, such as 'frames/*.sdf'. A scene\n"
+    "names its pictures itself; one that does not, and a model, is drawn to\n"
+    "<scene>.png.";
 
 constexpr char const* examples =
     "  lichtraum render hello.sdf\n"
     "  lichtraum render hello.sdf -o hello.exr --size 1920x1080 --samples 4x4\n"
     "  lichtraum render model.glb --time 1.5 -o model.png\n"
-    "  lichtraum render film.sdf -o frames/%04d.png\n"
+    "  lichtraum render film.sdf -o frames/%04d.png --resume\n"
+    "  lichtraum render 'frames/*.sdf' -o film.mp4 --fps 30\n"
+    "  lichtraum render model.glb --turntable 90 -o around.webm\n"
     "  lichtraum render old.sdf --rotation left --transform-order local\n"
     "  lichtraum render - -o - --format ppm < hello.sdf > hello.ppm\n"
     "  lichtraum render a.sdf b.sdf --output-dir pictures --json -q\n";
@@ -33,7 +37,8 @@ void add_output_options(CLI::App& parser, RenderOptions& options) {
   auto const path = [](std::string const& text) { return std::filesystem::path(parse_name(text)); };
   auto const format = [](std::string const& text) { return &image_format_named(text); };
   add_value(parser, "-o,--output", options.output.file, parse_name, "FILE",
-            "Write to FILE: a name with .png, .ppm, .jpg,\n.exr or .pfm; %04d numbers pictures; - is\nstandard output",
+            "Write to FILE: a name with .png, .ppm, .jpg,\n.exr or .pfm; %04d numbers pictures; .mp4,\n.webm or .gif "
+            "is a film; - is standard output",
             group);
   add_value(parser, "--format", options.output.format, format, "NAME", "png, ppm, jpg, exr or pfm, whatever the name",
             group);
@@ -51,6 +56,20 @@ void add_output_options(CLI::App& parser, RenderOptions& options) {
   parser.add_flag("--ppm-ascii", options.encoding.ppm_ascii, "Write .ppm as text")->group(group);
   parser
       .add_flag("--json", options.json, "Print statistics as JSON, to standard output\n(to standard error with -o -)")
+      ->group(group);
+}
+
+void add_sequence_options(CLI::App& parser, RenderOptions& options) {
+  std::string const group = "Sequences and films";
+  add_value(parser, "--frames", options.frames, parse_frames, "A..B",
+            "Draw these frames of a model's animation: frame\nN is N / fps seconds from its start", group);
+  add_value(parser, "--fps", options.frames_per_second, parse_frame_rate, "N",
+            "Frames a second of --frames and of films\n(default: 25)", group);
+  add_value(parser, "--turntable", options.turntable, parse_turntable, "N",
+            "Draw N pictures with the camera going around\nwhat is seen", group);
+  parser
+      .add_flag("--resume", options.resume,
+                "Leave pictures that are there already, from the\nsame scene with the same settings (.png, .exr)")
       ->group(group);
 }
 
@@ -92,6 +111,7 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Console& c
   parser->add_option("scene", options.scenes, "eSDF files, glTF models")->required()->type_name("SCENE...");
   add_output_options(*parser, options);
   add_picture_options(*parser, options);
+  add_sequence_options(*parser, options);
   add_quality_options(*parser, options);
   add_language_options(*parser, options.load.language);
   add_model_options(*parser, options.load.model);
@@ -105,51 +125,53 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Console& c
   return true;
 }
 
+/// What the options say together; throws Error{usage} where they contradict each other.
+void combine(RenderOptions& options, std::vector<std::string> const& inputs, OutputNames& names) {
+  if (inputs.size() > 1 && names.has_one_name()) {
+    throw Error(ErrorKind::usage,
+                "--output names one file, and there are several scenes: write a number into the name, "
+                "such as -o picture-%04d.png, or make a film, -o film.mp4");
+  }
+  if (options.frames) {
+    if (options.load.model.time_seconds) throw Error(ErrorKind::usage, "--time and --frames: one of them");
+    if (options.turntable > 0) throw Error(ErrorKind::usage, "--turntable and --frames: one of them");
+    if (inputs.size() != 1 || !is_gltf_file(inputs.front())) {
+      throw Error(ErrorKind::usage, "--frames is for one animated glTF model");
+    }
+    for (int frame = options.frames->first; frame <= options.frames->last; ++frame) {
+      options.load.times_seconds.push_back(frame / options.frame_rate());
+    }
+    names.start_at(options.frames->first);
+  } else if (options.frames_per_second && !names.is_film()) {
+    throw Error(ErrorKind::usage, "--fps is for films (-o film.mp4) and for --frames");
+  } else if (names.is_film() && options.turntable == 0 && !options.load.model.time_seconds) {
+    options.load.whole_animation_rate = options.frame_rate();
+  }
+  if (names.is_film()) {
+    if (options.resume) {
+      throw Error(ErrorKind::usage, "a film cannot be resumed: --resume goes on with pictures (-o picture-%04d.png)");
+    }
+    check_ffmpeg();
+  }
+}
+
 }  // namespace
 
 int render_command(Arguments const& arguments, Console& console) {
   RenderOptions options;
   if (!parse_render(arguments, options, console)) return 0;
   OutputNames names(options.output);
-  if (options.scenes.size() > 1 && names.has_one_name()) {
-    throw Error(ErrorKind::usage,
-                "--output names one file, and there are several scenes: write a number into the name, "
-                "such as -o picture-%04d.png");
-  }
+  std::vector<std::string> const inputs = expand_patterns(options.scenes);
+  combine(options, inputs, names);
   if (options.size) check_memory(*options.size, ErrorKind::usage);
 
-  auto const start = std::chrono::steady_clock::now();
+  Stopwatch const stopwatch;
   auto const renderer = choose_renderer(options.device, options.traversal, console);
   console.detail(fmt::format("device {}: {}", renderer->device().index, renderer->device().name));
   RunReport report;
   report.device = renderer->device();
-
-  int code = 0;
-  std::size_t failed = 0;
-  for (std::string const& scene : options.scenes) {
-    SceneReport& scene_report = report.scenes.emplace_back();
-    scene_report.file = scene;
-    ErrorKind kind{};
-    try {
-      draw_scene(SceneSource(scene), options, names, *renderer, console, scene_report);
-      continue;
-    } catch (SceneError const& error) {
-      console.show(error.diagnostics());
-      scene_report.error = error.what();
-      kind = error.kind();
-    } catch (Error const& error) {
-      console.error(error.what());
-      scene_report.error = error.what();
-      kind = error.kind();
-    }
-    ++failed;
-    if (code == 0 || kind == ErrorKind::interrupted) code = exit_code(kind);
-    if (kind == ErrorKind::interrupted) break;
-  }
-  if (failed > 0 && options.scenes.size() > 1 && code != exit_code(ErrorKind::interrupted)) {
-    console.error(fmt::format("{} of {} scenes could not be drawn", failed, options.scenes.size()));
-  }
-  report.total_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  int const code = draw_sequence(inputs, options, names, *renderer, console, report);
+  report.total_ms = stopwatch.milliseconds();
   if (options.json) {
     std::string const json = to_json(report);
     options.output.file == "-" ? console.data(json) : write_standard_output(json);

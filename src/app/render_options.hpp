@@ -6,6 +6,7 @@
 
 #include "app/loaded_scene.hpp"
 #include "app/output_names.hpp"
+#include "app/values.hpp"
 #include "lichtraum/renderer.hpp"
 
 namespace lichtraum::app {
@@ -34,7 +35,15 @@ struct RenderOptions {
   std::string device;
   Traversal traversal = Traversal::automatic;
 
+  std::optional<FrameRange> frames;  // of a model's animation
+  std::optional<double> frames_per_second;
+  int turntable = 0;  // pictures around the scene; 0: as the camera stands
+  bool resume = false;
+
   bool json = false;
+
+  double frame_rate() const { return frames_per_second.value_or(default_frame_rate); }
+  static constexpr double default_frame_rate = 25;
 };
 
 }  // namespace lichtraum::app

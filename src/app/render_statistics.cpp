@@ -16,7 +16,10 @@ Json picture_json(PictureReport const& report) {
   Region const& region = report.plan.region;
   return {{"output", report.written_to.empty() ? Json() : Json(report.written_to)},
           {"complete", report.is_complete},
-          {"format", report.plan.output.format->name},
+          {"skipped", report.is_skipped},
+          {"format", report.plan.output.is_film ? "film" : report.plan.output.format->name},
+          {"time_seconds", report.plan.time_seconds ? Json(*report.plan.time_seconds) : Json()},
+          {"turn_degrees", report.plan.turn_degrees},
           {"camera", report.plan.camera},
           {"width", report.plan.size.width},
           {"height", report.plan.size.height},
@@ -29,6 +32,7 @@ Json picture_json(PictureReport const& report) {
           {"instances", report.scene.instances},
           {"bvh_nodes", report.scene.bvh_nodes},
           {"device_bytes", report.scene.device_bytes},
+          {"load_ms", report.load_ms},
           {"flatten_ms", report.scene.flatten_ms},
           {"build_ms", report.scene.build_ms},
           {"upload_ms", report.scene.upload_ms},
@@ -62,6 +66,7 @@ std::string to_json(RunReport const& report) {
                     {"name", report.device.name},
                     {"platform", report.device.platform}}},
                   {"scenes", scenes},
+                  {"film", report.film.empty() ? Json() : Json(report.film)},
                   {"total_ms", report.total_ms}};
   // File names and messages need not be UTF-8, JSON must be.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -12,6 +12,8 @@ struct PictureReport {
   PicturePlan plan;
   std::string written_to;  ///< empty when nothing was written
   bool is_complete = false;
+  bool is_skipped = false;  ///< with --resume: it was there already
+  double load_ms = 0;       ///< bringing the scene to where it is in this picture
   SceneStatistics scene;
   RenderStatistics render;
   double write_ms = 0;  ///< encoding and writing
@@ -31,6 +33,7 @@ struct SceneReport {
 struct RunReport {
   DeviceInfo device;
   std::vector<SceneReport> scenes;
+  std::string film;  ///< where it is; empty without one
   double total_ms = 0;
 };
 

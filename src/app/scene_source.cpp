@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 
 namespace lichtraum::app {
@@ -26,6 +27,19 @@ std::string read_standard_input() {
   }
 }
 
+/// Without the moment at the end, which a film that is repeated begins with. Empty for an animation of no length.
+std::vector<double> whole_animation(double duration_seconds, double rate, std::string const& name) {
+  constexpr double most_frames = 100'000;
+  double const count = std::round(duration_seconds * rate);
+  if (count > most_frames) {
+    throw Error(ErrorKind::usage,
+                fmt::format("{}: the animation is {:.3g} s long: --frames chooses some of it", name, duration_seconds));
+  }
+  std::vector<double> times;
+  for (int frame = 0; frame < count; ++frame) times.push_back(frame / rate);
+  return times;
+}
+
 }  // namespace
 
 SceneSource::SceneSource(std::string argument) : name_(std::move(argument)) {
@@ -41,7 +55,12 @@ LoadedScene SceneSource::load(LoadOptions const& options) const {
   if (!is_gltf_file(name_)) return LoadedScene(EsdfScript::from_file(name_, options.language));
   GltfOptions model = options.model;
   model.allowed_paths = options.language.allowed_paths;
-  return LoadedScene(import_gltf(name_, model));
+  if (options.times_seconds.empty() && !options.whole_animation_rate) return LoadedScene(import_gltf(name_, model));
+  GltfAnimation animation(name_, model);
+  std::vector<double> times = options.times_seconds;
+  if (times.empty()) times = whole_animation(animation.duration_seconds(), *options.whole_animation_rate, name_);
+  if (times.empty()) return LoadedScene(animation.pose(std::nullopt));
+  return LoadedScene(std::move(animation), std::move(times));
 }
 
 }  // namespace lichtraum::app

@@ -108,6 +108,24 @@ double parse_time(std::string_view text) {
   return *seconds;
 }
 
+FrameRange parse_frames(std::string_view text) {
+  std::size_t const dots = text.find("..");
+  auto const first = number<int>(text.substr(0, dots));
+  auto const last = dots == std::string_view::npos ? first : number<int>(text.substr(dots + 2));
+  if (!first || !last || *first < 0) throw std::invalid_argument("expected numbers of frames, such as 0..99");
+  if (*first > *last) throw std::invalid_argument("expected the first frame before the last");
+  if (*last > 10'000'000) throw std::invalid_argument("expected frames up to 10000000");
+  return {*first, *last};
+}
+
+double parse_frame_rate(std::string_view text) {
+  auto const rate = number<double>(text);
+  if (!rate || !(*rate > 0 && *rate <= 1000)) throw std::invalid_argument("expected frames a second, up to 1000");
+  return *rate;
+}
+
+int parse_turntable(std::string_view text) { return number_in_range(text, 1, 100'000); }
+
 int parse_texture_size(std::string_view text) { return number_in_range(text, 1, 65536); }
 
 int parse_bits(std::string_view text) { return word<int>(text, {{"8", 8}, {"16", 16}}); }

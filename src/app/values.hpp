@@ -8,6 +8,16 @@
 #include "lichtraum/esdf.hpp"
 #include "lichtraum/renderer.hpp"
 
+namespace lichtraum::app {
+
+/// Numbers of frames, both included; 0 <= first <= last.
+struct FrameRange {
+  int first = 0;
+  int last = 0;
+};
+
+}  // namespace lichtraum::app
+
 /// Values of options from text. Each throws std::invalid_argument that says what was expected.
 
 namespace lichtraum::app {
@@ -18,6 +28,9 @@ Sampling parse_samples(std::string_view text);                            ///< 1
 int parse_depth(std::string_view text);                                   ///< 0..1000
 std::uint64_t parse_seed(std::string_view text);                          ///< any 64-bit number
 double parse_time(std::string_view text);                                 ///< seconds
+FrameRange parse_frames(std::string_view text);                           ///< 0..99, both included
+double parse_frame_rate(std::string_view text);                           ///< frames a second: > 0, <= 1000
+int parse_turntable(std::string_view text);                               ///< 1..100000
 int parse_texture_size(std::string_view text);                            ///< 1..65536
 int parse_bits(std::string_view text);                                    ///< 8 or 16
 int parse_quality(std::string_view text);                                 ///< 1..100

@@ -73,10 +73,13 @@ cl::Device find_device(DeviceInfo const& wanted) {
 template <class T>
 class HostBuffer {
  public:
-  void create(cl::Context const& context, cl_mem_flags flags, std::vector<T>& data) {
-    // A buffer of no bytes is not allowed; the kernels do not read it.
-    if (data.empty()) data.emplace_back();
-    buffer_ = cl::Buffer(context, flags | CL_MEM_USE_HOST_PTR, sizeof(T) * data.size(), data.data());
+  void create(cl::Context const& context, cl_mem_flags flags, std::vector<T> const& data) {
+    // A buffer of no bytes is not allowed; the kernels do not touch it.
+    if (data.empty()) {
+      buffer_ = cl::Buffer(context, flags, sizeof(T));
+      return;
+    }
+    buffer_ = cl::Buffer(context, flags | CL_MEM_USE_HOST_PTR, sizeof(T) * data.size(), const_cast<T*>(data.data()));
   }
   cl::Buffer const& get() const { return buffer_; }
 
@@ -93,7 +96,8 @@ struct TileTracer::State {
   cl::CommandQueue queue;
   std::map<std::string, cl::Kernel> kernels;  // by their programs' options
 
-  SceneBuffers scene;
+  std::shared_ptr<SceneBuffers const> scene = std::make_shared<SceneBuffers>();
+  bool is_uploaded = false;
   std::uint64_t device_bytes = 0;
   HostBuffer<device::BvhNode> nodes;
   HostBuffer<device::PrimitiveReference> references;
@@ -119,21 +123,21 @@ struct TileTracer::State {
   /// Calls f(vector, buffer) for each array of the scene, in the order of the kernel's arguments.
   template <class F>
   void for_each_array(F&& f) {
-    if (scene.traversal == Traversal::scalar) {
-      f(scene.nodes, nodes);
-      f(scene.references, references);
-      f(scene.triangles, triangles);
+    if (scene->traversal == Traversal::scalar) {
+      f(scene->nodes, nodes);
+      f(scene->references, references);
+      f(scene->triangles, triangles);
     } else {
-      f(scene.wide_nodes, wide_nodes);
-      f(scene.triangle_blocks, triangle_blocks);
-      f(scene.triangle_tags, triangle_tags);
+      f(scene->wide_nodes, wide_nodes);
+      f(scene->triangle_blocks, triangle_blocks);
+      f(scene->triangle_tags, triangle_tags);
     }
-    f(scene.spheres, spheres);
-    f(scene.ellipsoids, ellipsoids);
-    f(scene.boxes, boxes);
-    f(scene.instances, instances);
-    f(scene.materials, materials);
-    f(scene.lights, lights);
+    f(scene->spheres, spheres);
+    f(scene->ellipsoids, ellipsoids);
+    f(scene->boxes, boxes);
+    f(scene->instances, instances);
+    f(scene->materials, materials);
+    f(scene->lights, lights);
   }
 
   void check_size() {
@@ -154,9 +158,9 @@ struct TileTracer::State {
 
   cl::Kernel& kernel_for(device::uint max_depth) {
     std::string options = fmt::format("-cl-std=CL1.2 -D RAY_STACK_SIZE={} -D {}", ray_stack_size(max_depth),
-                                      layout_name(scene.traversal));
-    if (scene.traversal != Traversal::scalar) {
-      options += fmt::format(" -D TRAVERSAL_STACK_SIZE={}", traversal_stack_size(scene.stack_size));
+                                      layout_name(scene->traversal));
+    if (scene->traversal != Traversal::scalar) {
+      options += fmt::format(" -D TRAVERSAL_STACK_SIZE={}", traversal_stack_size(scene->stack_size));
     }
     auto found = kernels.find(options);
     if (found == kernels.end()) {
@@ -178,15 +182,19 @@ TileTracer::TileTracer(DeviceInfo const& device) : state_(std::make_unique<State
 
 TileTracer::~TileTracer() = default;
 
-void TileTracer::upload(SceneBuffers scene) {
+void TileTracer::upload(std::shared_ptr<SceneBuffers const> scene) {
+  if (state_->is_uploaded && scene == state_->scene) return;
+  state_->is_uploaded = false;
   state_->scene = std::move(scene);
   state_->check_size();
   checked([&] {
-    state_->for_each_array([&](auto& data, auto& buffer) { buffer.create(state_->context, CL_MEM_READ_ONLY, data); });
+    state_->for_each_array(
+        [&](auto const& data, auto& buffer) { buffer.create(state_->context, CL_MEM_READ_ONLY, data); });
   });
+  state_->is_uploaded = true;
 }
 
-SceneBuffers const& TileTracer::scene() const { return state_->scene; }
+SceneBuffers const& TileTracer::scene() const { return *state_->scene; }
 std::uint64_t TileTracer::device_bytes() const { return state_->device_bytes; }
 
 void TileTracer::begin_frame(device::FrameParameters const& frame, Image& image) {
@@ -214,7 +222,7 @@ void TileTracer::begin_frame(device::FrameParameters const& frame, Image& image)
 RayCounts TileTracer::trace(device::Tile const& tile) {
   State& state = *state_;
   constexpr cl_uint tile_argument = 1, rays_argument = 12;
-  LaunchSize const size = launch_size(tile, state.scene.traversal);
+  LaunchSize const size = launch_size(tile, state.scene->traversal);
   std::size_t const work_items = size.width * size.height;
   RayCounts counts;
   checked([&] {

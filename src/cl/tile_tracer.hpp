@@ -16,9 +16,10 @@ class TileTracer {
   explicit TileTracer(DeviceInfo const& device);
   ~TileTracer();
 
-  /// Makes the scene the device's own. CPU devices read it where it is, without a copy.
-  /// Throws Error{no_device} with the numbers when it does not fit.
-  void upload(SceneBuffers scene);
+  /// Makes the scene the device's own. CPU devices read it where it is, without a copy; nothing happens for the scene
+  /// that is there already. Throws Error{no_device} with the numbers when it does not fit.
+  void upload(std::shared_ptr<SceneBuffers const> scene);
+  /// The one uploaded last, else an empty one.
   SceneBuffers const& scene() const;
   std::uint64_t device_bytes() const;
 

@@ -1,6 +1,10 @@
 #include "compile/scene_buffers.hpp"
 
+#include <algorithm>
+#include <array>
 #include <iterator>
+#include <memory>
+#include <span>
 
 #include "accel/bvh.hpp"
 #include "accel/primitive_bounds.hpp"
@@ -19,13 +23,37 @@ void append(std::vector<T>& all, std::vector<T>&& more) {
   }
 }
 
+template <class T>
+void append(std::vector<T>& all, std::span<T const> more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+void hash_primitives(FlatObject const& object, ContentHasher& hasher) {
+  hasher.add(object.triangles);
+  hasher.add(object.spheres);
+  hasher.add(object.ellipsoids);
+  hasher.add(object.boxes);
+}
+
 class Compiler {
  public:
-  explicit Compiler(Traversal traversal) { buffers_.traversal = traversal; }
+  Compiler(Traversal traversal, SceneBuffers const* previous) : previous_(previous) { buffers_.traversal = traversal; }
 
-  /// Moves the object's primitives into the buffers; returns its hierarchy's input.
-  std::vector<BuildPrimitive> take(FlatObject&& object) {
-    std::vector<BuildPrimitive> all;
+  /// An object's primitives are in the buffers, its hierarchy is not built yet.
+  struct Pending {
+    ContentHasher content;
+    std::vector<BuildPrimitive> primitives;
+  };
+
+  /// Moves the object's primitives into the buffers.
+  std::unique_ptr<Pending> take(FlatObject&& object) {
+    auto pending = std::make_unique<Pending>();
+    hash_primitives(object, pending->content);
+    hash_primitives(object, scene_content_);
+    // Leaves name primitives by where they are in all of the scene.
+    pending->content.add(std::array{buffers_.triangles.size(), buffers_.spheres.size(), buffers_.ellipsoids.size(),
+                                    buffers_.boxes.size()});
+    std::vector<BuildPrimitive>& all = pending->primitives;
     all.reserve(object.primitive_count());
     refer(object.triangles, PRIMITIVE_TRIANGLE, buffers_.triangles.size(), all);
     refer(object.spheres, PRIMITIVE_SPHERE, buffers_.spheres.size(), all);
@@ -35,28 +63,36 @@ class Compiler {
     append(buffers_.spheres, std::move(object.spheres));
     append(buffers_.ellipsoids, std::move(object.ellipsoids));
     append(buffers_.boxes, std::move(object.boxes));
-    return all;
+    return pending;
   }
 
-  struct Object {
-    device::uint root_node;
-    Bounds bounds;
-    std::size_t stack_size = 0;
-  };
-
-  Object build(std::vector<BuildPrimitive>&& primitives) {
-    Bvh bvh = build_bvh(std::move(primitives));
-    if (buffers_.traversal != Traversal::scalar) return add_wide(bvh);
-    auto const first_node = device::uint(buffers_.nodes.size());
-    auto const first_reference = device::uint(buffers_.references.size());
-    for (device::BvhNode& node : bvh.nodes) {
-      for (device::BvhChild& child : node.children) child.first += child.count == 0 ? first_node : first_reference;
-    }
-    append(buffers_.nodes, std::move(bvh.nodes));
-    append(buffers_.references, std::move(bvh.references));
-    return {first_node, bvh.bounds, 0};
+  CompiledObject const& build(std::unique_ptr<Pending> pending) {
+    ContentHash const content = pending->content.finish();
+    CompiledObject const* const known = find_in_previous(content);
+    CompiledObject object = known                                     ? copy(*known)
+                            : buffers_.traversal == Traversal::scalar ? add_binary(std::move(pending->primitives))
+                                                                      : add_wide(std::move(pending->primitives));
+    object.content = content;
+    buffers_.objects.push_back(object);
+    return buffers_.objects.back();
   }
 
+  void add_instance(FlatInstance const& instance, CompiledObject const& object, Pending& world) {
+    Bounds const bounds = map_bounds(instance.world_from_object, object.bounds);
+    if (bounds.is_empty()) return;
+    refer(bounds, {PRIMITIVE_INSTANCE, device::uint(buffers_.instances.size())}, world.primitives);
+    device::Instance const placed{device_transform(instance.world_from_object.inverse()), object.root_node, {}};
+    world.content.add(placed.object_from_world);
+    world.content.add(bounds);
+    scene_content_.add(placed.object_from_world);
+    scene_content_.add(instance.object);
+    buffers_.instances.push_back(placed);
+  }
+
+  SceneBuffers& buffers() { return buffers_; }
+  ContentHasher& scene_content() { return scene_content_; }
+
+ private:
   /// Adds a thing to a hierarchy's input, unless its bounds do not fit a float.
   void refer(Bounds const& bounds, device::PrimitiveReference reference, std::vector<BuildPrimitive>& out) {
     if (bounds.is_finite()) {
@@ -66,29 +102,6 @@ class Compiler {
     }
   }
 
-  SceneBuffers& buffers() { return buffers_; }
-
- private:
-  Object add_wide(Bvh const& bvh) {
-    WideBvh wide = collapse(bvh);
-    auto const first_node = device::uint(buffers_.wide_nodes.size());
-    auto const first_block = device::uint(buffers_.triangle_blocks.size());
-    for (device::WideNode& node : wide.nodes) {
-      for (device::uint& child : node.children) {
-        device::uint const kind = child >> WIDE_INDEX_BITS;
-        if (kind == WIDE_KIND_NODE) child += first_node;
-        if (kind == PRIMITIVE_TRIANGLE) child += first_block;
-      }
-    }
-    append(buffers_.wide_nodes, std::move(wide.nodes));
-    buffers_.triangle_blocks.resize(first_block + wide.blocks.size());
-    buffers_.triangle_tags.resize(BLOCK_LANES * buffers_.triangle_blocks.size());
-    fill_blocks(wide.blocks, bvh.references, buffers_.triangles,
-                std::span(buffers_.triangle_blocks).subspan(first_block),
-                std::span(buffers_.triangle_tags).subspan(BLOCK_LANES * first_block));
-    return {first_node, bvh.bounds, wide.stack_size};
-  }
-
   template <class T>
   void refer(std::vector<T> const& primitives, device::uint kind, std::size_t first, std::vector<BuildPrimitive>& out) {
     for (std::size_t i = 0; i < primitives.size(); ++i) {
@@ -96,7 +109,90 @@ class Compiler {
     }
   }
 
+  CompiledObject const* find_in_previous(ContentHash const& content) const {
+    if (!previous_ || previous_->traversal != buffers_.traversal) return nullptr;
+    auto const found = std::find_if(previous_->objects.begin(), previous_->objects.end(),
+                                    [&](CompiledObject const& object) { return object.content == content; });
+    return found == previous_->objects.end() ? nullptr : &*found;
+  }
+
+  CompiledObject add_binary(std::vector<BuildPrimitive>&& primitives) {
+    Bvh bvh = build_bvh(std::move(primitives));
+    CompiledObject object;
+    object.root_node = device::uint(buffers_.nodes.size());
+    object.node_count = device::uint(bvh.nodes.size());
+    object.first_leaf = device::uint(buffers_.references.size());
+    object.leaf_count = device::uint(bvh.references.size());
+    object.bounds = bvh.bounds;
+    append(buffers_.nodes, std::move(bvh.nodes));
+    append(buffers_.references, std::move(bvh.references));
+    move_nodes(object, object.root_node, object.first_leaf);
+    return object;
+  }
+
+  CompiledObject add_wide(std::vector<BuildPrimitive>&& primitives) {
+    Bvh const bvh = build_bvh(std::move(primitives));
+    WideBvh wide = collapse(bvh);
+    CompiledObject object;
+    object.root_node = device::uint(buffers_.wide_nodes.size());
+    object.node_count = device::uint(wide.nodes.size());
+    object.first_leaf = device::uint(buffers_.triangle_blocks.size());
+    object.leaf_count = device::uint(wide.blocks.size());
+    object.bounds = bvh.bounds;
+    object.stack_size = wide.stack_size;
+    append(buffers_.wide_nodes, std::move(wide.nodes));
+    move_nodes(object, object.root_node, object.first_leaf);
+    buffers_.triangle_blocks.resize(object.first_leaf + wide.blocks.size());
+    buffers_.triangle_tags.resize(BLOCK_LANES * buffers_.triangle_blocks.size());
+    fill_blocks(wide.blocks, bvh.references, buffers_.triangles,
+                std::span(buffers_.triangle_blocks).subspan(object.first_leaf),
+                std::span(buffers_.triangle_tags).subspan(BLOCK_LANES * object.first_leaf));
+    return object;
+  }
+
+  /// The same object of the previous scene, wherever it was there.
+  CompiledObject copy(CompiledObject const& known) {
+    CompiledObject object = known;
+    auto const part = [](auto const& all, std::size_t first, std::size_t count) {
+      return std::span(all).subspan(first, count);
+    };
+    if (buffers_.traversal == Traversal::scalar) {
+      object.root_node = device::uint(buffers_.nodes.size());
+      object.first_leaf = device::uint(buffers_.references.size());
+      append(buffers_.nodes, part(previous_->nodes, known.root_node, known.node_count));
+      append(buffers_.references, part(previous_->references, known.first_leaf, known.leaf_count));
+    } else {
+      object.root_node = device::uint(buffers_.wide_nodes.size());
+      object.first_leaf = device::uint(buffers_.triangle_blocks.size());
+      append(buffers_.wide_nodes, part(previous_->wide_nodes, known.root_node, known.node_count));
+      append(buffers_.triangle_blocks, part(previous_->triangle_blocks, known.first_leaf, known.leaf_count));
+      append(buffers_.triangle_tags,
+             part(previous_->triangle_tags, BLOCK_LANES * known.first_leaf, BLOCK_LANES * known.leaf_count));
+    }
+    move_nodes(object, object.root_node - known.root_node, object.first_leaf - known.first_leaf);
+    return object;
+  }
+
+  /// Adds to what the object's nodes say of where their children are; modulo 2^32, so it may be negative.
+  void move_nodes(CompiledObject const& object, device::uint nodes, device::uint leaves) {
+    if (buffers_.traversal == Traversal::scalar) {
+      for (device::BvhNode& node : std::span(buffers_.nodes).subspan(object.root_node, object.node_count)) {
+        for (device::BvhChild& child : node.children) child.first += child.count == 0 ? nodes : leaves;
+      }
+      return;
+    }
+    for (device::WideNode& node : std::span(buffers_.wide_nodes).subspan(object.root_node, object.node_count)) {
+      for (device::uint& child : node.children) {
+        device::uint const kind = child >> WIDE_INDEX_BITS;
+        if (kind == WIDE_KIND_NODE) child += nodes;
+        if (kind == PRIMITIVE_TRIANGLE) child += leaves;
+      }
+    }
+  }
+
+  SceneBuffers const* previous_;
   SceneBuffers buffers_;
+  ContentHasher scene_content_;
 };
 
 /// Whether rays from the point resolve the scene: their t has 24 bits for all of the distance.
@@ -119,26 +215,23 @@ device::PhongMaterial device_material(Material const& material) {
 
 }  // namespace
 
-SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Traversal traversal) {
-  Compiler compiler(traversal);
-  std::vector<BuildPrimitive> world = compiler.take(std::move(scene.objects[0]));
-  std::vector<Compiler::Object> objects(1);  // the world's comes last: it needs the others' bounds
+SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Traversal traversal,
+                           SceneBuffers const* previous) {
+  Compiler compiler(traversal, previous);
+  auto world = compiler.take(std::move(scene.objects[0]));
+  std::vector<CompiledObject> objects(1);  // the world's comes last: it needs the others' bounds
   for (std::size_t i = 1; i < scene.objects.size(); ++i) {
     objects.push_back(compiler.build(compiler.take(std::move(scene.objects[i]))));
   }
-  SceneBuffers& buffers = compiler.buffers();
   for (FlatInstance const& instance : scene.instances) {
-    Compiler::Object const& object = objects[instance.object];
-    Bounds const bounds = map_bounds(instance.world_from_object, object.bounds);
-    if (bounds.is_empty()) continue;
-    compiler.refer(bounds, {PRIMITIVE_INSTANCE, device::uint(buffers.instances.size())}, world);
-    buffers.instances.push_back({device_transform(instance.world_from_object.inverse()), object.root_node, {}});
+    compiler.add_instance(instance, objects[instance.object], *world);
   }
-  Compiler::Object const built = compiler.build(std::move(world));
+  CompiledObject const built = compiler.build(std::move(world));
+  SceneBuffers& buffers = compiler.buffers();
   buffers.root_node = built.root_node;
   buffers.world_bounds = built.bounds;
   std::size_t deepest_object = 0;
-  for (Compiler::Object const& object : objects) deepest_object = std::max(deepest_object, object.stack_size);
+  for (CompiledObject const& object : objects) deepest_object = std::max(deepest_object, object.stack_size);
   buffers.stack_size = built.stack_size + deepest_object;
   buffers.triangle_count = buffers.triangles.size();
   if (traversal != Traversal::scalar) buffers.triangles = {};  // they are in the blocks
@@ -152,8 +245,10 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tra
       buffers.lights.push_back({device_float4(light.position(), near ? 1 : 0), device_float4(light.ld())});
     }
   }
-  buffers.shapes = std::move(scene.shapes);
   buffers.unrepresentable += scene.unrepresentable;
+  compiler.scene_content().add(buffers.materials);
+  compiler.scene_content().add(buffers.lights);
+  buffers.content = compiler.scene_content().finish();
   return std::move(buffers);
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/content_hash.hpp"
 #include "lichtraum/renderer.hpp"
 #include "scene/flat_scene.hpp"
 #include "shared/bvh.h"
@@ -11,6 +12,17 @@
 #include "shared/wide.h"
 
 namespace lichtraum {
+
+/// One object's part of the arrays, so that a later scene in which it is the same can have it.
+struct CompiledObject {
+  ContentHash content;         ///< of its primitives, and where they begin in the arrays of their kinds
+  device::uint root_node = 0;  ///< where its nodes begin, in `nodes` or `wide_nodes`
+  device::uint node_count = 0;
+  device::uint first_leaf = 0;  ///< where its `references` or `triangle_blocks` begin
+  device::uint leaf_count = 0;
+  Bounds bounds;
+  std::size_t stack_size = 0;  ///< that a traversal of it needs; for the wide layout
+};
 
 /// A scene as the kernels read it: plain arrays, the hierarchies of all objects in one.
 struct SceneBuffers {
@@ -32,15 +44,18 @@ struct SceneBuffers {
   std::vector<device::PhongMaterial> materials;
   std::vector<device::PointLight> lights;
 
-  device::uint root_node = 0;         ///< of the world's hierarchy
-  Bounds world_bounds;                ///< empty when nothing is drawn
-  std::vector<Shape const*> shapes;   ///< what PrimitiveTag::shape counts in
+  device::uint root_node = 0;  ///< of the world's hierarchy
+  Bounds world_bounds;         ///< empty when nothing is drawn
+  std::vector<CompiledObject> objects;
+  ContentHash content;                ///< of all that decides what rays see, whatever the layout
   std::uint64_t unrepresentable = 0;  ///< primitives left out, see FlatScene
   std::uint64_t triangle_count = 0;
   bool has_transparency = false;  ///< some material lets light through
 };
 
-/// Builds a hierarchy per object and puts everything into the device's arrays. `traversal` is not `automatic`.
-SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Traversal traversal);
+/// Builds a hierarchy per object and puts everything into the device's arrays. `traversal` is not `automatic`. Objects
+/// that are the same in `previous` (a scene compiled for the same traversal; null: none) get theirs from there.
+SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Traversal traversal,
+                           SceneBuffers const* previous = nullptr);
 
 }  // namespace lichtraum

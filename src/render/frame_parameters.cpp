@@ -25,12 +25,12 @@ device::uint device_tone_map(ToneMap tone_map) {
 
 }  // namespace
 
-device::FrameParameters frame_parameters(RenderRequest const& request, Scene const& scene, device::uint root_node,
-                                         device::uint light_count) {
+device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene,
+                                         device::uint root_node, device::uint light_count) {
   check_request(request);
   device::FrameParameters frame{};
   frame.camera = pinhole_camera(request.camera, request.resolution);
-  frame.ambient = device_float4(scene.ambient());
+  frame.ambient = device_float4(scene.ambient);
   frame.background = device_float4(scene.background);
   frame.width = device::uint(request.resolution.width);
   frame.height = device::uint(request.resolution.height);

@@ -4,6 +4,7 @@
 
 #include "cl/tile_tracer.hpp"
 #include "render/drawn_roots.hpp"
+#include "render/fingerprint.hpp"
 #include "render/frame_parameters.hpp"
 #include "render/tile_plan.hpp"
 #include "scene/flatten.hpp"
@@ -35,6 +36,11 @@ void clear(Image& image, Region const& region) {
   }
 }
 
+struct CompiledScene final : PreparedScene {
+  std::shared_ptr<SceneBuffers const> buffers;
+  SceneShading shading;
+};
+
 class OpenClRenderer final : public Renderer {
  public:
   OpenClRenderer(DeviceInfo const& device, Traversal traversal)
@@ -42,15 +48,21 @@ class OpenClRenderer final : public Renderer {
 
   DeviceInfo const& device() const override { return device_; }
 
-  SceneStatistics set_scene(Scene const& scene, std::string_view root) override {
-    scene_ = &scene;
-    SceneStatistics statistics;
+  std::shared_ptr<PreparedScene const> prepare(Scene const& scene, std::string_view root,
+                                               std::shared_ptr<PreparedScene const> const& previous) const override {
+    auto const* const old = dynamic_cast<CompiledScene const*>(previous.get());
+    auto prepared = std::make_shared<CompiledScene>();
+    prepared->shading = shading_of(scene);
+    SceneStatistics& statistics = prepared->statistics;
     auto start = Clock::now();
     FlatScene flat = flatten(drawn_roots(scene, root));
     statistics.flatten_ms = 1e3 * seconds_since(start);
 
     start = Clock::now();
-    SceneBuffers buffers = compile_scene(std::move(flat), scene.lights, traversal_);
+    prepared->buffers = std::make_shared<SceneBuffers>(
+        compile_scene(std::move(flat), scene.lights, traversal_, old ? old->buffers.get() : nullptr));
+    if (old && old->buffers->content == prepared->buffers->content) prepared->buffers = old->buffers;
+    SceneBuffers const& buffers = *prepared->buffers;
     statistics.build_ms = 1e3 * seconds_since(start);
     statistics.triangles = buffers.triangle_count;
     statistics.spheres = buffers.spheres.size() + buffers.ellipsoids.size();
@@ -58,26 +70,27 @@ class OpenClRenderer final : public Renderer {
     statistics.instances = buffers.instances.size();
     statistics.bvh_nodes = buffers.nodes.size() + buffers.wide_nodes.size();
     statistics.unrepresentable = buffers.unrepresentable;
-    light_count_ = device::uint(buffers.lights.size());
+    auto const& [min, max] = buffers.world_bounds;
+    prepared->bounds_min = {min[0], min[1], min[2]};
+    prepared->bounds_max = {max[0], max[1], max[2]};
+    prepared->fingerprint = scene_fingerprint(buffers.content, prepared->shading);
+    return prepared;
+  }
 
-    start = Clock::now();
-    tracer_.upload(std::move(buffers));
+  SceneStatistics set_scene(std::shared_ptr<PreparedScene const> scene) override {
+    scene_ = std::dynamic_pointer_cast<CompiledScene const>(std::move(scene));
+    if (!scene_) throw Error(ErrorKind::internal, "the scene was not prepared by this renderer");
+    SceneStatistics statistics = scene_->statistics;
+    auto const start = Clock::now();
+    tracer_.upload(scene_->buffers);
     statistics.upload_ms = 1e3 * seconds_since(start);
     statistics.device_bytes = tracer_.device_bytes();
     return statistics;
   }
 
-  Vec3 bounds_min() const override {
-    auto const& min = tracer_.scene().world_bounds.min;
-    return {min[0], min[1], min[2]};
-  }
-  Vec3 bounds_max() const override {
-    auto const& max = tracer_.scene().world_bounds.max;
-    return {max[0], max[1], max[2]};
-  }
-
   RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress) override {
-    auto frame = frame_parameters(request, *scene_, tracer_.scene().root_node, light_count_);
+    auto frame = frame_parameters(request, scene_->shading, tracer_.scene().root_node,
+                                  device::uint(tracer_.scene().lights.size()));
     frame.has_transparency = tracer_.scene().has_transparency ? 1 : 0;
     if (image.size() != request.resolution) image = Image(request.resolution);
     clear(image, request.region);
@@ -112,8 +125,7 @@ class OpenClRenderer final : public Renderer {
   DeviceInfo device_;
   Traversal traversal_;
   TileTracer tracer_;
-  Scene const* scene_ = nullptr;
-  device::uint light_count_ = 0;
+  std::shared_ptr<CompiledScene const> scene_;
 };
 
 }  // namespace

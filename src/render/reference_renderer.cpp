@@ -11,10 +11,14 @@
 #include <mutex>
 #include <thread>
 
+#include "compile/scene_buffers.hpp"
 #include "lichtraum/error.hpp"
 #include "render/check_request.hpp"
+#include "render/fingerprint.hpp"
 #include "render/reference_integrator.hpp"
 #include "render/reference_scene.hpp"
+#include "scene/copy_graph.hpp"
+#include "scene/flatten.hpp"
 #include "shared/sampling.h"
 
 namespace lichtraum {
@@ -124,14 +128,20 @@ class RowQueue {
   std::exception_ptr failure_;
 };
 
+struct PreparedGraph final : PreparedScene {
+  ReferenceScene graph;
+};
+
 class ReferenceRenderer final : public Renderer {
  public:
   explicit ReferenceRenderer(DeviceInfo const& device) : device_(device) {}
 
   DeviceInfo const& device() const override { return device_; }
 
-  SceneStatistics set_scene(Scene const& scene, std::string_view root) override {
-    ReferenceScene drawn = make_reference_scene(scene, root);
+  std::shared_ptr<PreparedScene const> prepare(Scene const& scene, std::string_view root,
+                                               std::shared_ptr<PreparedScene const> const&) const override {
+    auto prepared = std::make_shared<PreparedGraph>();
+    ReferenceScene& drawn = prepared->graph = make_reference_scene(scene, root);
     GraphSummary const summary = summarise(drawn.roots);
     if (summary.drawn_primitives > most_primitives) {
       throw Error(ErrorKind::no_device,
@@ -139,20 +149,26 @@ class ReferenceRenderer final : public Renderer {
                               "each, takes at most {:.3g}",
                               double(summary.drawn_primitives), double(most_primitives)));
     }
-    scene_ = std::move(drawn);
-    bounds_min_ = summary.bounds_min;
-    bounds_max_ = summary.bounds_max;
-    return summary.statistics;
+    SceneBuffers const compiled = compile_scene(flatten(drawn.roots), scene.lights, Traversal::scalar);
+    prepared->fingerprint = scene_fingerprint(compiled.content, drawn);
+    drawn.roots = copy_graph(drawn.roots);
+    prepared->statistics = summary.statistics;
+    prepared->bounds_min = summary.bounds_min;
+    prepared->bounds_max = summary.bounds_max;
+    return prepared;
   }
 
-  Vec3 bounds_min() const override { return bounds_min_; }
-  Vec3 bounds_max() const override { return bounds_max_; }
+  SceneStatistics set_scene(std::shared_ptr<PreparedScene const> scene) override {
+    scene_ = std::dynamic_pointer_cast<PreparedGraph const>(std::move(scene));
+    if (!scene_) throw Error(ErrorKind::internal, "the scene was not prepared by this renderer");
+    return scene_->statistics;
+  }
 
   RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress) override {
     check_request(request);
     if (image.size() != request.resolution) image = Image(request.resolution);
     auto const start = Clock::now();
-    RowQueue rows(scene_, request, image);
+    RowQueue rows(scene_->graph, request, image);
     {
       std::vector<std::jthread> threads;
       unsigned const count = std::clamp(device_.compute_units, 1u, static_cast<unsigned>(request.region.height));
@@ -179,9 +195,7 @@ class ReferenceRenderer final : public Renderer {
   }
 
   DeviceInfo device_;
-  ReferenceScene scene_;
-  Vec3 bounds_min_{std::numeric_limits<double>::infinity()};
-  Vec3 bounds_max_{-std::numeric_limits<double>::infinity()};
+  std::shared_ptr<PreparedGraph const> scene_ = std::make_shared<PreparedGraph>();
 };
 
 }  // namespace

@@ -86,14 +86,11 @@ class LeafVisitor final : private ShapeVisitor {
 }  // namespace
 
 ReferenceScene make_reference_scene(Scene const& scene, std::string_view root) {
-  ReferenceScene result;
+  ReferenceScene result{shading_of(scene), {}, {}};
   result.roots = drawn_roots(scene, root);
   for (Light const& light : scene.lights) {
     if (light.kind() == LightKind::point) result.point_lights.push_back(light);
   }
-  result.ambient = scene.ambient();
-  result.background = scene.background;
-  result.tone_map = scene.tone_map;
   return result;
 }
 

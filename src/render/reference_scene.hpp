@@ -5,19 +5,17 @@
 #include <vector>
 
 #include "lichtraum/renderer.hpp"
+#include "render/scene_shading.hpp"
 
 namespace lichtraum {
 
-/// What the reference renderer keeps of a scene: its graph as it is, and what shading needs.
-struct ReferenceScene {
+/// What the reference renderer keeps of a scene: a copy of its graph, and what shading needs.
+struct ReferenceScene : SceneShading {
   std::vector<std::shared_ptr<Shape const>> roots;
   std::vector<Light> point_lights;
-  Rgb ambient{0};
-  Rgb background{0};
-  ToneMap tone_map = ToneMap::none;
 };
 
-/// All roots, or the shape called `root`. Throws Error{usage} for an unknown root.
+/// All roots, or the shape called `root`, as they are: nothing is copied. Throws Error{usage} for an unknown root.
 ReferenceScene make_reference_scene(Scene const& scene, std::string_view root);
 
 /// What a walk over the graph finds. It visits each shape once, however many paths lead there.

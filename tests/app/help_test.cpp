@@ -53,6 +53,8 @@ TEST_CASE("the examples in the help texts are good commands", "[app][help]") {
   for (char const* const name : {"hello.sdf", "film.sdf", "old.sdf", "a.sdf", "b.sdf", "model.glb"}) {
     lichtraum.folder.write(name, "define nonsense\n");
   }
+  std::filesystem::create_directory(lichtraum.folder / "frames");
+  lichtraum.folder.write("frames/1.sdf", "define nonsense\n");
   std::size_t count = 0;
   for (std::string const command : {"", "render", "check", "info", "devices", "doctor"}) {
     std::string const help = lichtraum(command + " --help").out;

@@ -166,20 +166,21 @@ TEST_CASE("a scene's statistics and bounds come from its graph", "[unit][referen
     scene.shapes.insert(shape);
   }
   auto const renderer = make_reference_renderer();
-  SceneStatistics const statistics = renderer->set_scene(scene);
+  auto prepared = renderer->prepare(scene);
+  SceneStatistics const& statistics = prepared->statistics;
   CHECK(statistics.spheres == 1);
   CHECK(statistics.triangles == 1);
   CHECK(statistics.boxes == 1);
   CHECK(statistics.instances == 2);
-  CHECK(glm::length(renderer->bounds_min() - Vec3(-std::sqrt(2.0), -std::sqrt(2.0), -1)) < 1e-12);
-  CHECK(glm::length(renderer->bounds_max() - Vec3(14, std::sqrt(2.0), 1)) < 1e-12);
+  CHECK(glm::length(prepared->bounds_min - Vec3(-std::sqrt(2.0), -std::sqrt(2.0), -1)) < 1e-12);
+  CHECK(glm::length(prepared->bounds_max - Vec3(14, std::sqrt(2.0), 1)) < 1e-12);
 
-  renderer->set_scene(scene, "pair");  // alone, under its own transform
-  CHECK(glm::length(renderer->bounds_max() - Vec3(4, 1, 1)) < 1e-12);
+  prepared = renderer->prepare(scene, "pair");  // alone, under its own transform
+  CHECK(glm::length(prepared->bounds_max - Vec3(4, 1, 1)) < 1e-12);
   CHECK(kind_of_failure([&] { renderer->set_scene(scene, "nobody"); }) == ErrorKind::usage);
 
-  renderer->set_scene(Scene());
-  CHECK(renderer->bounds_min().x > renderer->bounds_max().x);
+  prepared = renderer->prepare(Scene());
+  CHECK(prepared->bounds_min.x > prepared->bounds_max.x);
 }
 
 TEST_CASE("a graph of astronomically many instances is refused with the numbers", "[unit][reference]") {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <new>
 
 #include "core/ascii.hpp"
@@ -46,71 +47,118 @@ int select_scene(tinygltf::Model const& model, std::string const& selector) {
   return model.scenes.empty() ? -1 : 0;
 }
 
-class Importer {
- public:
-  Importer(std::filesystem::path const& path, GltfOptions const& options) : options_(options), findings_(path) {
-    document_.path = path;
-    document_.allowed_paths = options.allowed_paths;
-    document_.bytes = read_file(path);
+}  // namespace
+}  // namespace gltf
+
+using namespace gltf;
+
+/// What is read once, however often the model is posed.
+struct GltfAnimation::State {
+  State(std::filesystem::path const& path, GltfOptions const& wanted) : options(wanted), findings(path) {
+    document.path = path;
+    document.allowed_paths = options.allowed_paths;
+    document.bytes = read_file(path);
+    parse_document(document, findings);
+    check_extensions(document.model, findings);
+    buffers.emplace(document, findings);
+    if (!options.animation.empty()) {
+      animation = select(document.model.animations, options.animation, "animation");
+    } else if (!document.model.animations.empty()) {
+      animation = 0;
+    }
+    scene_number = select_scene(document.model, options.scene);
+    auto const own = read_materials(document, options.max_texture, *buffers, findings);
+    own_materials.assign(own.begin(), own.end());
+    materials.assign(own.begin(), own.end());
+    if (options.material) std::fill(materials.begin(), materials.end(), options.material);
   }
 
-  GltfModel run() {
-    parse_document(document_, findings_);
-    tinygltf::Model const& model = document_.model;
-    check_extensions(model, findings_);
-
-    Buffers buffers(document_, findings_);
-    Accessors accessors(document_, buffers, findings_);
-    std::vector<NodePose> pose = rest_pose(model, findings_);
-    if (options_.time_seconds) {
-      int const animation = options_.animation.empty() ? 0 : select(model.animations, options_.animation, "animation");
-      if (model.animations.empty()) {
-        findings_.warn("/animations", "there is none; the time has no effect");
-      } else {
-        apply_animation(model, animation, *options_.time_seconds, accessors, findings_, pose);
-      }
+  GltfModel pose_at(std::optional<double> seconds) {
+    Accessors accessors(document, *buffers, findings);
+    std::vector<NodePose> pose = rest_pose(document.model, findings);
+    if (seconds && animation) {
+      apply_animation(document.model, *animation, *seconds, accessors, findings, pose);
+    } else if (seconds) {
+      findings.warn("/animations", "there is none; the time has no effect");
     }
-    int const scene_number = select_scene(model, options_.scene);
-    NodeTree const tree = build_node_tree(model, scene_number, pose, findings_);
+    NodeTree const tree = build_node_tree(document.model, scene_number, pose, findings);
 
     GltfModel result;
-    auto const own_materials = read_materials(document_, options_.max_texture, buffers, findings_);
     for (auto const& material : own_materials) result.scene.materials.insert(material);
-    std::vector<std::shared_ptr<Material const>> materials(own_materials.begin(), own_materials.end());
-    if (options_.material) std::fill(materials.begin(), materials.end(), options_.material);
-
-    Primitives primitives(document_, buffers, accessors, findings_);
+    Primitives primitives(document, *buffers, accessors, findings, geometries);
     Names names;
-    SceneGraph graph(document_, tree, pose, primitives, accessors, materials, names, findings_);
-    std::string const scene_name = scene_number >= 0 ? model.scenes[std::size_t(scene_number)].name : "";
-    graph.build(scene_name.empty() ? document_.path.stem().string() : scene_name, result.scene);
+    SceneGraph graph(document, tree, pose, primitives, accessors, materials, names, findings);
+    std::string const scene_name = scene_number >= 0 ? document.model.scenes[std::size_t(scene_number)].name : "";
+    graph.build(scene_name.empty() ? document.path.stem().string() : scene_name, result.scene);
     if (graph.triangles() == 0) {
-      if (graph.faulty_primitives() > 0) findings_.fail("", "nothing of the model can be drawn");
-      findings_.warn("", "the scene shows no triangles");
+      if (graph.faulty_primitives() > 0) findings.fail("", "nothing of the model can be drawn");
+      findings.warn("", "the scene shows no triangles");
     }
 
     add_view(tree, result.scene);
-    result.diagnostics = findings_.take();
+    result.diagnostics = findings.take();
     return result;
   }
 
- private:
   void add_view(NodeTree const& tree, Scene& scene) {
     WorldBox const box = bounds_of(scene.roots());
-    for (Camera& camera : read_cameras(document_.model, tree, findings_)) scene.cameras.insert(std::move(camera));
+    for (Camera& camera : read_cameras(document.model, tree, findings)) scene.cameras.insert(std::move(camera));
     if (scene.cameras.empty()) scene.cameras.insert(frame_box("default", box));
-    std::vector<Light> lights = read_lights(document_.model, tree, box, findings_);
+    std::vector<Light> lights = read_lights(document.model, tree, box, findings);
     if (lights.empty()) lights = studio_lights(box);
     for (Light& light : lights) scene.lights.insert(std::move(light));
   }
 
-  GltfOptions const& options_;
-  Findings findings_;
-  Document document_;
+  double duration_seconds() {
+    if (!animation) return 0;
+    Accessors accessors(document, *buffers, findings);
+    double duration = 0;
+    auto const& samplers = document.model.animations[std::size_t(*animation)].samplers;
+    for (std::size_t i = 0; i < samplers.size(); ++i) {
+      std::string const pointer = fmt::format("/animations/{}/samplers/{}/input", *animation, i);
+      auto const times = accessors.floats(samplers[i].input, 1, pointer);
+      for (float const time : times ? times->values : std::vector<float>()) {
+        if (std::isfinite(time)) duration = std::max(duration, double(time));
+      }
+    }
+    return duration;
+  }
+
+  GltfOptions options;
+  Findings findings;
+  Document document;
+  std::optional<Buffers> buffers;
+  Primitives::Geometries geometries;
+  std::optional<int> animation;
+  int scene_number = -1;
+  std::vector<std::shared_ptr<Material>> own_materials;
+  std::vector<std::shared_ptr<Material const>> materials;  // what primitives get
 };
 
+namespace {
+
+template <class Function>
+auto with_memory_checked(std::filesystem::path const& path, Function const& function) {
+  try {
+    return function();
+  } catch (std::bad_alloc const&) {
+    throw Error(ErrorKind::scene, fmt::format("{}: the model needs more memory than there is", path.string()));
+  }
+}
+
 }  // namespace
-}  // namespace gltf
+
+GltfAnimation::GltfAnimation(std::filesystem::path const& path, GltfOptions const& options)
+    : state_(with_memory_checked(path, [&] { return std::make_unique<State>(path, options); })) {}
+GltfAnimation::~GltfAnimation() = default;
+GltfAnimation::GltfAnimation(GltfAnimation&&) noexcept = default;
+GltfAnimation& GltfAnimation::operator=(GltfAnimation&&) noexcept = default;
+
+double GltfAnimation::duration_seconds() { return state_->duration_seconds(); }
+
+GltfModel GltfAnimation::pose(std::optional<double> time_seconds) {
+  return with_memory_checked(state_->document.path, [&] { return state_->pose_at(time_seconds); });
+}
 
 bool is_gltf_file(std::filesystem::path const& path) {
   std::string const extension = to_lower_ascii(path.extension().string());
@@ -118,11 +166,7 @@ bool is_gltf_file(std::filesystem::path const& path) {
 }
 
 GltfModel import_gltf(std::filesystem::path const& path, GltfOptions const& options) {
-  try {
-    return gltf::Importer(path, options).run();
-  } catch (std::bad_alloc const&) {
-    throw Error(ErrorKind::scene, fmt::format("{}: the model needs more memory than there is", path.string()));
-  }
+  return GltfAnimation(path, options).pose(options.time_seconds);
 }
 
 Scene load_gltf(std::filesystem::path const& path, GltfOptions const& options) {

@@ -36,8 +36,12 @@ struct Primitive {
 /// Reads primitives; those that name the same data share one geometry.
 class Primitives {
  public:
-  Primitives(Document const& document, Buffers& buffers, Accessors& accessors, Findings& findings)
-      : document_(document), buffers_(buffers), accessors_(accessors), findings_(findings) {}
+  /// By everything that decides it: attributes, indices, mode, compressed view.
+  using Geometries = std::map<std::string, std::shared_ptr<MeshGeometry const>>;
+
+  /// `known`: what was read before; what is read now is added.
+  Primitives(Document const& document, Buffers& buffers, Accessors& accessors, Findings& findings, Geometries& known)
+      : document_(document), buffers_(buffers), accessors_(accessors), findings_(findings), known_(known) {}
 
   /// Nothing when it has no triangles that can be read: a finding says why.
   std::optional<Primitive> read(int mesh, std::size_t primitive);
@@ -57,8 +61,7 @@ class Primitives {
   Buffers& buffers_;
   Accessors& accessors_;
   Findings& findings_;
-  /// By everything that decides it: attributes, indices, mode, compressed view.
-  std::map<std::string, std::shared_ptr<MeshGeometry const>> known_;
+  Geometries& known_;
 };
 
 }  // namespace lichtraum::gltf

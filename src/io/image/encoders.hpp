@@ -20,4 +20,7 @@ std::string encode_exr(Image const& image, ImageEncoding const& encoding);
 /// PF, 32-bit float, little endian (http://www.pauldebevec.com/Research/HDR/PFM/).
 std::string encode_pfm(Image const& image, ImageEncoding const& encoding);
 
+std::string read_png_fingerprint(std::filesystem::path const& path);
+std::string read_exr_fingerprint(std::filesystem::path const& path);
+
 }  // namespace lichtraum

@@ -2,7 +2,9 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
 
 #include <cstring>
 
@@ -33,15 +35,35 @@ class StringStream final : public Imf::OStream {
   std::size_t position_ = 0;
 };
 
+constexpr char const* fingerprint_key = "lichtraumFingerprint";
+
 }  // namespace
 
-std::string encode_exr(Image const& image, ImageEncoding const&) {
+std::string read_exr_fingerprint(std::filesystem::path const& path) {
+  try {
+    Imf::InputFile file(path.c_str(), 1);
+    auto const* const fingerprint = file.header().findTypedAttribute<Imf::StringAttribute>(fingerprint_key);
+    if (!fingerprint || !file.isComplete()) return {};
+    // What is cut off at its end lacks the last lines, and throws here.
+    char const* lines = nullptr;
+    int size = 0;
+    file.rawPixelData(file.header().dataWindow().max.y, lines, size);
+    return fingerprint->value();
+  } catch (std::exception const&) {  // no OpenEXR file
+    return {};
+  }
+}
+
+std::string encode_exr(Image const& image, ImageEncoding const& encoding) {
   char const* const names[] = {"R", "G", "B"};
   StringStream stream;
   try {
     Imf::Header header(image.width(), image.height());
     header.compression() = Imf::ZIP_COMPRESSION;
     header.zipCompressionLevel() = 1;
+    if (!encoding.fingerprint.empty()) {
+      header.insert(fingerprint_key, Imf::StringAttribute(encoding.fingerprint));
+    }
     Imf::FrameBuffer frame;
     for (int c = 0; c < 3; ++c) {
       header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));

@@ -1,7 +1,9 @@
 #include <png.h>
 #include <zlib.h>
 
+#include <fstream>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "io/image/encoders.hpp"
@@ -45,7 +47,61 @@ struct Writer {
   ~Writer() { png_destroy_write_struct(&png, &info); }
 };
 
+constexpr char const* fingerprint_key = "lichtraum fingerprint";
+
+void add_fingerprint(Writer& writer, std::string fingerprint) {
+  if (fingerprint.empty()) return;
+  std::string key = fingerprint_key;
+  png_text text{};
+  text.compression = PNG_TEXT_COMPRESSION_NONE;
+  text.key = key.data();
+  text.text = fingerprint.data();
+  text.text_length = fingerprint.size();
+  png_set_text(writer.png, writer.info, &text, 1);
+}
+
+struct Reader {
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, [](png_structp, char const*) {});
+  png_infop info = png_create_info_struct(png);
+
+  explicit Reader(std::istream& file) {
+    png_set_read_fn(png, &file, [](png_structp p, png_bytep data, std::size_t size) {
+      auto& in = *static_cast<std::istream*>(png_get_io_ptr(p));
+      if (!in.read(reinterpret_cast<char*>(data), std::streamsize(size))) fail(p, "the file is too short");
+    });
+  }
+  Reader(Reader const&) = delete;
+  Reader& operator=(Reader const&) = delete;
+  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+/// Whether the file ends with the chunk that ends a PNG.
+bool ends_well(std::istream& file) {
+  constexpr std::string_view end_chunk("\0\0\0\0IEND\xae\x42\x60\x82", 12);
+  std::string tail(end_chunk.size(), '\0');
+  file.seekg(-std::streamoff(tail.size()), std::ios::end);
+  return file.read(tail.data(), std::streamsize(tail.size())) && tail == end_chunk;
+}
+
 }  // namespace
+
+std::string read_png_fingerprint(std::filesystem::path const& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file || !ends_well(file)) return {};
+  file.seekg(0);
+  try {
+    Reader reader(file);
+    png_set_user_limits(reader.png, 0x7fffffff, 0x7fffffff);
+    png_read_info(reader.png, reader.info);
+    png_textp texts = nullptr;
+    int const count = png_get_text(reader.png, reader.info, &texts, nullptr);
+    for (int i = 0; i < count; ++i) {
+      if (texts[i].key == std::string_view(fingerprint_key)) return std::string(texts[i].text, texts[i].text_length);
+    }
+  } catch (Error const&) {  // no PNG
+  }
+  return {};
+}
 
 std::string encode_png(Image const& image, ImageEncoding const& encoding) {
   Writer writer;
@@ -55,6 +111,7 @@ std::string encode_png(Image const& image, ImageEncoding const& encoding) {
   png_set_user_limits(writer.png, 0x7fffffff, 0x7fffffff);  // libpng's own limit is a million
   png_set_IHDR(writer.png, writer.info, width, height, encoding.bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  add_fingerprint(writer, encoding.fingerprint);
   png_write_info(writer.png, writer.info);
   std::size_t const count = 3 * std::size_t(image.width());
   std::vector<unsigned char> row(count * (encoding.bits == 16 ? 2 : 1));

@@ -1,0 +1,226 @@
+#include "app/film.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+
+#include "lichtraum/error.hpp"
+#include "lichtraum/image_io.hpp"
+
+extern char** environ;
+
+namespace lichtraum::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Colours as BT.709 defines them, and said so in the file: players guess otherwise.
+std::vector<std::string> const bt709{"-vf",
+                                     "scale=out_color_matrix=bt709:out_range=tv",
+                                     "-pix_fmt",
+                                     "yuv420p",
+                                     "-colorspace",
+                                     "bt709",
+                                     "-color_primaries",
+                                     "bt709",
+                                     "-color_trc",
+                                     "bt709",
+                                     "-color_range",
+                                     "tv"};
+
+std::vector<std::string> with_bt709(std::vector<std::string> arguments) {
+  arguments.insert(arguments.end(), bt709.begin(), bt709.end());
+  return arguments;
+}
+
+/// The last lines of a text.
+std::string last_lines(std::string const& text) {
+  constexpr std::size_t most_lines = 5;
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    if (!line.empty()) lines.push_back("\n  " + line);
+  }
+  std::string result;
+  for (std::size_t i = lines.size() - std::min(lines.size(), most_lines); i < lines.size(); ++i) result += lines[i];
+  return result;
+}
+
+std::string find_ffmpeg() {
+  char const* const path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "/usr/bin:/bin");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    std::string file = (folder.empty() ? "." : folder) + "/ffmpeg";
+    if (::access(file.c_str(), X_OK) == 0 && fs::is_regular_file(file)) return file;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::span<FilmFormat const> film_formats() {
+  // The numbers after -crf: no loss that one sees. A GIF's colours are chosen anew for each picture: choosing them for
+  // all would keep all in memory.
+  static std::vector<FilmFormat> const formats{
+      {".mp4", "mp4", true, with_bt709({"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"})},
+      {".webm", "webm", false,
+       with_bt709(
+           {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-row-mt", "1", "-deadline", "good", "-cpu-used", "4"})},
+      {".gif",
+       "gif",
+       false,
+       {"-filter_complex", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1"}},
+  };
+  return formats;
+}
+
+FilmFormat const* find_film_format(fs::path const& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  for (FilmFormat const& format : film_formats()) {
+    if (format.extension == extension) return &format;
+  }
+  return nullptr;
+}
+
+void check_ffmpeg() {
+  if (!find_ffmpeg().empty()) return;
+  throw Error(ErrorKind::unavailable,
+              "films are made by the program ffmpeg, which is not installed: apt install ffmpeg (or write pictures, "
+              "-o picture-%04d.png)");
+}
+
+Film::Film(fs::path path, Resolution size, double frames_per_second) : path_(std::move(path)), size_(size) {
+  check_ffmpeg();
+  FilmFormat const& format = *find_film_format(path_);
+  if (format.needs_even_size && (size.width % 2 != 0 || size.height % 2 != 0)) {
+    throw Error(ErrorKind::usage, fmt::format("'{}': the width and height of an {} are even, not {}x{}", path_.string(),
+                                              format.extension, size.width, size.height));
+  }
+  check_writable(path_);
+  unfinished_ = path_.parent_path() / fmt::format(".lichtraum-{}.tmp{}", ::getpid(), format.extension);
+
+  int ends[2];
+  messages_ = ::memfd_create("ffmpeg-messages", MFD_CLOEXEC);
+  if (messages_ < 0 || ::pipe2(ends, O_CLOEXEC) != 0) {
+    throw Error(ErrorKind::io, fmt::format("cannot start ffmpeg: {}", std::strerror(errno)));
+  }
+  std::vector<std::string> arguments{find_ffmpeg(),
+                                     "-hide_banner",
+                                     "-nostdin",
+                                     "-loglevel",
+                                     "error",
+                                     "-y",
+                                     "-f",
+                                     "rawvideo",
+                                     "-pixel_format",
+                                     "rgb24",
+                                     "-video_size",
+                                     fmt::format("{}x{}", size.width, size.height),
+                                     "-framerate",
+                                     fmt::format("{}", frames_per_second),
+                                     "-i",
+                                     "pipe:0"};
+  arguments.insert(arguments.end(), format.encoder_arguments.begin(), format.encoder_arguments.end());
+  // "file:" keeps a name with a colon from being taken for a protocol.
+  for (std::string const& word : {std::string("-f"), std::string(format.container), "file:" + unfinished_.string()}) {
+    arguments.push_back(word);
+  }
+  std::vector<char*> words;
+  for (std::string& argument : arguments) words.push_back(argument.data());
+  words.push_back(nullptr);
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, messages_, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, messages_, STDERR_FILENO);
+  // A group of its own: Ctrl-C in the terminal is for lichtraum, which then ends the film in order.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t defaults;
+  sigemptyset(&defaults);
+  sigaddset(&defaults, SIGPIPE);
+  sigaddset(&defaults, SIGXFSZ);
+  posix_spawnattr_setsigdefault(&attributes, &defaults);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+  pid_t child = -1;
+  int const code = ::posix_spawn(&child, words[0], &actions, &attributes, words.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  ::close(ends[0]);
+  pixels_ = ends[1];
+  if (code != 0) {
+    ::close(pixels_);
+    ::close(messages_);
+    throw Error(ErrorKind::io, fmt::format("cannot start ffmpeg: {}", std::strerror(code)));
+  }
+  process_ = child;
+}
+
+Film::~Film() {
+  if (pixels_ >= 0) ::close(pixels_);
+  if (process_ > 0) {
+    ::kill(process_, SIGKILL);
+    wait_for_ffmpeg();
+  }
+  if (messages_ >= 0) ::close(messages_);
+  ::unlink(unfinished_.c_str());
+}
+
+int Film::wait_for_ffmpeg() {
+  int status = -1;
+  while (process_ > 0 && ::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
+  return status;
+}
+
+void Film::fail() {
+  if (pixels_ >= 0) ::close(pixels_);
+  pixels_ = -1;
+  wait_for_ffmpeg();
+  std::string text;
+  char buffer[4096];
+  ::lseek(messages_, 0, SEEK_SET);
+  for (ssize_t count; (count = ::read(messages_, buffer, sizeof buffer)) > 0 && text.size() < (1u << 20);) {
+    text.append(buffer, std::size_t(count));
+  }
+  std::string const lines = last_lines(text);
+  throw Error(ErrorKind::io, fmt::format("ffmpeg could not make '{}'{}{}", path_.string(),
+                                         lines.empty() ? ": it ended early" : "; it said:", lines));
+}
+
+void Film::add(std::string_view pixels) {
+  while (!pixels.empty()) {
+    ssize_t const written = ::write(pixels_, pixels.data(), pixels.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail();
+    pixels.remove_prefix(std::size_t(written));
+  }
+  ++frame_count_;
+}
+
+void Film::finish_as(fs::path const& path) {
+  ::close(pixels_);
+  pixels_ = -1;
+  int const status = wait_for_ffmpeg();
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();
+  if (::rename(unfinished_.c_str(), path.c_str()) != 0) {
+    throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}", path.string(), std::strerror(errno)));
+  }
+}
+
+}  // namespace lichtraum::app

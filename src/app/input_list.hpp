@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace lichtraum::app {
+
+/// What the command line names, with the patterns (*, ? and [...]) that the shell left as they are replaced by the
+/// files that they match: in the order of the numbers in their names, frame2.sdf before frame10.sdf. A file that is
+/// called like a pattern is that file. Throws Error{no_input} for a pattern that nothing matches.
+std::vector<std::string> expand_patterns(std::vector<std::string> const& arguments);
+
+}  // namespace lichtraum::app

@@ -1,0 +1,128 @@
+#include "app/scene_loader.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "app/stopwatch.hpp"
+#include "lichtraum/turntable.hpp"
+
+namespace lichtraum::app {
+namespace {
+
+/// Thrown inside the loader when nobody wants its results any more.
+struct Stopped {};
+
+RenderRequest make_request(Scene const& scene, std::string const& source, bool is_model, PicturePlan const& plan,
+                           RenderOptions const& options) {
+  Camera const* const camera = scene.cameras.find(plan.camera);
+  if (!camera) {
+    throw Error(ErrorKind::usage, fmt::format("{}: the camera '{}' is defined after the picture '{}' is drawn", source,
+                                              plan.camera, plan.output.shown));
+  }
+  RenderRequest request;
+  request.camera = *camera;
+  request.resolution = plan.size;
+  request.region = plan.region;
+  request.sampling = plan.sampling;
+  request.max_depth = plan.depth;
+  request.seed = options.seed;
+  if (!plan.output.format->is_linear_float) {
+    request.tone_map = options.tone_map == ToneMap::automatic ? scene.tone_map : options.tone_map;
+    request.transfer = options.transfer.value_or(is_model ? Transfer::srgb : Transfer::linear);
+  }
+  return request;
+}
+
+bool is_done_already(PicturePlan const& plan, std::string const& fingerprint) {
+  ImageFormat const& format = *plan.output.format;
+  std::error_code ignored;
+  return format.read_fingerprint && std::filesystem::is_regular_file(plan.output.path, ignored) &&
+         format.read_fingerprint(plan.output.path) == fingerprint;
+}
+
+/// The pictures of one scene, while it is played.
+class Pictures {
+ public:
+  Pictures(SceneOpened const& opened, RenderOptions const& options, Renderer const& renderer,
+           Channel<LoaderMessage>& channel, std::shared_ptr<PreparedScene const>& previous)
+      : opened_(opened), options_(options), renderer_(renderer), channel_(channel), previous_(previous) {}
+
+  void send_all_of(Scene const& scene, std::size_t scene_number) {
+    double const load_ms = stopwatch_.milliseconds();
+    auto const prepared = previous_ = renderer_.prepare(scene, options_.root, previous_);
+    std::optional<Vec3> center;
+    for (; next_ < opened_.plans.size() && opened_.plans[next_].scene_number == scene_number; ++next_) {
+      PicturePlan const& plan = opened_.plans[next_];
+      PictureReady picture;
+      picture.number = next_;
+      picture.request = make_request(scene, opened_.source->name(), opened_.is_model, plan, options_);
+      if (options_.turntable > 0) {
+        if (!center) center = center_of_interest(scene, options_.root, picture.request.camera);
+        picture.request.camera = orbited(picture.request.camera, *center, plan.turn_degrees);
+      }
+      picture.scene = prepared;
+      picture.fingerprint = fmt::format("{}-{}", picture_fingerprint(*prepared, picture.request), plan.encoding.bits);
+      picture.is_done = options_.resume && is_done_already(plan, picture.fingerprint);
+      picture.load_ms = load_ms;
+      if (!channel_.send(std::move(picture))) throw Stopped();
+    }
+    stopwatch_ = {};
+  }
+
+ private:
+  SceneOpened const& opened_;
+  RenderOptions const& options_;
+  Renderer const& renderer_;
+  Channel<LoaderMessage>& channel_;
+  std::shared_ptr<PreparedScene const>& previous_;
+  Stopwatch stopwatch_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+SceneLoader::SceneLoader(std::vector<std::string> const& inputs, RenderOptions const& options, OutputNames& names,
+                         Renderer const& renderer)
+    : options_(options), names_(names), renderer_(renderer), thread_([this, &inputs] {
+        for (std::string const& input : inputs) {
+          SceneClosed closed;
+          try {
+            load(input);
+          } catch (Stopped const&) {
+            return;
+          } catch (...) {
+            closed.failure = std::current_exception();
+          }
+          if (!channel_.send(std::move(closed))) return;
+        }
+      }) {}
+
+SceneLoader::~SceneLoader() { channel_.close(); }
+
+std::optional<LoaderMessage> SceneLoader::next() { return channel_.receive(std::chrono::milliseconds(50)); }
+
+void SceneLoader::load(std::string const& input) {
+  Stopwatch const stopwatch;
+  SceneOpened opened;
+  opened.source = std::make_shared<SceneSource>(input);
+  LoadedScene script = opened.source->load(options_.load);
+  opened.load_ms = stopwatch.milliseconds();
+  opened.is_model = script.is_model();
+  opened.diagnostics = script.diagnostics();
+  std::exception_ptr faulty_plan;
+  try {
+    opened.plans = plan_pictures(script, *opened.source, options_, names_);
+  } catch (Error const&) {
+    faulty_plan = std::current_exception();  // what was found in the scene is told first
+  }
+  if (!channel_.send(opened)) throw Stopped();
+  if (faulty_plan) std::rethrow_exception(faulty_plan);
+  Pictures pictures(opened, options_, renderer_, channel_, previous_);
+  script.play([&](Scene const& scene, std::size_t number) {
+    pictures.send_all_of(scene, number);
+    return true;
+  });
+}
+
+}  // namespace lichtraum::app

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <exception>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include "app/channel.hpp"
+#include "app/picture_plan.hpp"
+
+namespace lichtraum::app {
+
+/// A scene was read and all its pictures were planned.
+struct SceneOpened {
+  std::shared_ptr<SceneSource const> source;
+  bool is_model = false;
+  double load_ms = 0;
+  std::vector<Diagnostic> diagnostics;
+  std::vector<PicturePlan> plans;
+};
+
+/// A picture of the scene that was opened last can be traced.
+struct PictureReady {
+  std::size_t number = 0;  ///< in SceneOpened::plans
+  RenderRequest request;
+  std::shared_ptr<PreparedScene const> scene;
+  std::string fingerprint;  ///< for the picture's file
+  bool is_done = false;     ///< with --resume: the file is there, and is this picture
+  double load_ms = 0;       ///< bringing the scene to where it is in this picture
+};
+
+/// Nothing more comes of the scene, as it is at its end or as `failure` says.
+struct SceneClosed {
+  std::exception_ptr failure;
+};
+
+using LoaderMessage = std::variant<SceneOpened, PictureReady, SceneClosed>;
+
+/// Reads scenes and prepares their pictures, in order, in a thread of its own: always the next one while the caller
+/// traces. For each input there is one SceneOpened (unless it fails before), its PictureReady and one SceneClosed.
+class SceneLoader {
+ public:
+  /// All arguments must outlive it. It is the only one to use `names`.
+  SceneLoader(std::vector<std::string> const& inputs, RenderOptions const& options, OutputNames& names,
+              Renderer const& renderer);
+  /// Stops after what it is at.
+  ~SceneLoader();
+  SceneLoader(SceneLoader const&) = delete;
+  SceneLoader& operator=(SceneLoader const&) = delete;
+
+  /// What comes next; nothing when that takes longer than a moment. Not to be called after the last SceneClosed.
+  std::optional<LoaderMessage> next();
+
+ private:
+  void load(std::string const& input);
+
+  RenderOptions const& options_;
+  OutputNames& names_;
+  Renderer const& renderer_;
+  std::shared_ptr<PreparedScene const> previous_;
+  Channel<LoaderMessage> channel_;
+  std::jthread thread_;
+};
+
+}  // namespace lichtraum::app

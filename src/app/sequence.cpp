@@ -1,0 +1,337 @@
+#include "app/sequence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <future>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "app/empty_view.hpp"
+#include "app/exit_code.hpp"
+#include "app/interruption.hpp"
+#include "app/picture_writer.hpp"
+#include "app/progress_bar.hpp"
+#include "app/scene_loader.hpp"
+#include "app/stopwatch.hpp"
+
+namespace lichtraum::app {
+namespace {
+
+Image crop(Image image, Region const& region) {
+  if (image.size() == Resolution{region.width, region.height}) return image;
+  Image part(Resolution{region.width, region.height});
+  for (int y = 0; y < region.height; ++y) {
+    std::copy_n(image.pixel(region.x, region.y + y), 3 * region.width, part.pixel(0, y));
+  }
+  return part;
+}
+
+class Sequence {
+ public:
+  Sequence(std::vector<std::string> const& inputs, RenderOptions const& options, OutputNames& names, Renderer& renderer,
+           Console const& console, RunReport& report)
+      : inputs_(inputs),
+        options_(options),
+        renderer_(renderer),
+        console_(console),
+        report_(report),
+        is_film_(names.is_film()),
+        bar_(console),
+        writer_(options.frame_rate()),
+        loader_(inputs, options, names, renderer) {}
+
+  int run() {
+    for (std::size_t input = 0; input < inputs_.size(); ++input) {
+      report_.scenes.emplace_back().file = inputs_[input];
+      try {
+        draw_input(input);
+        continue;
+      } catch (SceneError const& error) {
+        bar_.clear();
+        console_.show(error.diagnostics());
+        note_failure(error);
+      } catch (Error const& error) {
+        bar_.clear();
+        console_.error(error.what());
+        note_failure(error);
+      }
+      if (is_film_ || code_ == exit_code(ErrorKind::interrupted)) break;
+    }
+    bar_.clear();
+    if (failed_ > 0 && inputs_.size() > 1 && !is_film_ && code_ != exit_code(ErrorKind::interrupted)) {
+      console_.error(fmt::format("{} of {} scenes could not be drawn", failed_, inputs_.size()));
+    }
+    if (is_film_) end_film();
+    if (skipped_ > 0) {
+      console_.info(
+          fmt::format("{} picture{} already there and left as they are", skipped_, skipped_ == 1 ? " was" : "s were"));
+    }
+    return code_;
+  }
+
+ private:
+  void note_failure(Error const& error) {
+    report_.scenes.back().error = error.what();
+    ++failed_;
+    if (code_ == 0 || error.kind() == ErrorKind::interrupted) code_ = exit_code(error.kind());
+  }
+
+  LoaderMessage wait_for_loader() {
+    for (;;) {
+      if (auto message = loader_.next()) return std::move(*message);
+      if (interrupted()) {
+        finish_writing();
+        throw Error(ErrorKind::interrupted, "interrupted");
+      }
+    }
+  }
+
+  void draw_input(std::size_t input) {
+    for (;;) {
+      LoaderMessage message = wait_for_loader();
+      if (auto* const opened = std::get_if<SceneOpened>(&message)) {
+        open(std::move(*opened), input);
+      } else if (auto const* const picture = std::get_if<PictureReady>(&message)) {
+        draw(*picture);
+      } else {
+        finish_writing();
+        planned_before_ += scene_.plans.size();
+        scene_ = {};
+        if (auto const failure = std::get<SceneClosed>(message).failure) std::rethrow_exception(failure);
+        return;
+      }
+    }
+  }
+
+  void open(SceneOpened opened, std::size_t input) {
+    scene_ = std::move(opened);
+    has_explained_ = false;
+    inputs_left_ = inputs_.size() - input - 1;
+    report_.scenes.back().load_ms = scene_.load_ms;
+    bar_.clear();
+    console_.show(scene_.diagnostics);
+    console_.detail(fmt::format("{}: loaded in {:.1f} ms", scene_.source->name(), scene_.load_ms));
+    say_what_was_decided(scene_.plans);
+    if (is_film_) check_film_size();
+  }
+
+  void say_what_was_decided(std::vector<PicturePlan> const& plans) {
+    std::map<std::filesystem::path, int> uses;
+    for (PicturePlan const& plan : plans) {
+      ImageFormat const& format = *plan.output.format;
+      bool const is_own_file = !plan.output.is_standard_output() && !plan.output.is_film;
+      int const use = is_own_file ? ++uses[plan.output.path] : 1;
+      if (use == 2) {
+        console_.warning(
+            fmt::format("several pictures are called '{}': the last one stays (-o picture-%04d.png numbers them)",
+                        plan.output.shown));
+      }
+      if (use > 1) continue;
+      if (!plan.output.note.empty()) console_.warning(plan.output.note);
+      auto const has_no_effect = [&](bool given, bool applies, char const* option) {
+        if (!given || applies || !warned_.insert({option, plan.output.path.extension()}).second) return;
+        console_.warning(fmt::format("{} has no effect on '{}'", option, plan.output.shown));
+      };
+      bool const is_film = plan.output.is_film;
+      has_no_effect(options_.has_bits, !format.is_linear_float && format.max_bits > 8 && !is_film, "--bits");
+      has_no_effect(options_.has_quality, format.name == "jpg", "--quality");
+      has_no_effect(options_.encoding.ppm_ascii, format.name == "ppm" && !is_film, "--ppm-ascii");
+      has_no_effect(options_.has_development, !format.is_linear_float, "--tonemap and --transfer");
+      has_no_effect(options_.resume, format.read_fingerprint != nullptr, "--resume");
+    }
+  }
+
+  void check_film_size() {
+    for (PicturePlan const& plan : scene_.plans) {
+      Resolution const size{plan.region.width, plan.region.height};
+      if (!film_size_) film_size_ = size;
+      if (size == *film_size_) continue;
+      throw Error(options_.size ? ErrorKind::usage : ErrorKind::scene,
+                  fmt::format("{}: the pictures of a film have one size, and this one has {}x{} where the first has "
+                              "{}x{}: --size chooses one for all",
+                              scene_.source->name(), size.width, size.height, film_size_->width, film_size_->height));
+    }
+  }
+
+  /// How much of everything is drawn when `fraction` of the current picture is. What is not opened yet counts as what
+  /// was opened on average.
+  double fraction_of_all(double fraction) const {
+    double const done = double(planned_before_) + double(current_);
+    double const opened = double(inputs_.size() - inputs_left_);
+    double const planned = double(planned_before_ + scene_.plans.size());
+    return (done + fraction) / (planned / opened * double(inputs_.size()));
+  }
+
+  void draw(PictureReady const& ready) {
+    current_ = ready.number;
+    PictureReport picture;
+    picture.plan = scene_.plans[ready.number];
+    picture.load_ms = ready.load_ms;
+    picture.scene = ready.scene->statistics;
+    if (ready.is_done) {
+      ++skipped_;
+      picture.is_skipped = picture.is_complete = true;
+      picture.written_to = picture.plan.output.shown;
+      finish_writing();
+      console_.detail(fmt::format("{}: already there", picture.written_to));
+      report_.scenes.back().pictures.push_back(std::move(picture));
+      return;
+    }
+    picture.scene = renderer_.set_scene(ready.scene);
+    if (picture.scene.unrepresentable > 0 && ready.number == 0) {
+      bar_.clear();
+      console_.warning(
+          fmt::format("{}: {} shapes are left out: their coordinates are too large or too small for the device",
+                      scene_.source->name(), picture.scene.unrepresentable));
+    }
+
+    if (!graceful_) graceful_.emplace();
+    Image image(picture.plan.size);
+    RenderResult const result = renderer_.render(ready.request, image, [&](RenderProgress const& progress) {
+      bar_.update(title(picture.plan), {fraction_of_all(progress.fraction), rays_ + progress.rays, run_.seconds()});
+      return !interrupted();
+    });
+    rays_ += result.statistics.rays.total();
+    picture.is_complete = result.complete;
+    picture.render = result.statistics;
+    picture.plan.encoding.fingerprint = result.complete ? ready.fingerprint : "";
+    finish_writing();
+    writing_ =
+        std::async(std::launch::async, [this, picture, part = crop(std::move(image), picture.plan.region)]() mutable {
+          writer_.write(part, picture);
+          return picture;
+        });
+    if (!result.complete) {
+      std::string const written_to = finish_writing();
+      throw Error(ErrorKind::interrupted, is_film_ ? "interrupted"
+                                          : written_to.empty()
+                                              ? "interrupted: nothing was written"
+                                              : fmt::format("interrupted: what is done is in '{}'", written_to));
+    }
+    if (result.statistics.rays.camera > 0 && result.statistics.rays.camera_hits == 0 && !options_.region) {
+      finish_writing();
+      explain_empty_view(*ready.scene, ready.request, picture.plan);
+    }
+    if (interrupted()) {
+      finish_writing();
+      throw Error(ErrorKind::interrupted, "interrupted");
+    }
+  }
+
+  std::string title(PicturePlan const& plan) const {
+    if (inputs_.size() == 1 && scene_.plans.size() == 1) return plan.output.shown;
+    std::size_t const number = planned_before_ + current_ + 1;
+    return inputs_left_ > 0
+               ? fmt::format("{}, picture {}", plan.output.shown, number)
+               : fmt::format("{}, picture {} of {}", plan.output.shown, number, planned_before_ + scene_.plans.size());
+  }
+
+  /// Waits for the picture that is being written, if one is, and reports it. Returns where it was written to.
+  std::string finish_writing() {
+    if (!writing_.valid()) return {};
+    PictureReport const picture = writing_.get();
+    if (picture.is_complete && !is_film_) {
+      bar_.clear();
+      console_.info(summary(picture));
+    }
+    if (picture.is_complete && console_.is_verbose()) {
+      bar_.clear();
+      console_.detail(details(picture));
+    }
+    report_.scenes.back().pictures.push_back(picture);
+    return picture.written_to;
+  }
+
+  void end_film() {
+    try {
+      bool const is_interrupted = code_ == exit_code(ErrorKind::interrupted);
+      if (code_ != 0 && !is_interrupted) return;  // a film that lacks pictures would be taken for a whole one
+      if (auto const film = writer_.finish_film(!is_interrupted)) {
+        report_.film = film->path;
+        console_.info(fmt::format("{}: {} pictures, {}x{}, {:.2f} s at {:g} a second", film->path, film->frame_count,
+                                  film->size.width, film->size.height, film->frame_count / options_.frame_rate(),
+                                  options_.frame_rate()));
+      }
+    } catch (Error const& error) {
+      console_.error(error.what());
+      note_failure(error);
+    }
+  }
+
+  /// Says where the scene lies, and which other convention would show it. Once an input.
+  void explain_empty_view(PreparedScene const& scene, RenderRequest const& request, PicturePlan const& plan) {
+    if (has_explained_ || console_.is_quiet()) return;
+    has_explained_ = true;
+    std::string message =
+        fmt::format("{}: the camera '{}' sees nothing: {}", scene_.source->name(), request.camera.name(),
+                    describe_direction(request.camera, scene.bounds_min, scene.bounds_max));
+    for (Convention const& convention : other_conventions(options_.load.language)) {
+      if (scene_.is_model || !shows_something(convention.options, request, plan.scene_number)) continue;
+      message += fmt::format("; with {} it is in view", convention.arguments);
+      break;
+    }
+    bar_.clear();
+    console_.warning(message);
+  }
+
+  /// Draws the picture again, small, from the file read under other options.
+  bool shows_something(EsdfOptions const& language, RenderRequest request, std::size_t wanted) {
+    constexpr int probe_width = 64;
+    int const height = std::max(1, int(double(request.resolution.height) * probe_width / request.resolution.width));
+    request.resolution = {probe_width, std::min(height, 4 * probe_width)};
+    request.region = {0, 0, request.resolution.width, request.resolution.height};
+    request.sampling = {};
+    request.max_depth = 0;
+    bool is_seen = false;
+    LoadOptions load = options_.load;
+    load.language = language;
+    LoadedScene script = scene_.source->load(load);
+    script.play([&](Scene const& scene, std::size_t index) {
+      Camera const* const camera = scene.cameras.find(request.camera.name());
+      if (index != wanted || !camera) return true;
+      request.camera = *camera;
+      renderer_.set_scene(scene, options_.root);
+      Image image(request.resolution);
+      is_seen = renderer_.render(request, image).statistics.rays.camera_hits > 0;
+      return false;
+    });
+    return is_seen;
+  }
+
+  std::vector<std::string> const& inputs_;
+  RenderOptions const& options_;
+  Renderer& renderer_;
+  Console const& console_;
+  RunReport& report_;
+  bool is_film_;
+  Stopwatch run_;
+  std::optional<GracefulScope> graceful_;  // once something is drawn, Ctrl-C is asked for
+  ProgressBar bar_;
+  PictureWriter writer_;
+  SceneLoader loader_;
+  std::future<PictureReport> writing_;  // last: it uses what is above
+
+  SceneOpened scene_;
+  std::optional<Resolution> film_size_;
+  std::set<std::pair<std::string, std::string>> warned_;  // option and extension
+  bool has_explained_ = false;
+  int code_ = 0;
+  std::size_t failed_ = 0;
+  std::size_t skipped_ = 0;
+  std::size_t planned_before_ = 0;  // pictures of the inputs before
+  std::size_t current_ = 0;         // picture of this input
+  std::size_t inputs_left_ = 0;
+  std::uint64_t rays_ = 0;
+};
+
+}  // namespace
+
+int draw_sequence(std::vector<std::string> const& inputs, RenderOptions const& options, OutputNames& names,
+                  Renderer& renderer, Console const& console, RunReport& report) {
+  return Sequence(inputs, options, names, renderer, console, report).run();
+}
+
+}  // namespace lichtraum::app

@@ -1,0 +1,34 @@
+#include "render/fingerprint.hpp"
+
+#include "lichtraum/renderer.hpp"
+
+namespace lichtraum {
+
+std::string scene_fingerprint(ContentHash const& content, SceneShading const& shading) {
+  ContentHasher hasher;
+  hasher.add(content.words);
+  hasher.add(shading.ambient);
+  hasher.add(shading.background);
+  hasher.add(int(shading.tone_map));
+  return hasher.finish().text();
+}
+
+std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const& request) {
+  ContentHasher hasher;
+  hasher.add(std::string_view(LICHTRAUM_VERSION));
+  hasher.add(std::string_view(scene.fingerprint));
+  hasher.add(request.camera.fov_x_degrees());
+  hasher.add(request.camera.world_from_camera().matrix());
+  hasher.add(request.resolution);
+  hasher.add(request.region);
+  hasher.add(int(request.sampling.pattern));
+  hasher.add(request.sampling.count);
+  hasher.add(request.max_depth);
+  bool const is_random = request.sampling.pattern == Sampling::Pattern::seeded;
+  hasher.add(is_random ? request.seed : std::uint64_t(0));
+  hasher.add(int(request.tone_map));
+  hasher.add(int(request.transfer));
+  return hasher.finish().text();
+}
+
+}  // namespace lichtraum

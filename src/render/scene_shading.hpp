@@ -1,0 +1,16 @@
+#pragma once
+
+#include "lichtraum/scene.hpp"
+
+namespace lichtraum {
+
+/// What shading needs of a scene besides its surfaces and point lights.
+struct SceneShading {
+  Rgb ambient{0};  ///< the sum of all lights' La
+  Rgb background{0};
+  ToneMap tone_map = ToneMap::none;  ///< what `automatic` means
+};
+
+inline SceneShading shading_of(Scene const& scene) { return {scene.ambient(), scene.background, scene.tone_map}; }
+
+}  // namespace lichtraum

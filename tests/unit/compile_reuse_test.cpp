@@ -1,0 +1,92 @@
+#include <cstring>
+
+#include "compile/scene_buffers.hpp"
+#include "scene/flatten.hpp"
+#include "support/catch.hpp"
+
+// What compile_scene takes from the scene before is what it would have built.
+
+using namespace lichtraum;
+
+namespace {
+
+using Shapes = std::vector<std::shared_ptr<Shape const>>;
+
+struct TwoParts {
+  std::shared_ptr<Composite> ladder = std::make_shared<Composite>("ladder");  // shown twice
+  std::shared_ptr<Composite> left = std::make_shared<Composite>("left");
+  std::shared_ptr<Composite> right = std::make_shared<Composite>("right");
+  std::shared_ptr<Sphere> ball = std::make_shared<Sphere>("ball", Vec3(0, 5, 0), 1, nullptr);
+
+  TwoParts() {
+    for (int i = 0; i < 20; ++i) {
+      double const x = i;
+      ladder->add(std::make_shared<Triangle>("t", Vec3(x, 0, 0), Vec3(x, 1, 0), Vec3(x, 0, 1), nullptr));
+      ladder->add(std::make_shared<Sphere>("s", Vec3(x, 2, 0), 0.3, nullptr));
+    }
+    left->add(ladder);
+    right->add(ladder);
+    right->translate({0, 0, 10});
+  }
+  Shapes roots() const { return {left, right, ball}; }
+};
+
+template <class T>
+bool same(std::vector<T> const& a, std::vector<T> const& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), sizeof(T) * a.size()) == 0);
+}
+
+bool same_arrays(SceneBuffers const& a, SceneBuffers const& b) {
+  return same(a.nodes, b.nodes) && same(a.references, b.references) && same(a.triangles, b.triangles) &&
+         same(a.wide_nodes, b.wide_nodes) && same(a.triangle_blocks, b.triangle_blocks) &&
+         same(a.triangle_tags, b.triangle_tags) && same(a.spheres, b.spheres) && same(a.instances, b.instances) &&
+         a.root_node == b.root_node && a.stack_size == b.stack_size && a.content == b.content;
+}
+
+}  // namespace
+
+TEST_CASE("a scene compiled after another is the same as compiled alone", "[unit][compile]") {
+  for (Traversal const traversal : {Traversal::scalar, Traversal::wide}) {
+    TwoParts parts;
+    SceneBuffers before = compile_scene(flatten(parts.roots()), {}, traversal);
+    std::vector<std::function<void()>> const changes{
+        [] {},
+        [&] {
+          parts.ball->translate({1, 2, 3});
+        },
+        [&] {
+          parts.right->rotate(30, {0, 1, 0});
+        },
+        [&] { parts.ladder->add(std::make_shared<Sphere>("more", Vec3(0), 1, nullptr)); },
+        [&] { parts.left->add(std::make_shared<Box>("box", Vec3(0), Vec3(1), nullptr)); },
+    };
+    for (auto const& change : changes) {
+      ContentHash const old = before.content;
+      change();
+      SceneBuffers const alone = compile_scene(flatten(parts.roots()), {}, traversal);
+      SceneBuffers const after = compile_scene(flatten(parts.roots()), {}, traversal, &before);
+      CHECK(same_arrays(after, alone));
+      CHECK((after.content == old) == (&change == &changes.front()));
+      before = compile_scene(flatten(parts.roots()), {}, traversal);
+    }
+  }
+}
+
+TEST_CASE("only what has changed is built again", "[unit][compile]") {
+  TwoParts parts;
+  SceneBuffers before = compile_scene(flatten(parts.roots()), {}, Traversal::wide);
+  REQUIRE(before.objects.size() == 2);
+  // A mark in both hierarchies shows which of them is taken over.
+  for (CompiledObject const& object : before.objects) before.wide_nodes[object.root_node].bounds[0][0] = -12345;
+  auto const marks = [&] {
+    SceneBuffers const after = compile_scene(flatten(parts.roots()), {}, Traversal::wide, &before);
+    std::vector<bool> found;
+    for (CompiledObject const& object : after.objects) {
+      found.push_back(after.wide_nodes[object.root_node].bounds[0][0] == -12345);
+    }
+    return found;
+  };
+  CHECK(marks() == std::vector<bool>{true, true});
+  parts.ball->translate({1, 0, 0});
+  CHECK(marks() == std::vector<bool>{true, false});  // the ladder's, not the world's
+}

@@ -1,10 +1,13 @@
 #include "scene/bake.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <optional>
 
+#include "core/huge_pages.hpp"
+#include "core/parallel_ranges.hpp"
 #include "scene/device_conversion.hpp"
 
 namespace lichtraum {
@@ -36,6 +39,13 @@ bool is_finite(device::AffineTransform const& t) {
   }
   return true;
 }
+
+bool is_finite(device::TrianglePrimitive const& t) {
+  return all_finite(t.vertices[0]) && all_finite(t.vertices[1]) && all_finite(t.vertices[2]);
+}
+
+/// Of triangles or positions of a mesh: fewer are not worth a thread.
+constexpr std::size_t min_range = std::size_t(1) << 15;
 
 class Baker final : public ShapeVisitor {
  public:
@@ -87,24 +97,27 @@ class Baker final : public ShapeVisitor {
     std::vector<Float3> const positions = mapped(geometry.positions);
     std::size_t const first = object_.triangles.size();
     std::size_t const places[] = {place_of_corner(0), place_of_corner(1), place_of_corner(2)};
+    reserve_in_huge_pages(object_.triangles, first + geometry.triangle_count());
     object_.triangles.resize(first + geometry.triangle_count());
-    device::TrianglePrimitive* next = object_.triangles.data() + first;
-    for (std::size_t i = 0; i + 2 < geometry.indices.size(); i += 3) {
-      device::TrianglePrimitive& primitive = *next;
+    std::atomic<bool> all_fit = true;
+    for_parallel_ranges(geometry.triangle_count(), min_range, [&](std::size_t begin, std::size_t end) {
       bool fits = true;
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        Float3 const& p = positions[geometry.indices[i + corner]];
-        std::copy(p.begin(), p.end(), primitive.vertices[places[corner]]);
-        fits = fits && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+      for (std::size_t i = begin; i < end; ++i) {
+        device::TrianglePrimitive& primitive = object_.triangles[first + i];
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+          Float3 const& p = positions[geometry.indices[3 * i + corner]];
+          std::copy(p.begin(), p.end(), primitive.vertices[places[corner]]);
+        }
+        primitive.tag = tag_;
+        fits = fits && is_finite(primitive);
       }
-      primitive.tag = tag_;
-      if (fits) {
-        ++next;
-      } else {
-        ++left_out_;
-      }
-    }
-    object_.triangles.resize(std::size_t(next - object_.triangles.data()));
+      if (!fits) all_fit = false;
+    });
+    if (all_fit) return;
+    auto const begin = object_.triangles.begin() + std::ptrdiff_t(first);
+    auto const kept = std::remove_if(begin, object_.triangles.end(), [](auto const& t) { return !is_finite(t); });
+    left_out_ += std::uint64_t(object_.triangles.end() - kept);
+    object_.triangles.erase(kept, object_.triangles.end());
   }
 
   void visit(Composite const&) override {}  // no leaf: flatten unfolds it
@@ -123,12 +136,13 @@ class Baker final : public ShapeVisitor {
   std::size_t place_of_corner(std::size_t corner) const { return is_mirrored_ && corner != 0 ? 3 - corner : corner; }
 
   std::vector<Float3> mapped(std::vector<Float3> const& points) const {
-    std::vector<Float3> result;
-    result.reserve(points.size());
-    for (Float3 const& p : points) {
-      Vec3 const mapped = object_from_shape_.point({p[0], p[1], p[2]});
-      result.push_back({float(mapped.x), float(mapped.y), float(mapped.z)});
-    }
+    std::vector<Float3> result(points.size());
+    for_parallel_ranges(points.size(), min_range, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        Vec3 const p = object_from_shape_.point({points[i][0], points[i][1], points[i][2]});
+        result[i] = {float(p.x), float(p.y), float(p.z)};
+      }
+    });
     return result;
   }
 

@@ -61,7 +61,7 @@ _lichtraum() {
       compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(
         compgen -d -- "$current"
-        compgen -f -- "$current" | grep -E '\.(e?sdf|txt)$'
+        compgen -f -- "$current" | grep -E '\.(e?sdf|txt|gltf|glb|obj|ply)$'
       )
       ;;
     help) mapfile -t COMPREPLY < <(compgen -W "$commands" -- "$current") ;;

@@ -159,8 +159,8 @@ void add_language_options(CLI::App& parser, EsdfOptions& options) {
       ->group(group);
 }
 
-void add_model_options(CLI::App& parser, GltfOptions& options) {
-  std::string const group = "glTF models";
+void add_model_options(CLI::App& parser, ModelOptions& options) {
+  std::string const group = "Models";
   add_value(parser, "--scene", options.scene, parse_name, "NAME", "Scene of the file: name or number", group);
   add_value(parser, "--time", options.time_seconds, parse_time, "SECONDS", "Pose of the animation at that time", group);
   add_value(parser, "--animation", options.animation, parse_name, "NAME",

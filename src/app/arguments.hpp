@@ -8,7 +8,7 @@
 #include "app/console.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/esdf.hpp"
-#include "lichtraum/gltf.hpp"
+#include "lichtraum/model.hpp"
 
 /// What the subcommands' command lines have in common.
 
@@ -54,7 +54,7 @@ void add_verbosity(CLI::App& parser, Console& console);
 void add_language_options(CLI::App& parser, EsdfOptions& options);
 
 /// How models are read: --scene, --time, --animation, --max-texture.
-void add_model_options(CLI::App& parser, GltfOptions& options);
+void add_model_options(CLI::App& parser, ModelOptions& options);
 
 /// The known word nearest to a misspelt one; empty when none is near.
 std::string nearest(std::string_view word, std::vector<std::string> const& known);

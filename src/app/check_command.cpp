@@ -13,7 +13,7 @@ namespace {
 
 constexpr char const* description =
     "Reports what is wrong in scenes and draws nothing. SCENE is an eSDF file, a\n"
-    "glTF model, or - for standard input.";
+    "model (glTF, OBJ, PLY), or - for standard input.";
 
 constexpr char const* examples =
     "  lichtraum check hello.sdf\n"
@@ -44,7 +44,7 @@ int check_command(Arguments const& arguments, Console& console) {
   std::vector<std::string> scenes;
   LoadOptions load;
   auto const parser = make_parser("check", description, examples);
-  parser->add_option("scene", scenes, "eSDF files, glTF models")->required()->type_name("SCENE...");
+  parser->add_option("scene", scenes, "eSDF files, models")->required()->type_name("SCENE...");
   add_language_options(*parser, load.language);
   add_model_options(*parser, load.model);
   add_verbosity(*parser, console);

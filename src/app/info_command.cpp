@@ -12,11 +12,12 @@ namespace {
 
 constexpr char const* description =
     "Tells what is in a scene, as it is at the end of the file. FILE is an eSDF file,\n"
-    "a glTF model, or - for standard input.";
+    "a model (glTF, OBJ, PLY), or - for standard input.";
 
 constexpr char const* examples =
     "  lichtraum info hello.sdf\n"
-    "  lichtraum info hello.sdf --json\n";
+    "  lichtraum info hello.sdf --json\n"
+    "  lichtraum info model.glb\n";
 
 }  // namespace
 
@@ -25,7 +26,7 @@ int info_command(Arguments const& arguments, Console& console) {
   bool json = false;
   LoadOptions load;
   auto const parser = make_parser("info", description, examples);
-  parser->add_option("file", file, "an eSDF file, a glTF model")->required()->type_name("FILE");
+  parser->add_option("file", file, "an eSDF file, a model")->required()->type_name("FILE");
   parser->add_flag("--json", json, "Print JSON")->group("Output");
   add_language_options(*parser, load.language);
   add_model_options(*parser, load.model);
@@ -35,7 +36,8 @@ int info_command(Arguments const& arguments, Console& console) {
   SceneSource const source(file);
   LoadedScene const script = source.load(load);
   console.show(script.diagnostics());
-  SceneSummary const summary = summarise(script.scene());
+  SceneSummary summary = summarise(script.scene());
+  summary.contents = script.contents();
   write_standard_output(json ? to_json(summary, source.name()) : to_text(summary, source.name()));
   return 0;
 }

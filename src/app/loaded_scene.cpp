@@ -4,13 +4,13 @@ namespace lichtraum::app {
 
 LoadedScene::LoadedScene(GltfAnimation animation, std::vector<double> times_seconds)
     : content_([&] {
-        GltfModel first = animation.pose(times_seconds.at(0));
+        Model first = animation.pose(times_seconds.at(0));
         return AnimatedModel{std::move(animation), std::move(times_seconds), std::move(first)};
       }()) {}
 
-GltfModel const& LoadedScene::model() const {
+Model const& LoadedScene::model() const {
   auto const* animated = std::get_if<AnimatedModel>(&content_);
-  return animated ? animated->first : std::get<GltfModel>(content_);
+  return animated ? animated->first : std::get<Model>(content_);
 }
 
 std::vector<Diagnostic> const& LoadedScene::diagnostics() const {

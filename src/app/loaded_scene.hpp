@@ -13,7 +13,7 @@ namespace lichtraum::app {
 /// How scenes and models are read.
 struct LoadOptions {
   EsdfOptions language;  ///< its allowed paths hold for models as well
-  GltfOptions model;
+  ModelOptions model;
   std::vector<double> times_seconds;  ///< a picture of a model's animation at each; empty: one, see model.time_seconds
   std::optional<double> whole_animation_rate;  ///< a model's whole animation, at that many pictures a second
 };
@@ -22,10 +22,12 @@ struct LoadOptions {
 class LoadedScene {
  public:
   explicit LoadedScene(EsdfScript script) : content_(std::move(script)) {}
-  explicit LoadedScene(GltfModel model) : content_(std::move(model)) {}
+  explicit LoadedScene(Model model) : content_(std::move(model)) {}
   /// A model at several times (at least one).
   LoadedScene(GltfAnimation animation, std::vector<double> times_seconds);
 
+  /// What a model file holds beside its scene; null for a scene file.
+  ModelContents const* contents() const { return is_model() ? &model().contents : nullptr; }
   bool is_model() const { return !std::holds_alternative<EsdfScript>(content_); }
   std::vector<Diagnostic> const& diagnostics() const;
   /// At the end of the file; of a model at several times at the first of them.
@@ -41,11 +43,11 @@ class LoadedScene {
   struct AnimatedModel {
     GltfAnimation animation;
     std::vector<double> times_seconds;
-    GltfModel first;
+    Model first;
   };
-  GltfModel const& model() const;
+  Model const& model() const;
 
-  std::variant<EsdfScript, GltfModel, AnimatedModel> content_;
+  std::variant<EsdfScript, Model, AnimatedModel> content_;
 };
 
 }  // namespace lichtraum::app

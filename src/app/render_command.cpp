@@ -16,9 +16,9 @@ namespace lichtraum::app {
 namespace {
 
 constexpr char const* description =
-    "Draws scenes to pictures. SCENE is an eSDF file, a glTF model (.gltf, .glb),\n"
-    "- for standard input, or a pattern in quotes, such as 'frames/*.sdf'. A scene\n"
-    "names its pictures itself; one that does not, and a model, is drawn to\n"
+    "Draws scenes to pictures. SCENE is an eSDF file, a model (.gltf, .glb, .obj,\n"
+    ".ply), - for standard input, or a pattern in quotes, such as 'frames/*.sdf'. A\n"
+    "scene names its pictures itself; one that does not, and a model, is drawn to\n"
     "<scene>.png.";
 
 constexpr char const* examples =
@@ -108,7 +108,7 @@ void add_quality_options(CLI::App& parser, RenderOptions& options) {
 
 bool parse_render(Arguments const& arguments, RenderOptions& options, Console& console) {
   auto const parser = make_parser("render", description, examples);
-  parser->add_option("scene", options.scenes, "eSDF files, glTF models")->required()->type_name("SCENE...");
+  parser->add_option("scene", options.scenes, "eSDF files, models")->required()->type_name("SCENE...");
   add_output_options(*parser, options);
   add_picture_options(*parser, options);
   add_sequence_options(*parser, options);

@@ -52,10 +52,12 @@ std::string SceneSource::stem() const { return text_ ? "stdin" : std::filesystem
 
 LoadedScene SceneSource::load(LoadOptions const& options) const {
   if (text_) return LoadedScene(EsdfScript::from_text(*text_, name_, options.language));
-  if (!is_gltf_file(name_)) return LoadedScene(EsdfScript::from_file(name_, options.language));
-  GltfOptions model = options.model;
+  if (!is_model_file(name_)) return LoadedScene(EsdfScript::from_file(name_, options.language));
+  ModelOptions model = options.model;
   model.allowed_paths = options.language.allowed_paths;
-  if (options.times_seconds.empty() && !options.whole_animation_rate) return LoadedScene(import_gltf(name_, model));
+  bool const is_sequence = !options.times_seconds.empty() || options.whole_animation_rate;
+  if (is_sequence && !is_gltf_file(name_)) model.time_seconds = 0;  // for the warning that it has no effect
+  if (!is_sequence || !is_gltf_file(name_)) return LoadedScene(import_model(name_, model));
   GltfAnimation animation(name_, model);
   std::vector<double> times = options.times_seconds;
   if (times.empty()) times = whole_animation(animation.duration_seconds(), *options.whole_animation_rate, name_);

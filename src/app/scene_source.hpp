@@ -19,7 +19,7 @@ class SceneSource {
   /// The file's name without folder and extension, or "stdin": what a picture is called when nothing else says.
   std::string stem() const;
 
-  /// Same exceptions as EsdfScript::from_file and import_gltf.
+  /// Same exceptions as EsdfScript::from_file and import_model.
   LoadedScene load(LoadOptions const& options) const;
 
  private:

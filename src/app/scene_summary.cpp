@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace lichtraum::app {
@@ -112,6 +113,38 @@ class Summariser final : public ShapeVisitor {
   Below result_;
 };
 
+constexpr TextureSlot PbrMaterial::*texture_slots[] = {&PbrMaterial::base_color_texture,
+                                                       &PbrMaterial::metallic_roughness_texture,
+                                                       &PbrMaterial::normal_texture,
+                                                       &PbrMaterial::occlusion_texture,
+                                                       &PbrMaterial::emissive_texture,
+                                                       &PbrMaterial::specular_texture,
+                                                       &PbrMaterial::specular_color_texture,
+                                                       &PbrMaterial::transmission_texture,
+                                                       &PbrMaterial::thickness_texture,
+                                                       &PbrMaterial::clearcoat_texture,
+                                                       &PbrMaterial::clearcoat_roughness_texture,
+                                                       &PbrMaterial::clearcoat_normal_texture,
+                                                       &PbrMaterial::sheen_color_texture,
+                                                       &PbrMaterial::sheen_roughness_texture,
+                                                       &PbrMaterial::anisotropy_texture,
+                                                       &PbrMaterial::iridescence_texture,
+                                                       &PbrMaterial::iridescence_thickness_texture};
+
+std::vector<TextureImage const*> textures_of(Scene const& scene) {
+  std::vector<TextureImage const*> images;
+  std::unordered_set<TextureImage const*> known;
+  for (auto const& material : scene.materials) {
+    if (!material->pbr()) continue;
+    for (auto const slot : texture_slots) {
+      auto const& texture = ((*material->pbr()).*slot).texture;
+      if (texture && texture->image && known.insert(texture->image.get()).second)
+        images.push_back(texture->image.get());
+    }
+  }
+  return images;
+}
+
 }  // namespace
 
 SceneSummary summarise(Scene const& scene) {
@@ -127,6 +160,7 @@ SceneSummary summarise(Scene const& scene) {
   summary.defined = summariser.defined;
   summary.bounds_min = bounds.min;
   summary.bounds_max = bounds.max;
+  summary.textures = textures_of(scene);
   summary.scene = &scene;
   return summary;
 }

@@ -2,8 +2,9 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
-#include "lichtraum/scene.hpp"
+#include "lichtraum/model.hpp"
 
 namespace lichtraum::app {
 
@@ -23,7 +24,9 @@ struct SceneSummary {
   ShapeCounts drawn;    ///< once for each path from a root: with all instances; saturates at `uncountable`
   Vec3 bounds_min{0};   ///< of a box around all that is drawn; min > max when nothing is
   Vec3 bounds_max{0};
+  std::vector<TextureImage const*> textures;  ///< of all materials, each once, as they are in memory
   Scene const* scene = nullptr;
+  ModelContents const* contents = nullptr;  ///< null: it is no model
 
   static constexpr std::uint64_t uncountable = std::uint64_t(1) << 62;
 };

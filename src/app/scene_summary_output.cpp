@@ -33,6 +33,36 @@ std::string size_text(std::optional<Resolution> const& size) {
 
 Json size_json(std::optional<Resolution> const& size) { return size ? Json{size->width, size->height} : Json(); }
 
+double megabytes(TextureImage const& image) { return double(image.rgba.size()) / 1e6; }
+
+std::string contents_text(ModelContents const& contents) {
+  std::string text;
+  for (std::string const& scene : contents.scenes) text += fmt::format("  scene           {}\n", scene);
+  for (auto const& animation : contents.animations) {
+    text += fmt::format("  animation       {}, {:.6g} s\n", animation.name, animation.seconds);
+  }
+  for (auto const& extension : contents.extensions) {
+    text += fmt::format("  extension       {}{}: {}\n", extension.name, extension.is_required ? " (required)" : "",
+                        extension.support.empty() ? "not supported" : extension.support);
+  }
+  return text;
+}
+
+Json contents_json(ModelContents const& contents) {
+  Json animations = Json::array();
+  for (auto const& animation : contents.animations) {
+    animations.push_back({{"name", animation.name}, {"seconds", animation.seconds}});
+  }
+  Json extensions = Json::array();
+  for (auto const& extension : contents.extensions) {
+    extensions.push_back({{"name", extension.name},
+                          {"required", extension.is_required},
+                          {"supported", !extension.support.empty()},
+                          {"support", extension.support}});
+  }
+  return {{"scenes", contents.scenes}, {"animations", animations}, {"extensions", extensions}};
+}
+
 }  // namespace
 
 std::string to_text(SceneSummary const& summary, std::string const& file) {
@@ -49,6 +79,10 @@ std::string to_text(SceneSummary const& summary, std::string const& file) {
   row("mesh triangles", summary.defined.mesh_triangles, summary.drawn.mesh_triangles);
   row("composites", summary.defined.composites, summary.drawn.composites);
   text += fmt::format("  materials       {:>10}\n", scene.materials.size());
+  for (TextureImage const* image : summary.textures) {
+    text += fmt::format("  texture         {}{}{}x{}, {:.3g} MB\n", image->name, image->name.empty() ? "" : ", ",
+                        image->width, image->height, megabytes(*image));
+  }
   text += fmt::format("  lights          {:>10}\n", scene.lights.size());
   for (Camera const& camera : scene.cameras) {
     text += fmt::format("  camera          {}, {:g} degrees wide{}\n", camera.name(), camera.fov_x_degrees(),
@@ -58,6 +92,7 @@ std::string to_text(SceneSummary const& summary, std::string const& file) {
     text +=
         fmt::format("  picture         {} through {}{}\n", command.file, command.camera, size_text(command.resolution));
   }
+  if (summary.contents) text += contents_text(*summary.contents);
   text += fmt::format("  ambient light   {}\n", triple(scene.ambient()));
   text += fmt::format("  background      {}\n", triple(scene.background));
   text += is_empty(summary)
@@ -90,18 +125,24 @@ std::string to_json(SceneSummary const& summary, std::string const& file) {
   for (RenderCommand const& command : scene.renders) {
     renders.push_back({{"camera", command.camera}, {"file", command.file}, {"size", size_json(command.resolution)}});
   }
+  Json textures = Json::array();
+  for (TextureImage const* image : summary.textures) {
+    textures.push_back({{"name", image->name}, {"size", {image->width, image->height}}, {"bytes", image->rgba.size()}});
+  }
   Json const bounds = is_empty(summary)
                           ? Json()
                           : Json{{"min", triple_json(summary.bounds_min)}, {"max", triple_json(summary.bounds_max)}};
   Json const json{{"file", file},
                   {"shapes", {{"defined", counts_json(summary.defined)}, {"drawn", counts_json(summary.drawn)}}},
                   {"materials", scene.materials.size()},
+                  {"textures", textures},
                   {"lights", lights},
                   {"cameras", cameras},
                   {"renders", renders},
                   {"ambient", triple_json(scene.ambient())},
                   {"background", triple_json(scene.background)},
-                  {"bounds", bounds}};
+                  {"bounds", bounds},
+                  {"model", summary.contents ? contents_json(*summary.contents) : Json()}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

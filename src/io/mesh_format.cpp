@@ -1,27 +1,22 @@
 #include "io/mesh_format.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/ascii.hpp"
 #include "lichtraum/gltf.hpp"
+#include "lichtraum/obj.hpp"
+#include "lichtraum/ply.hpp"
 
 namespace lichtraum {
-namespace {
-
-std::shared_ptr<Shape> load_gltf_mesh(std::filesystem::path const& path, std::string name,
-                                      std::shared_ptr<Material const> material) {
-  GltfOptions options;
-  options.material = std::move(material);
-  Scene const scene = load_gltf(path, options);
-  Composite::Children roots;
-  for (auto const& root : scene.roots()) roots.push_back(*scene.shapes.find(root->name()));
-  return std::make_shared<Composite>(std::move(name), std::move(roots));
-}
-
-}  // namespace
 
 std::span<MeshFormat const> mesh_formats() {
-  static MeshFormat const table[] = {{"glTF", {".gltf", ".glb"}, load_gltf_mesh}};
+  static MeshFormat const table[] = {
+      {"glTF", {".gltf", ".glb"}, import_gltf},
+      {"Wavefront OBJ", {".obj"}, import_obj},
+      {"PLY", {".ply"}, import_ply},
+  };
   return table;
 }
 
@@ -31,6 +26,24 @@ MeshFormat const* find_mesh_format(std::span<MeshFormat const> formats, std::fil
     return std::find(format.extensions.begin(), format.extensions.end(), extension) != format.extensions.end();
   });
   return found == formats.end() ? nullptr : &*found;
+}
+
+std::shared_ptr<Shape> shape_of(Model const& model, std::string name) {
+  Composite::Children roots;
+  for (auto const& root : model.scene.roots()) roots.push_back(*model.scene.shapes.find(root->name()));
+  return std::make_shared<Composite>(std::move(name), std::move(roots));
+}
+
+bool is_model_file(std::filesystem::path const& path) { return find_mesh_format(mesh_formats(), path) != nullptr; }
+
+Model import_model(std::filesystem::path const& path, ModelOptions const& options) {
+  MeshFormat const* const format = find_mesh_format(mesh_formats(), path);
+  if (!format) throw Error(ErrorKind::usage, fmt::format("'{}' is no model of a known format", path.string()));
+  return format->import(path, options);
+}
+
+Scene load_model(std::filesystem::path const& path, ModelOptions const& options) {
+  return std::move(import_model(path, options).scene);
 }
 
 }  // namespace lichtraum

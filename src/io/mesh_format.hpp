@@ -7,18 +7,16 @@
 #include <string_view>
 #include <vector>
 
-#include "lichtraum/shape.hpp"
+#include "lichtraum/model.hpp"
 
 namespace lichtraum {
 
-/// One row of the table of model formats that a scene may name as a mesh.
+/// One row of the table of model formats.
 struct MeshFormat {
   std::string_view name;                     ///< "glTF"
   std::vector<std::string_view> extensions;  ///< lower case with the dot: {".gltf", ".glb"}
-  /// Reads the model as one shape called `name`. `material` replaces the model's own; it may be null.
   /// Throws Error (SceneError for a faulty model).
-  std::shared_ptr<Shape> (*load)(std::filesystem::path const& path, std::string name,
-                                 std::shared_ptr<Material const> material);
+  Model (*import)(std::filesystem::path const& path, ModelOptions const& options);
 };
 
 /// Every model format that this build reads.
@@ -26,5 +24,8 @@ std::span<MeshFormat const> mesh_formats();
 
 /// The format for a file of that name (extension in any case), or nullptr.
 MeshFormat const* find_mesh_format(std::span<MeshFormat const> formats, std::filesystem::path const& path);
+
+/// A model as one shape called `name`.
+std::shared_ptr<Shape> shape_of(Model const& model, std::string name);
 
 }  // namespace lichtraum

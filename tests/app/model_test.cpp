@@ -85,3 +85,73 @@ TEST_CASE("check and info read models", "[app][gltf]") {
   CHECK_THAT(lichtraum("info good.gltf").out, contains_text("  mesh triangles           2               2\n"));
   CHECK(nlohmann::json::parse(lichtraum("info good.gltf --json").out).is_object());
 }
+
+TEST_CASE("info tells textures, animations, extensions and scenes of a model", "[app][gltf][info]") {
+  Lichtraum const lichtraum;
+  auto writer = square();
+  lichtraum.folder.write("square.glb", writer.glb());
+  REQUIRE(lichtraum.render("square.glb --size 4x2 -o dot.png").exit_code == 0);
+  std::string const png = lichtraum::testing::encode_base64(lichtraum.folder.read("dot.png"));
+  writer.json["images"] = {{{"name", "dot"}, {"uri", "data:image/png;base64," + png}}};
+  writer.json["textures"] = {{{"source", 0}}};
+  writer.json["materials"][0]["emissiveTexture"] = {{"index", 0}};
+  writer.json["scenes"] = {{{"name", "all"}, {"nodes", {0, 1, 2}}}};
+  int const times = writer.add_accessor<float>("SCALAR", 1, {0, 1.5f});
+  writer.json["animations"] = {
+      {{"name", "spin"}, {"samplers", {{{"input", times}, {"output", times}}}}, {"channels", nlohmann::json::array()}}};
+  writer.json["extensionsUsed"] = {"KHR_materials_unlit", "VENDOR_magic"};
+  lichtraum.folder.write("all.gltf", writer.text());
+  auto const text = lichtraum("info all.gltf").out;
+  CHECK_THAT(text, contains_text("  texture         dot, 4x2, 3.2e-05 MB\n") &&
+                       contains_text("  animation       spin, 1.5 s\n") && contains_text("  scene           all\n") &&
+                       contains_text("  extension       KHR_materials_unlit: shown in its own colour\n") &&
+                       contains_text("  extension       VENDOR_magic: not supported\n"));
+  auto const json = nlohmann::json::parse(lichtraum("info all.gltf --json").out);
+  CHECK(json["textures"] == nlohmann::json::parse(R"([{"name":"dot","size":[4,2],"bytes":32}])"));
+  CHECK(json["model"]["animations"] == nlohmann::json::parse(R"([{"name":"spin","seconds":1.5}])"));
+  CHECK(json["model"]["scenes"] == nlohmann::json::parse(R"(["all"])"));
+  CHECK(json["model"]["extensions"][1]["name"] == "VENDOR_magic");
+  CHECK(json["model"]["extensions"][1]["supported"] == false);
+  CHECK(json["shapes"]["drawn"]["mesh_triangles"] == 2);
+}
+
+TEST_CASE("OBJ and PLY models are drawn, checked, described, and shapes of scenes", "[app][obj][ply]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("square.mtl", "newmtl paint\nKd 0 0 0\nKe 0.5 0.5 0.5\n");
+  lichtraum.folder.write("square.obj",
+                         "mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nusemtl paint\nf 1 2 3 4\n");
+  lichtraum.folder.write(
+      "square.ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "-1 -1 0 1 -1 0 1 1 0 -1 1 0 4 0 1 2 3\n");
+  lichtraum.folder.write("two.sdf",
+                         "define material red 1 0 0 0 0 0 0 0 0 1\n"
+                         "define light ambient all 1 1 1\n"
+                         "define camera eye 90\n"
+                         "define shape mesh left square.obj\n"
+                         "define shape mesh right square.ply red\n"
+                         "transform left translate -1.5 0 -4\n"
+                         "transform right translate 1.5 0 -4\n"
+                         "render eye two.png 32 32\n");
+  for (char const* name : {"square.obj", "square.ply"}) {
+    auto const result = lichtraum.render(std::string(name) + " --size 32x24 -o one.png");
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK(decode(lichtraum.folder.read("one.png")).at(16, 12, 0) > 100);
+    CHECK(lichtraum(std::string("check ") + name).out == std::string(name) + ": good\n");
+    CHECK_THAT(lichtraum(std::string("info ") + name).out,
+               contains_text("  mesh triangles           2               2\n"));
+  }
+  REQUIRE(lichtraum.render("two.sdf").exit_code == 0);
+  auto const image = decode(lichtraum.folder.read("two.png"));
+  CHECK(image.at(10, 16, 1) == 128);
+  CHECK(image.at(22, 16, 0) == 255);
+  CHECK(image.at(22, 16, 1) == 0);
+  lichtraum.folder.write("flawed.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 x\n");
+  auto const flawed = lichtraum("check flawed.obj");
+  CHECK(flawed.exit_code == 0);
+  CHECK_THAT(flawed.err, contains_text("flawed.obj:5:7: warning: expected vertex/texture/normal, found 'x'"));
+  lichtraum.folder.write("empty.ply", "ply\n");
+  CHECK(lichtraum("check empty.ply").exit_code == 65);
+}

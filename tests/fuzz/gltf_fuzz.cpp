@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
       std::filesystem::temp_directory_path() / ("lichtraum-fuzz-" + std::to_string(::getpid()) + ".gltf");
   std::ofstream(path, std::ios::binary).write(reinterpret_cast<char const*>(data), std::streamsize(size));
   try {
-    lichtraum::GltfOptions options;
+    lichtraum::ModelOptions options;
     options.time_seconds = 0.5;
     options.max_texture = 256;
     lichtraum::flatten(lichtraum::load_gltf(path, options).roots());

@@ -39,7 +39,7 @@ std::vector<std::string> split(std::string const& line) {
 /// What becomes of one model: "ok", "warned" or "error", and the triangles stored and drawn.
 std::string outcome_of(fs::path const& path) {
   try {
-    GltfModel const model = import_gltf(path);
+    Model const model = import_gltf(path);
     FlatScene const flat = flatten(model.scene.roots());
     std::size_t stored = 0;
     for (auto const& object : flat.objects) stored += object.triangles.size();
@@ -131,7 +131,7 @@ TEST_CASE("every encoding of one set of triangles gives exactly these", "[corpus
         triangles.push_back(triangle);
       }
     }
-    GltfOptions options;
+    ModelOptions options;
     options.allowed_paths = {folder / "own/equiv"};  // one of them refers to a file above its folder
     std::vector<testing::Corners> found =
         testing::world_triangles(load_gltf(folder / "own/equiv" / fs::u8path(name), options));

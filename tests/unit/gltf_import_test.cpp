@@ -15,13 +15,13 @@ namespace {
 
 std::vector<float> const triangle_positions = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
-GltfModel import_model(GltfWriter const& writer, GltfOptions const& options = {}, char const* name = "model.gltf") {
+Model import_model(GltfWriter const& writer, ModelOptions const& options = {}, char const* name = "model.gltf") {
   TemporaryFolder const folder;
   return import_gltf(folder.write(name, std::string_view(name).ends_with(".glb") ? writer.glb() : writer.text()),
                      options);
 }
 
-std::string messages(GltfModel const& model) {
+std::string messages(Model const& model) {
   std::string all;
   for (auto const& d : model.diagnostics) all += d.message + '\n';
   return all;
@@ -33,7 +33,7 @@ TEST_CASE("a triangle in a .gltf and in a .glb", "[unit][gltf]") {
   GltfWriter writer;
   writer.add_mesh(triangle_positions);
   for (char const* name : {"model.gltf", "model.glb"}) {
-    GltfModel const model = import_model(writer, {}, name);
+    Model const model = import_model(writer, {}, name);
     CHECK(messages(model) == "");
     auto const triangles = world_triangles(model.scene);
     REQUIRE(triangles.size() == 1);
@@ -44,7 +44,7 @@ TEST_CASE("a triangle in a .gltf and in a .glb", "[unit][gltf]") {
 TEST_CASE("a model without camera and lights gets some that show it", "[unit][gltf]") {
   GltfWriter writer;
   writer.add_mesh(triangle_positions);
-  GltfModel const model = import_model(writer);
+  Model const model = import_model(writer);
   Scene const& scene = model.scene;
   REQUIRE(scene.cameras.size() == 1);
   CHECK(scene.lights.size() == 3);
@@ -55,6 +55,33 @@ TEST_CASE("a model without camera and lights gets some that show it", "[unit][gl
   Ray const ray = camera.generate_ray(center.x - 5, center.y + 5, *camera.resolution());
   auto const root = scene.roots().at(0);
   CHECK(root->closest_hit(ray, 0, hit));
+}
+
+TEST_CASE("channels of KHR_animation_pointer are named and skipped", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  int const times = writer.add_accessor<float>("SCALAR", 1, {0, 2.5f});
+  int const values = writer.add_vec3({0, 0, 0, 4, 0, 0});
+  writer.json["animations"] = {
+      {{"name", "move"},
+       {"samplers", {{{"input", times}, {"output", values}}}},
+       {"channels",
+        {{{"sampler", 0}, {"target", {{"path", "pointer"}, {"extensions", nlohmann::json::object()}}}},
+         {{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+  writer.json["extensionsUsed"] = {"KHR_animation_pointer", "KHR_materials_unlit"};
+  writer.json["extensionsRequired"] = {"KHR_animation_pointer"};
+  ModelOptions options;
+  options.time_seconds = 2.5;
+  Model const model = import_model(writer, options);
+  CHECK_THAT(messages(model), contains_text("/animations/0/channels: 1 channels need KHR_animation_pointer"));
+  CHECK(world_triangles(model.scene).at(0)[0] == Vec3(4, 0, 0));
+  REQUIRE(model.contents.animations.size() == 1);
+  CHECK(model.contents.animations[0].name == "move");
+  CHECK(model.contents.animations[0].seconds == 2.5);
+  REQUIRE(model.contents.extensions.size() == 2);
+  CHECK(model.contents.extensions[0].is_required);
+  CHECK(model.contents.extensions[0].support == "");
+  CHECK(model.contents.extensions[1].support == "shown in its own colour");
 }
 
 TEST_CASE("strips, fans and every width of index", "[unit][gltf]") {
@@ -114,7 +141,7 @@ TEST_CASE("quantised, strided and sparse positions", "[unit][gltf]") {
                                           {"values", {{"bufferView", view(values)}}}}}});
     primitive = writer.json["meshes"][0]["primitives"][0];
     writer.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = writer.json["accessors"].size() - 1;
-    GltfModel const model = import_model(writer);
+    Model const model = import_model(writer);
     CHECK(world_triangles(model.scene) == std::vector<Corners>{{Vec3(0), Vec3(5, 0, 0), Vec3(0, 5, 0)}});
     CHECK_THAT(messages(model), contains_text("sparse: 1 indices are out of range (3)"));
   }
@@ -131,7 +158,7 @@ TEST_CASE("node transforms, mirrored winding, and instances", "[unit][gltf]") {
                           {{"children", {0, 2}}, {"rotation", {0, 0, 0.5, 0.5}}},  // not of unit length: 90 degrees
                           {{"mesh", 0}, {"matrix", {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 7, 0, 0, 1}}}};
   writer.json["scenes"] = {{{"nodes", {1}}}};
-  GltfModel const model = import_model(writer);
+  Model const model = import_model(writer);
   CHECK(messages(model) == "");
   FlatScene const flat = flatten(model.scene.roots());
   CHECK(flat.instances.size() == 2);
@@ -148,7 +175,7 @@ TEST_CASE("what is broken is named by its JSON pointer, and the rest is drawn", 
   writer.add_mesh(triangle_positions);
   auto& broken = writer.add_mesh(triangle_positions);
   auto const expect = [&](char const* message) {
-    GltfModel const model = import_model(writer);
+    Model const model = import_model(writer);
     CHECK(world_triangles(model.scene).size() == 1);
     CHECK_THAT(messages(model), contains_text(message));
   };
@@ -191,7 +218,7 @@ TEST_CASE("what is broken is named by its JSON pointer, and the rest is drawn", 
         {{"byteLength", writer.buffer().size()}, {"uri", "data:;base64," + testing::encode_base64(writer.buffer())}},
         {{"byteLength", 12}, {"uri", "..%2Fsecret.bin"}}};
     writer.json["bufferViews"][1]["buffer"] = 1;
-    expect("/buffers/1/uri: cannot use '..%2Fsecret.bin': it contains '..'");
+    expect("/buffers/1/uri: cannot use '../secret.bin': it contains '..'");
   }
 }
 
@@ -230,7 +257,7 @@ TEST_CASE("an animation moves its node to where it is at a time", "[unit][gltf]"
   writer.json["animations"] = {{{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
                                 {"samplers", {{{"input", times}, {"output", linear}}}}}};
   auto const x_at = [&](double time) {
-    GltfOptions options;
+    ModelOptions options;
     options.time_seconds = time;
     return world_triangles(import_model(writer, options).scene).at(0)[0].x;
   };
@@ -283,7 +310,7 @@ TEST_CASE("cameras and lights stand where their nodes do", "[unit][gltf]") {
   writer.json["extensions"]["KHR_lights_punctual"]["lights"] = {
       {{"type", "directional"}, {"intensity", 3}, {"color", {1, 0.5, 0}}}, {{"type", "point"}, {"intensity", 0}}};
   writer.json["nodes"].push_back({{"name", "sun"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
-  GltfModel const model = import_model(writer);
+  Model const model = import_model(writer);
   CHECK(messages(model) == "");
   REQUIRE(model.scene.cameras.size() == 1);
   Camera const& camera = model.scene.cameras.front();
@@ -308,7 +335,7 @@ TEST_CASE("materials are kept whole and mapped to Phong", "[unit][gltf]") {
        {"extensions",
         {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}},
          {"KHR_materials_clearcoat", {{"clearcoatFactor", 0.75}}}}}}};
-  GltfModel const model = import_model(writer);
+  Model const model = import_model(writer);
   Material const& paint = **model.scene.materials.find("paint");
   CHECK(paint.kd() == Rgb(1, 0.5, 0));
   CHECK(paint.m() == 0);

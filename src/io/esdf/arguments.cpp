@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/parse_number.hpp"
-#include "io/esdf/diagnostics.hpp"
 #include "io/esdf/interpreter.hpp"
+#include "io/text/diagnostics.hpp"
 
 namespace lichtraum::esdf {
 namespace {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "io/esdf/arguments.hpp"
-#include "io/esdf/diagnostics.hpp"
 #include "io/esdf/suggestion.hpp"
 #include "io/mesh_format.hpp"
+#include "io/text/diagnostics.hpp"
 #include "lichtraum/esdf.hpp"
 #include "lichtraum/scene.hpp"
 

@@ -37,7 +37,10 @@ std::shared_ptr<Shape> load_mesh(Interpreter& interpreter, Token name, Token fil
     return nullptr;
   }
   try {
-    return format->load(path.path, std::string(name), std::move(material));
+    ModelOptions options;
+    options.allowed_paths = interpreter.options.allowed_paths;
+    options.material = std::move(material);
+    return shape_of(format->import(path.path, options), std::string(name));
   } catch (SceneError const& problem) {
     std::string const first = problem.diagnostics().empty() ? problem.what() : problem.diagnostics().front().message;
     interpreter.error(file, fmt::format("cannot read {}: {}", in_quotes(file), first));

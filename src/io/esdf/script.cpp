@@ -32,7 +32,7 @@ EsdfScript EsdfScript::from_text(std::string text, std::string name, EsdfOptions
   auto state = std::make_unique<State>();
   state->options = options;
   state->text = std::move(text);
-  esdf::normalise_line_breaks(state->text);
+  normalise_line_breaks(state->text);
   // Nothing of a foreign file is worth keeping, so options.keep_going changes nothing here.
   if (auto const foreign = esdf::recognise_foreign_file(state->text)) {
     Diagnostic problem;

@@ -2,47 +2,25 @@
 
 #include <fmt/format.h>
 
-#include "core/read_file.hpp"
 #include "io/gltf/meshopt.hpp"
 #include "io/gltf/uri.hpp"
 #include "io/gltf/values.hpp"
-#include "lichtraum/sandboxed_path.hpp"
+#include "io/model_file.hpp"
+#include "io/text/diagnostics.hpp"
 
 namespace lichtraum::gltf {
 namespace {
 
 constexpr char const* meshopt_extensions[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
 
-/// For messages: a URI may be a megabyte long.
-std::string shortened(std::string_view uri) {
-  constexpr std::size_t longest = 80;
-  return uri.size() <= longest ? std::string(uri) : std::string(uri.substr(0, longest)) + "...";
-}
-
 }  // namespace
 
 std::optional<std::string> read_external_file(Document const& document, std::string_view uri, std::string& reason) {
   if (has_scheme(uri)) {
-    reason = fmt::format("cannot use '{}': only files beside the model are read", shortened(uri));
+    reason = fmt::format("cannot use {}: only files beside the model are read", in_quotes(uri));
     return std::nullopt;
   }
-  SandboxedPath const path =
-      resolve_sandboxed(document.path.parent_path(), decode_percent(uri), document.allowed_paths);
-  if (!path) {
-    reason = fmt::format("cannot use '{}': {}", shortened(uri), path.reason);
-    return std::nullopt;
-  }
-  std::error_code error;
-  if (std::filesystem::exists(path.path, error) && !std::filesystem::is_regular_file(path.path, error)) {
-    reason = fmt::format("cannot use '{}': it is not a regular file", shortened(uri));
-    return std::nullopt;
-  }
-  try {
-    return read_file(path.path);
-  } catch (Error const& failure) {
-    reason = failure.what();
-    return std::nullopt;
-  }
+  return read_model_file(document.path.parent_path(), document.allowed_paths, decode_percent(uri), reason);
 }
 
 Buffers::Buffers(Document const& document, Findings& findings)

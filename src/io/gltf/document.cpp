@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "io/gltf/container.hpp"
+#include "io/gltf/nodes.hpp"
 #include "io/gltf/schema.hpp"
+#include "io/gltf/uri.hpp"
 
 namespace lichtraum::gltf {
 namespace {
@@ -73,10 +75,34 @@ void take_images(json& model, Document& document) {
   auto const list = model.find("images");
   if (list == model.end()) return;
   for (json& image : *list) {
+    auto uri = take_string(image, "uri");
+    auto name = take_string(image, "name").value_or("");
+    if (name.empty() && uri && !is_data_uri(*uri)) name = decode_percent(*uri);
     document.images.push_back(
-        {take_string(image, "uri"), take_string(image, "mimeType").value_or(""), image.value("bufferView", -1)});
+        {std::move(name), std::move(uri), take_string(image, "mimeType").value_or(""), image.value("bufferView", -1)});
   }
   model.erase(list);
+}
+
+/// Leaves out what KHR_animation_pointer moves: no node, so the specification's own channels would be incomplete.
+void skip_pointer_channels(json& model, Findings& findings) {
+  auto const animations = model.find("animations");
+  if (animations == model.end() || !animations->is_array()) return;
+  auto const is_pointer = [](json const& channel) {
+    if (!channel.is_object() || !channel.contains("target") || !channel["target"].is_object()) return false;
+    json const& target = channel["target"];
+    return target.contains("path") && target["path"] == "pointer";
+  };
+  for (std::size_t i = 0; i < animations->size(); ++i) {
+    json& animation = (*animations)[i];
+    if (!animation.is_object() || !animation.contains("channels") || !animation["channels"].is_array()) continue;
+    auto& channels = animation["channels"].get_ref<json::array_t&>();
+    std::size_t const skipped = std::erase_if(channels, is_pointer);
+    if (skipped == 0) continue;
+    findings.warn(
+        fmt::format("/animations/{}/channels", i),
+        fmt::format("{} channels need KHR_animation_pointer, which is not supported: they have no effect", skipped));
+  }
 }
 
 /// tinygltf refuses a whole model for these.
@@ -162,9 +188,11 @@ void parse_document(Document& document, Findings& findings) {
   document.is_glb = container.is_glb;
 
   json json_model = parse_json(container.json, findings);
+  if (json_model.is_object()) skip_pointer_channels(json_model, findings);
   conform_to_schema(json_model, findings);
   take_buffers(json_model, document);
   take_images(json_model, document);
+  std::vector<tinygltf::Node> nodes = take_nodes(json_model);
   soothe_tinygltf(json_model, findings);
   soothe_lights(json_model, findings);
   std::size_t const absent_view = add_absent_view(json_model);
@@ -178,6 +206,7 @@ void parse_document(Document& document, Findings& findings) {
     findings.fail("", error);
   }
   remove_absent_view(document.model, absent_view);
+  document.model.nodes = std::move(nodes);
 }
 
 }  // namespace lichtraum::gltf

@@ -21,13 +21,14 @@ struct BufferSource {
 
 /// An image as the model describes it; nothing is read or decoded yet.
 struct ImageSource {
+  std::string name;  ///< its own, or its file's; may be empty
   std::optional<std::string> uri;
   std::string mime_type;
   int buffer_view = -1;
 };
 
 /// A parsed model. tinygltf turned the JSON into structs; buffers and images never reach it, so it opens no file and
-/// decodes nothing. Every index in `model` is -1 or within its list.
+/// decodes nothing; nor do nodes, of which there may be many. Every index in `model` is -1 or within its list.
 struct Document {
   std::filesystem::path path;
   std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the model's that may be read

@@ -35,8 +35,9 @@ constexpr Extension table[] = {
 
 std::span<Extension const> supported_extensions() { return table; }
 
-bool is_supported_extension(std::string_view name) {
-  return std::any_of(std::begin(table), std::end(table), [name](Extension const& e) { return e.name == name; });
+Extension const* find_extension_support(std::string_view name) {
+  auto const found = std::find_if(std::begin(table), std::end(table), [name](auto const& e) { return e.name == name; });
+  return found == std::end(table) ? nullptr : found;
 }
 
 }  // namespace lichtraum::gltf

@@ -13,6 +13,8 @@ struct Extension {
 
 /// Every extension that the importer reads.
 std::span<Extension const> supported_extensions();
-bool is_supported_extension(std::string_view name);
+/// That of this name, or nullptr.
+Extension const* find_extension_support(std::string_view name);
+inline bool is_supported_extension(std::string_view name) { return find_extension_support(name) != nullptr; }
 
 }  // namespace lichtraum::gltf

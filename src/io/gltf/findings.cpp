@@ -20,6 +20,7 @@ Diagnostic make(Severity severity, std::string const& file, std::string_view poi
 }  // namespace
 
 void Findings::warn(std::string_view pointer, std::string_view message) {
+  if (is_muted_) return;
   if (diagnostics_.size() < max_findings) {
     diagnostics_.push_back(make(Severity::warning, file_, pointer, message));
   } else {

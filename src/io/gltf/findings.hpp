@@ -22,6 +22,18 @@ class Findings {
   /// The same at a place in the text, counted in bytes from its begin.
   [[noreturn]] void fail_at(std::string_view text, std::size_t offset, std::string_view message);
 
+  /// While it lives, warnings are forgotten.
+  class Muted {
+   public:
+    explicit Muted(Findings& findings) : findings_(findings) { findings_.is_muted_ = true; }
+    ~Muted() { findings_.is_muted_ = false; }
+    Muted(Muted const&) = delete;
+    Muted& operator=(Muted const&) = delete;
+
+   private:
+    Findings& findings_;
+  };
+
   bool empty() const { return diagnostics_.empty(); }
   /// Moves them out, with one about those that were not kept.
   std::vector<Diagnostic> take();
@@ -30,6 +42,7 @@ class Findings {
   std::string file_;
   std::vector<Diagnostic> diagnostics_;
   std::size_t dropped_ = 0;
+  bool is_muted_ = false;
 };
 
 }  // namespace lichtraum::gltf

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <new>
 
 #include "core/ascii.hpp"
 #include "core/read_file.hpp"
+#include "io/gltf/contents.hpp"
 #include "io/gltf/extensions.hpp"
 #include "io/gltf/materials.hpp"
 #include "io/gltf/scene_graph.hpp"
@@ -54,7 +54,7 @@ using namespace gltf;
 
 /// What is read once, however often the model is posed.
 struct GltfAnimation::State {
-  State(std::filesystem::path const& path, GltfOptions const& wanted) : options(wanted), findings(path) {
+  State(std::filesystem::path const& path, ModelOptions const& wanted) : options(wanted), findings(path) {
     document.path = path;
     document.allowed_paths = options.allowed_paths;
     document.bytes = read_file(path);
@@ -73,7 +73,7 @@ struct GltfAnimation::State {
     if (options.material) std::fill(materials.begin(), materials.end(), options.material);
   }
 
-  GltfModel pose_at(std::optional<double> seconds) {
+  Model pose_at(std::optional<double> seconds) {
     Accessors accessors(document, *buffers, findings);
     std::vector<NodePose> pose = rest_pose(document.model, findings);
     if (seconds && animation) {
@@ -83,7 +83,7 @@ struct GltfAnimation::State {
     }
     NodeTree const tree = build_node_tree(document.model, scene_number, pose, findings);
 
-    GltfModel result;
+    Model result;
     for (auto const& material : own_materials) result.scene.materials.insert(material);
     Primitives primitives(document, *buffers, accessors, findings, geometries);
     Names names;
@@ -97,6 +97,11 @@ struct GltfAnimation::State {
 
     add_view(tree, result.scene);
     result.diagnostics = findings.take();
+    if (!contents) {
+      Findings::Muted const muted(findings);  // what is wrong in animations that nobody asked for
+      contents = describe_contents(document.model, accessors);
+    }
+    result.contents = *contents;
     return result;
   }
 
@@ -112,24 +117,17 @@ struct GltfAnimation::State {
   double duration_seconds() {
     if (!animation) return 0;
     Accessors accessors(document, *buffers, findings);
-    double duration = 0;
-    auto const& samplers = document.model.animations[std::size_t(*animation)].samplers;
-    for (std::size_t i = 0; i < samplers.size(); ++i) {
-      std::string const pointer = fmt::format("/animations/{}/samplers/{}/input", *animation, i);
-      auto const times = accessors.floats(samplers[i].input, 1, pointer);
-      for (float const time : times ? times->values : std::vector<float>()) {
-        if (std::isfinite(time)) duration = std::max(duration, double(time));
-      }
-    }
-    return duration;
+    return animation_seconds(document.model.animations[std::size_t(*animation)], accessors,
+                             fmt::format("/animations/{}", *animation));
   }
 
-  GltfOptions options;
+  ModelOptions options;
   Findings findings;
   Document document;
   std::optional<Buffers> buffers;
   Primitives::Geometries geometries;
   std::optional<int> animation;
+  std::optional<ModelContents> contents;
   int scene_number = -1;
   std::vector<std::shared_ptr<Material>> own_materials;
   std::vector<std::shared_ptr<Material const>> materials;  // what primitives get
@@ -148,7 +146,7 @@ auto with_memory_checked(std::filesystem::path const& path, Function const& func
 
 }  // namespace
 
-GltfAnimation::GltfAnimation(std::filesystem::path const& path, GltfOptions const& options)
+GltfAnimation::GltfAnimation(std::filesystem::path const& path, ModelOptions const& options)
     : state_(with_memory_checked(path, [&] { return std::make_unique<State>(path, options); })) {}
 GltfAnimation::~GltfAnimation() = default;
 GltfAnimation::GltfAnimation(GltfAnimation&&) noexcept = default;
@@ -156,7 +154,7 @@ GltfAnimation& GltfAnimation::operator=(GltfAnimation&&) noexcept = default;
 
 double GltfAnimation::duration_seconds() { return state_->duration_seconds(); }
 
-GltfModel GltfAnimation::pose(std::optional<double> time_seconds) {
+Model GltfAnimation::pose(std::optional<double> time_seconds) {
   return with_memory_checked(state_->document.path, [&] { return state_->pose_at(time_seconds); });
 }
 
@@ -165,11 +163,11 @@ bool is_gltf_file(std::filesystem::path const& path) {
   return extension == ".gltf" || extension == ".glb";
 }
 
-GltfModel import_gltf(std::filesystem::path const& path, GltfOptions const& options) {
+Model import_gltf(std::filesystem::path const& path, ModelOptions const& options) {
   return GltfAnimation(path, options).pose(options.time_seconds);
 }
 
-Scene load_gltf(std::filesystem::path const& path, GltfOptions const& options) {
+Scene load_gltf(std::filesystem::path const& path, ModelOptions const& options) {
   return std::move(import_gltf(path, options).scene);
 }
 

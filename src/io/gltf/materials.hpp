@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/gltf/buffers.hpp"
-#include "io/gltf/names.hpp"
+#include "io/names.hpp"
 #include "lichtraum/material.hpp"
 
 namespace lichtraum::gltf {

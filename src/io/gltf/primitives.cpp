@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "io/gltf/draco.hpp"
-#include "io/gltf/triangles.hpp"
 #include "io/gltf/values.hpp"
+#include "io/triangles.hpp"
 
 namespace lichtraum::gltf {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/gltf/deform.hpp"
-#include "io/gltf/names.hpp"
+#include "io/names.hpp"
 #include "lichtraum/scene.hpp"
 
 namespace lichtraum::gltf {

@@ -2,29 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <atomic>
-#include <new>
-#include <thread>
-
-#include "io/gltf/image_decoder.hpp"
 #include "io/gltf/uri.hpp"
 #include "io/gltf/values.hpp"
+#include "io/image/decode_all.hpp"
 
 namespace lichtraum::gltf {
 namespace {
-
-/// All pictures of a model together; a small file can hold a very large picture.
-constexpr std::uint64_t max_decoded_bytes = std::uint64_t(1) << 29;
-
-/// A picture on its way: where its bytes are, and what became of them.
-struct Job {
-  bool is_wanted = false;
-  std::string owned;
-  std::string_view bytes;
-  std::shared_ptr<TextureImage const> image;
-  std::string reason;
-};
 
 /// EXT_texture_webp and KHR_texture_basisu name a picture that is to be preferred; the plain one is the fallback. What
 /// only the extension names is used all the same.
@@ -39,7 +22,7 @@ int image_of(tinygltf::Texture const& texture, std::size_t image_count) {
   return -1;
 }
 
-void fetch(Document const& document, int index, Buffers& buffers, Job& job) {
+void fetch(Document const& document, int index, Buffers& buffers, ImageJob& job) {
   ImageSource const& source = document.images[std::size_t(index)];
   if (source.buffer_view >= 0) {
     auto const bytes = buffers.view(source.buffer_view);
@@ -61,37 +44,6 @@ void fetch(Document const& document, int index, Buffers& buffers, Job& job) {
   job.bytes = job.owned;
 }
 
-/// Each thread takes the next picture until none is left.
-void decode_all(std::vector<Job>& jobs, int max_size) {
-  std::atomic<std::size_t> next{0};
-  std::atomic<std::uint64_t> decoded_bytes{0};
-  auto const work = [&] {
-    for (std::size_t i = next++; i < jobs.size(); i = next++) {
-      Job& job = jobs[i];
-      if (!job.is_wanted || !job.reason.empty()) continue;
-      if (decoded_bytes > max_decoded_bytes) {
-        job.reason =
-            fmt::format("the pictures need more than {} bytes; a smaller --max-texture helps", max_decoded_bytes);
-        continue;
-      }
-      try {
-        if (auto image = decode_image(job.bytes, max_size, job.reason)) {
-          decoded_bytes += image->rgba.size();
-          job.image = std::make_shared<TextureImage>(std::move(*image));
-        }
-      } catch (std::bad_alloc const&) {
-        job.reason = "not enough memory";
-      }
-      job.owned = {};
-    }
-  };
-  auto const wanted = std::size_t(std::count_if(jobs.begin(), jobs.end(), [](Job const& j) { return j.is_wanted; }));
-  std::size_t const thread_count = std::min<std::size_t>(wanted, std::max(1u, std::thread::hardware_concurrency()));
-  std::vector<std::jthread> threads;
-  for (std::size_t i = 1; i < thread_count; ++i) threads.emplace_back(work);
-  work();
-}
-
 TextureWrap wrap(int mode) {
   if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return TextureWrap::clamp_to_edge;
   return mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? TextureWrap::mirrored_repeat : TextureWrap::repeat;
@@ -102,15 +54,16 @@ TextureWrap wrap(int mode) {
 std::vector<std::shared_ptr<Texture const>> read_textures(Document const& document, std::vector<bool> const& wanted,
                                                           int max_size, Buffers& buffers, Findings& findings) {
   auto const& model = document.model;
-  std::vector<Job> jobs(document.images.size());
+  std::vector<ImageJob> jobs(document.images.size());
   for (std::size_t i = 0; i < model.textures.size(); ++i) {
     int const image = image_of(model.textures[i], jobs.size());
     if (wanted[i] && image >= 0) jobs[std::size_t(image)].is_wanted = true;
   }
   for (std::size_t i = 0; i < jobs.size(); ++i) {
+    jobs[i].name = document.images[i].name;
     if (jobs[i].is_wanted) fetch(document, int(i), buffers, jobs[i]);
   }
-  decode_all(jobs, max_size);
+  decode_images(jobs, max_size);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (!jobs[i].reason.empty()) {
       findings.warn(fmt::format("/images/{}", i), fmt::format("the picture is left out: {}", jobs[i].reason));

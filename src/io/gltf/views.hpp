@@ -1,8 +1,8 @@
 #pragma once
 
 #include "io/framing.hpp"
-#include "io/gltf/names.hpp"
 #include "io/gltf/node_tree.hpp"
+#include "io/names.hpp"
 
 namespace lichtraum::gltf {
 

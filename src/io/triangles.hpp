@@ -5,7 +5,7 @@
 
 #include "lichtraum/mesh_geometry.hpp"
 
-namespace lichtraum::gltf {
+namespace lichtraum {
 
 /// Unfolds strips (mode 5) and fans (mode 6) as glTF 2.0, section 3.7.2.1, says; a list (mode 4) stays, cut to whole
 /// triangles.
@@ -19,4 +19,4 @@ struct TriangleFaults {
 /// Leaves out triangles that name a position that is not there or not finite.
 TriangleFaults remove_faulty_triangles(MeshGeometry& geometry);
 
-}  // namespace lichtraum::gltf
+}  // namespace lichtraum

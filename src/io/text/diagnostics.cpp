@@ -1,4 +1,4 @@
-#include "io/esdf/diagnostics.hpp"
+#include "io/text/diagnostics.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <functional>
 #include <utility>
 
-namespace lichtraum::esdf {
+namespace lichtraum {
 namespace {
 
 constexpr std::size_t longest_quote = 48;          // bytes
@@ -84,4 +84,4 @@ std::vector<Diagnostic> Diagnostics::finish(std::size_t stopped_at) && {
   return std::move(found_);
 }
 
-}  // namespace lichtraum::esdf
+}  // namespace lichtraum

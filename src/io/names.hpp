@@ -5,7 +5,7 @@
 #include <string>
 #include <unordered_map>
 
-namespace lichtraum::gltf {
+namespace lichtraum {
 
 /// Hands out names that nothing else has: "Wheel", "Wheel#2", "Wheel#3".
 class Names {
@@ -22,4 +22,4 @@ class Names {
   std::unordered_map<std::string, std::size_t> counts_;
 };
 
-}  // namespace lichtraum::gltf
+}  // namespace lichtraum

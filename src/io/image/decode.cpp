@@ -1,4 +1,4 @@
-#include "io/gltf/image_decoder.hpp"
+#include "io/image/decode.hpp"
 
 #include <fmt/format.h>
 #include <png.h>
@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace lichtraum::gltf {
+namespace lichtraum {
 namespace {
 
 constexpr std::int64_t max_pixels = std::int64_t(1) << 26;
@@ -114,4 +114,4 @@ std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, s
   return image;
 }
 
-}  // namespace lichtraum::gltf
+}  // namespace lichtraum

@@ -1,9 +1,9 @@
-#include "io/gltf/triangles.hpp"
+#include "io/triangles.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace lichtraum::gltf {
+namespace lichtraum {
 namespace {
 
 bool is_finite(Float3 const& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
@@ -58,4 +58,4 @@ TriangleFaults remove_faulty_triangles(MeshGeometry& geometry) {
   return faults;
 }
 
-}  // namespace lichtraum::gltf
+}  // namespace lichtraum

@@ -6,12 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "io/esdf/lexer.hpp"
+#include "io/text/lines.hpp"
 #include "lichtraum/error.hpp"
 
-namespace lichtraum::esdf {
+namespace lichtraum {
 
-/// 'blue', cut when it is long.
+/// 'blue', cut when it is long: a name in a file may be a megabyte.
 std::string in_quotes(std::string_view token);
 
 /// Everything between two tokens of one line, both included.
@@ -48,4 +48,4 @@ class Diagnostics {
   std::vector<Diagnostic> found_;
 };
 
-}  // namespace lichtraum::esdf
+}  // namespace lichtraum

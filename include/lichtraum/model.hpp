@@ -1,0 +1,64 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lichtraum/error.hpp"
+#include "lichtraum/scene.hpp"
+
+namespace lichtraum {
+
+struct ModelOptions {
+  int max_texture = 4096;                            ///< pictures with a longer side are halved until they fit; >= 1
+  std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the model's that may be read
+  std::shared_ptr<Material const> material;          ///< for everything, instead of the model's own; null: these
+
+  // Only glTF models have several scenes and move; for others these have no effect but a warning.
+  std::string scene;                   ///< index or name of the scene to import; empty: the file's default one
+  std::optional<double> time_seconds;  ///< pose of the animation at that time; nothing: as the nodes stand in the file
+  std::string animation;               ///< index or name of the animation that `time_seconds` is for; empty: the first
+};
+
+/// What only glTF models have, as far as it is not in the scene.
+struct ModelContents {
+  struct Extension {
+    std::string name;
+    bool is_required = false;
+    std::string support;  ///< what is done with it, in a few words; empty: it is not supported
+  };
+  struct Animation {
+    std::string name;
+    double seconds = 0;  ///< its last key frame's time
+  };
+  std::vector<Extension> extensions;  ///< used ones
+  std::vector<Animation> animations;
+  std::vector<std::string> scenes;
+};
+
+/// An imported model.
+struct Model {
+  /// One root composite; below it what the file's parts are called, and Mesh shapes. A name that is taken already gets
+  /// "#2" and so on behind it. Never without a camera and a light: where the file has none, the scene gets a camera
+  /// that shows all of it from the front, slightly above, and a key light, a fill light and an ambient one.
+  Scene scene;
+  /// Warnings: what was repaired or left out, each with its place in the file.
+  std::vector<Diagnostic> diagnostics;
+  ModelContents contents;
+};
+
+/// Whether `path` ends like a model that can be imported: .gltf, .glb, .obj or .ply, in any case.
+bool is_model_file(std::filesystem::path const& path);
+
+/// Reads a model of the format that its name tells, with all it refers to in its folder or below. Only what cannot be
+/// drawn is left out; docs/MODELS.md and docs/GLTF.md list what is supported. Throws Error{usage} for a file that is no
+/// model by its name, Error{no_input}, Error{io}, or SceneError, with everything found, when nothing in it can be
+/// drawn.
+Model import_model(std::filesystem::path const& path, ModelOptions const& options = {});
+
+/// The scene alone.
+Scene load_model(std::filesystem::path const& path, ModelOptions const& options = {});
+
+}  // namespace lichtraum

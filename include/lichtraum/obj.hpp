@@ -1,0 +1,15 @@
+#pragma once
+
+#include "lichtraum/model.hpp"
+
+namespace lichtraum {
+
+/// Reads a Wavefront OBJ model with its MTL files: a Mesh for each material of each object or group. Throws what
+/// import_model throws.
+Model import_obj(std::filesystem::path const& path, ModelOptions const& options = {});
+
+/// The same from text. `name` stands for the file in messages; MTL files and pictures are looked up in `folder`.
+Model import_obj_text(std::string text, std::string const& name, std::filesystem::path const& folder,
+                      ModelOptions const& options = {});
+
+}  // namespace lichtraum

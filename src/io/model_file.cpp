@@ -1,0 +1,33 @@
+#include "io/model_file.hpp"
+
+#include <fmt/format.h>
+
+#include "core/read_file.hpp"
+#include "io/text/diagnostics.hpp"
+#include "lichtraum/error.hpp"
+#include "lichtraum/sandboxed_path.hpp"
+
+namespace lichtraum {
+
+std::optional<std::string> read_model_file(std::filesystem::path const& folder,
+                                           std::span<std::filesystem::path const> allowed, std::string const& name,
+                                           std::string& reason) {
+  SandboxedPath const path = resolve_sandboxed(folder, name, allowed);
+  if (!path) {
+    reason = fmt::format("cannot use {}: {}", in_quotes(name), path.reason);
+    return std::nullopt;
+  }
+  std::error_code error;
+  if (std::filesystem::exists(path.path, error) && !std::filesystem::is_regular_file(path.path, error)) {
+    reason = fmt::format("cannot use {}: it is not a regular file", in_quotes(name));
+    return std::nullopt;
+  }
+  try {
+    return read_file(path.path);
+  } catch (Error const& failure) {
+    reason = failure.what();
+    return std::nullopt;
+  }
+}
+
+}  // namespace lichtraum

@@ -1,0 +1,43 @@
+#include "io/model_scene.hpp"
+
+#include <cmath>
+
+#include "io/framing.hpp"
+#include "io/names.hpp"
+
+namespace lichtraum {
+
+void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& scene) {
+  Names names;
+  std::string const root_name = names.unique(name.empty() ? "model" : name);
+  Composite::Children children;
+  for (ModelPart& part : parts) {
+    auto mesh = std::make_shared<Mesh>(names.unique(part.name), std::move(part.geometry), std::move(part.material));
+    scene.shapes.insert(mesh);
+    children.push_back(std::move(mesh));
+  }
+  scene.shapes.insert(std::make_shared<Composite>(root_name, std::move(children)));
+  WorldBox const box = bounds_of(scene.roots());
+  scene.cameras.insert(frame_box("default", box));
+  for (Light& light : studio_lights(box)) scene.lights.insert(std::move(light));
+}
+
+std::shared_ptr<Material> default_material(bool has_colors) {
+  Rgb const color(has_colors ? 1 : 0.8);
+  return std::make_shared<Material>("default", color, color, Rgb(0), 1);
+}
+
+float linear_from_srgb(float value) {
+  auto const c = double(value);
+  return float(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+}
+
+void check_static(ModelOptions const& options, std::string const& file, std::vector<Diagnostic>& diagnostics) {
+  auto const warn = [&](char const* message) {
+    diagnostics.push_back({Severity::warning, {file, 0, 0}, 1, message, {}, {}});
+  };
+  if (options.time_seconds || !options.animation.empty()) warn("it has no animation; the time has no effect");
+  if (!options.scene.empty()) warn("it has one scene only; asking for another has no effect");
+}
+
+}  // namespace lichtraum

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lichtraum/model.hpp"
+
+namespace lichtraum {
+
+/// A mesh of a model whose format knows no nodes.
+struct ModelPart {
+  std::string name;
+  std::shared_ptr<MeshGeometry const> geometry;
+  std::shared_ptr<Material const> material;
+};
+
+/// Adds a Mesh for each part, under one root called `name`, and a camera and lights that show them.
+void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& scene);
+
+/// A light grey, matt material; white where the vertices bring their own colours.
+std::shared_ptr<Material> default_material(bool has_colors);
+
+/// Colours of OBJ and PLY vertices are what a screen shows; linear ones are kept (IEC 61966-2-1).
+float linear_from_srgb(float value);
+
+/// Warns when the options ask for what only glTF has.
+void check_static(ModelOptions const& options, std::string const& file, std::vector<Diagnostic>& diagnostics);
+
+}  // namespace lichtraum

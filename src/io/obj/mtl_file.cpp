@@ -1,0 +1,174 @@
+#include "io/obj/mtl_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/ascii.hpp"
+#include "io/text/numbers.hpp"
+
+namespace lichtraum::obj {
+namespace {
+
+/// What is known and not used: maps and values of shading that Phong's formula does not have.
+constexpr std::string_view unused[] = {
+    "tf",       "sharpness", "map_ka",   "map_ks", "map_ns", "map_bump",    "bump",    "disp",    "decal",   "refl",
+    "map_refl", "map_d",     "map_tr",   "map_pr", "map_pm", "map_ps",      "map_aat", "ps",      "pc",      "pcr",
+    "aniso",    "anisor",    "map_disp", "map_ns", "map_ni", "map_opacity", "km",      "map_rma", "map_orm",
+};
+
+class Reader {
+ public:
+  explicit Reader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  std::vector<MtlMaterial> run(std::string_view text) {
+    LineReader lines(text);
+    Line line;
+    while (lines.next(line)) {
+      std::string_view rest = line.text;
+      Token const keyword = next_token(rest);
+      if (keyword.empty() || keyword[0] == '#') continue;
+      diagnostics_.begin_line(line);
+      if (keyword == "newmtl") {
+        begin_material(keyword, rest);
+      } else if (!materials_.empty()) {
+        property(keyword, rest, materials_.back());
+      } else if (!is_lost_) {
+        is_lost_ = true;
+        warn(keyword, "a property before the first newmtl is left out");
+      }
+    }
+    return std::move(materials_);
+  }
+
+ private:
+  void begin_material(Token keyword, std::string_view rest) {
+    Token const name = trimmed(rest);
+    if (name.empty()) warn(keyword, "newmtl: expected a name");
+    materials_.emplace_back();
+    materials_.back().name = name;
+  }
+
+  // Exporters disagree on capitals.
+  void property(Token keyword, std::string_view rest, MtlMaterial& m) {
+    std::string const word = to_lower_ascii(keyword);
+    if (word == "ka") return color(rest, m.ka);
+    if (word == "kd") return color(rest, m.kd);
+    if (word == "ks") return color(rest, m.ks);
+    if (word == "ke") return color(rest, m.ke);
+    if (word == "ns") return number(rest, m.ns);
+    if (word == "ni") return number(rest, m.ni);
+    if (word == "pm") return number(rest, m.metallic);
+    if (word == "pr") return number(rest, m.roughness);
+    if (word == "illum") return number(rest, m.illum);
+    if (word == "d") return dissolve(rest, m);
+    if (word == "tr") return transparency(rest, m);
+    if (word == "map_kd") return texture(rest, m.map_kd);
+    if (word == "map_ke") return texture(rest, m.map_ke);
+    if (word == "norm" || word == "map_kn") return texture(rest, m.norm);
+    if (std::find(std::begin(unused), std::end(unused), word) != std::end(unused)) return;
+    warn(keyword, fmt::format("MTL knows no {}: the line is left out", in_quotes(keyword)));
+  }
+
+  void number(std::string_view& rest, std::optional<double>& out) {
+    Token const word = next_token(rest);
+    double value = 0;
+    if (word.empty()) return warn(word, "expected a number");
+    if (read_number(word, value, diagnostics_)) out = value;
+  }
+
+  /// One number stands for all three.
+  void color(std::string_view rest, std::optional<Rgb>& out) {
+    Token const first = next_token(rest);
+    if (first == "spectral" || first == "xyz") return warn(first, "only colours as red, green and blue are read");
+    double r = 0, g = 0, b = 0;
+    if (first.empty()) return warn(first, "expected red, green and blue");
+    if (!read_number(first, r, diagnostics_)) return;
+    Token const second = next_token(rest), third = next_token(rest);
+    if (third.empty()) {
+      out = Rgb(r);
+    } else if (read_number(second, g, diagnostics_) && read_number(third, b, diagnostics_)) {
+      out = Rgb(r, g, b);
+    }
+    if (out) *out = glm::max(*out, Rgb(0));
+  }
+
+  void dissolve(std::string_view rest, MtlMaterial& m) {
+    std::string_view copy = rest;
+    if (next_token(copy) == "-halo") rest = copy;
+    number(rest, m.d);
+  }
+
+  /// `d` counts where both are written: Tr is not in the specification, and some write the one into the other.
+  void transparency(std::string_view rest, MtlMaterial& m) {
+    std::optional<double> tr;
+    number(rest, tr);
+    if (tr && !m.d) m.d = 1 - *tr;
+  }
+
+  void texture(std::string_view rest, MtlTexture& out) {
+    out = {};
+    out.line = diagnostics_.line();
+    for (;;) {
+      std::string_view behind = rest;
+      Token const option = next_token(behind);
+      if (option == "-clamp") {
+        out.clamp = next_token(behind) == "on";
+      } else if (option == "-o") {
+        vector(behind, out.offset);
+      } else if (option == "-s") {
+        vector(behind, out.scale);
+      } else if (option == "-t") {
+        glm::dvec2 ignored(0);
+        vector(behind, ignored);
+      } else if (option == "-mm") {
+        next_token(behind);
+        next_token(behind);
+      } else if (option.size() > 1 && option[0] == '-' && is_option(option)) {
+        next_token(behind);
+      } else {
+        break;
+      }
+      rest = behind;
+    }
+    out.file = trimmed(rest);
+    std::replace(out.file.begin(), out.file.end(), '\\', '/');  // written on Windows
+    if (out.file.empty()) warn(place_behind(rest), "expected a file");
+  }
+
+  static bool is_option(Token word) {
+    for (std::string_view const known :
+         {"-blendu", "-blendv", "-bm", "-boost", "-cc", "-imfchan", "-texres", "-type", "-colorspace"}) {
+      if (word == known) return true;
+    }
+    return false;
+  }
+
+  /// One to three numbers, of which two count.
+  void vector(std::string_view& rest, glm::dvec2& out) {
+    for (int i = 0; i < 3; ++i) {
+      std::string_view behind = rest;
+      Token const word = next_token(behind);
+      bool const starts_number = !word.empty() && (word.find_first_not_of("+-.0123456789eE") == Token::npos);
+      if (!starts_number) return;
+      double value = 0;
+      if (!read_number(word, value, diagnostics_)) return;
+      if (i < 2) out[i] = value;
+      rest = behind;
+    }
+  }
+
+  void warn(Token at, std::string message) { diagnostics_.add(Severity::warning, at, std::move(message)); }
+
+  Diagnostics& diagnostics_;
+  std::vector<MtlMaterial> materials_;
+  bool is_lost_ = false;
+};
+
+}  // namespace
+
+std::vector<MtlMaterial> read_mtl(std::string_view text, Diagnostics& diagnostics) {
+  return Reader(diagnostics).run(text);
+}
+
+}  // namespace lichtraum::obj

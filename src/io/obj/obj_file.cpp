@@ -1,0 +1,314 @@
+#include "io/obj/obj_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "io/polygon.hpp"
+#include "io/text/numbers.hpp"
+
+namespace lichtraum::obj {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+bool is_finite(Float3 const& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
+
+class Reader {
+ public:
+  explicit Reader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  ObjFile run(std::string_view text) {
+    LineReader lines(text);
+    Line line;
+    while (lines.next(line)) {
+      std::string_view rest = line.text;
+      Token const keyword = next_token(rest);
+      if (keyword.empty() || keyword[0] == '#') continue;
+      diagnostics_.begin_line(line);
+      statement(keyword, rest);
+    }
+    remove_faulty_triangles();
+    std::erase_if(file_.parts, [](Part const& part) { return part.corners.empty(); });
+    if (!file_.colors.empty()) file_.colors.resize(file_.positions.size(), Float3{1, 1, 1});
+    return std::move(file_);
+  }
+
+ private:
+  void statement(Token keyword, std::string_view rest) {
+    if (keyword == "v") return position(rest);
+    if (keyword == "f" || keyword == "fo") return face(keyword, rest);
+    if (keyword == "vn") return normal(rest);
+    if (keyword == "vt") return texcoord(rest);
+    if (keyword == "usemtl") return use_material(keyword, rest);
+    if (keyword == "o") return begin_part(object_, rest);
+    if (keyword == "g") return begin_part(group_, rest);
+    if (keyword == "mtllib") return library(keyword, rest);
+    if (keyword == "l" || keyword == "p") return once(keyword, "points and lines are not drawn");
+    for (std::string_view const known : {"s", "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj",
+                                         "usemap", "maplib", "vp", "end", "parm", "trim", "hole", "scrv", "sp"}) {
+      if (keyword == known) return;  // says nothing about triangles
+    }
+    for (std::string_view const known :
+         {"cstype", "deg", "curv", "curv2", "surf", "bmat", "step", "con", "stech", "ctech"}) {
+      if (keyword == known) return once("surf", "free-form curves and surfaces are not drawn");
+    }
+    diagnostics_.add(Severity::warning, keyword,
+                     fmt::format("OBJ knows no {}: the line is left out", in_quotes(keyword)));
+  }
+
+  bool number(Token word, float& out) {
+    double value = 0;
+    if (!read_number(word, value, diagnostics_)) return false;
+    out = float(value);
+    return true;
+  }
+
+  /// False after a warning when there are fewer.
+  bool numbers(std::string_view& rest, float* values, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      Token const word = next_token(rest);
+      if (word.empty()) {
+        diagnostics_.add(Severity::warning, word, fmt::format("expected {} numbers, found {}", count, i));
+        return false;
+      }
+      if (!number(word, values[i])) return false;
+    }
+    return true;
+  }
+
+  // A faulty vertex keeps its number, so that the faces name the right ones.
+  void position(std::string_view rest) {
+    Float3 point;
+    if (!numbers(rest, point.data(), 3)) point = {nan, nan, nan};
+    file_.positions.push_back(point);
+    Token const fourth = next_token(rest);
+    if (fourth.empty() || fourth[0] == '#') return;
+    Token const fifth = next_token(rest), sixth = next_token(rest);
+    if (fifth.empty() || sixth.empty()) return;  // a weight, which is for curves
+    Float3 color{1, 1, 1};
+    bool const is_color = number(fourth, color[0]) && number(fifth, color[1]) && number(sixth, color[2]);
+    if (!is_color) return;
+    file_.colors.resize(file_.positions.size() - 1, Float3{1, 1, 1});
+    file_.colors.push_back(color);
+  }
+
+  void normal(std::string_view rest) {
+    Float3 n;
+    if (!numbers(rest, n.data(), 3)) n = {0, 0, 0};
+    double const length = std::hypot(double(n[0]), double(n[1]), double(n[2]));
+    for (float& x : n) x = length > 0 ? float(double(x) / length) : 0;
+    file_.normals.push_back(n);
+  }
+
+  void texcoord(std::string_view rest) {
+    Float2 uv{0, 0};
+    Token const u = next_token(rest), v = next_token(rest);
+    if (u.empty()) diagnostics_.add(Severity::warning, u, "expected a texture coordinate");
+    bool const is_good = !u.empty() && number(u, uv[0]) && (v.empty() || number(v, uv[1]));
+    file_.texcoords.push_back(is_good ? Float2{uv[0], 1 - uv[1]} : Float2{0, 0});  // OBJ counts v from below
+  }
+
+  void face(Token keyword, std::string_view rest) {
+    corners_.clear();
+    points_.clear();
+    bool is_late = false;  // names a vertex that is not there yet
+    for (Token word = next_token(rest); !word.empty() && word[0] != '#'; word = next_token(rest)) {
+      Corner corner;
+      if (!read_corner(word, corner)) {
+        diagnostics_.add(
+            Severity::warning, word,
+            fmt::format("expected vertex/texture/normal, found {}: the face is left out", in_quotes(word)));
+        return;
+      }
+      is_late = is_late || corner.position >= file_.positions.size();
+      if (corner.position >= file_.positions.size() && mentions_.size() < max_mentions) {
+        mentions_.push_back({{diagnostics_.line(), word}, corner.position});
+      }
+      corners_.push_back(corner);
+    }
+    if (corners_.size() < 3) {
+      diagnostics_.add(Severity::warning, keyword, fmt::format("a face of {} corners is left out", corners_.size()));
+      return;
+    }
+    for (Corner const& corner : corners_) {
+      if (!is_late) points_.push_back(file_.positions[corner.position]);
+    }
+    if (is_late) points_.assign(corners_.size(), Float3{0, 0, 0});  // its shape is not known: a fan
+    Part& part = current_part();
+    triangles_.clear();
+    triangulate(points_, triangles_);
+    for (auto const& triangle : triangles_) {
+      for (std::uint32_t const i : triangle) part.corners.push_back(corners_[i]);
+    }
+  }
+
+  bool read_corner(Token word, Corner& corner) {
+    char const* at = word.data();
+    char const* const end = at + word.size();
+    if (!read_index(at, end, file_.positions.size(), corner.position)) return false;
+    if (at == end) return true;
+    if (*at++ != '/' || at == end) return at == end;  // "1/": some write that
+    if (*at != '/' && !read_index(at, end, file_.texcoords.size(), corner.texcoord)) return false;
+    if (at == end) return true;
+    if (*at++ != '/') return false;
+    return at == end || (read_index(at, end, file_.normals.size(), corner.normal) && at == end);
+  }
+
+  /// Counts from 1; -1 is the last one so far.
+  static bool read_index(char const*& at, char const* end, std::size_t size, std::uint32_t& index) {
+    std::int64_t value = 0;
+    auto const [rest, error] = std::from_chars(at, end, value);
+    if (error != std::errc() || value == 0) return false;
+    at = rest;
+    std::int64_t const found = value > 0 ? value - 1 : std::int64_t(size) + value;
+    if (found < 0 || found >= std::int64_t(Corner::none)) return false;
+    index = std::uint32_t(found);
+    return true;
+  }
+
+  void use_material(Token keyword, std::string_view rest) {
+    Token const name = trimmed(rest);
+    if (name.empty()) diagnostics_.add(Severity::warning, keyword, "usemtl: expected a name");
+    material_ = name;
+    part_ = nullptr;
+    if (!name.empty() && known_materials_.insert(std::string(name)).second) {
+      file_.used_materials.push_back({diagnostics_.line(), name});
+    }
+  }
+
+  void begin_part(std::string& name, std::string_view rest) {
+    name = trimmed(rest);
+    if (&name == &object_) group_.clear();
+    part_ = nullptr;
+  }
+
+  void library(Token keyword, std::string_view rest) {
+    Token const names = trimmed(rest);
+    if (names.empty()) return diagnostics_.add(Severity::warning, keyword, "mtllib: expected a file");
+    file_.libraries.push_back({diagnostics_.line(), names});
+  }
+
+  void once(std::string_view what, std::string_view message) {
+    if (told_.insert(std::string(what)).second) diagnostics_.add(Severity::warning, {}, std::string(message));
+  }
+
+  /// Files alternate between materials thousands of times; what belongs together becomes one mesh.
+  Part& current_part() {
+    if (part_) return *part_;
+    std::string name = group_.empty() ? object_ : object_.empty() ? group_ : object_ + "." + group_;
+    std::string key = name + '\n' + material_;
+    if (!part_numbers_.contains(key) && part_numbers_.size() >= max_parts) {
+      once("parts", fmt::format("more than {} objects and groups: those that follow are joined", max_parts));
+      name.clear();
+      key = '\n' + material_;
+    }
+    auto const [found, is_new] = part_numbers_.emplace(std::move(key), file_.parts.size());
+    if (is_new) file_.parts.push_back({std::move(name), material_, {}});
+    part_ = &file_.parts[found->second];
+    return *part_;
+  }
+
+  void remove_faulty_triangles() {
+    std::size_t out_of_range = 0, non_finite = 0;
+    for (Part& part : file_.parts) {
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i + 2 < part.corners.size(); i += 3) {
+        auto const corners = part.corners.begin() + std::ptrdiff_t(i);
+        bool const is_there =
+            std::all_of(corners, corners + 3, [&](Corner const& c) { return c.position < file_.positions.size(); });
+        if (!is_there) {
+          ++out_of_range;
+        } else if (!std::all_of(corners, corners + 3,
+                                [&](auto& c) { return is_finite(file_.positions[c.position]); })) {
+          ++non_finite;
+        } else {
+          for (std::size_t k = 0; k < 3; ++k) part.corners[kept++] = checked(part.corners[i + k]);
+        }
+      }
+      part.corners.resize(kept);
+    }
+    for (auto const& [mention, position] : mentions_) {
+      if (position < file_.positions.size()) continue;
+      diagnostics_.begin_line(mention.line);
+      diagnostics_.add(Severity::warning, mention.word,
+                       fmt::format("there is no vertex {}; the file has {}", position + 1, file_.positions.size()));
+    }
+    diagnostics_.begin_line({});
+    if (out_of_range > 0) left_out(out_of_range, "a vertex that is not there");
+    if (non_finite > 0) left_out(non_finite, "a corner that is no finite number");
+    if (missing_attributes_ > 0) {
+      diagnostics_.add(
+          Severity::warning, {},
+          fmt::format("{} corners name a texture coordinate or normal that is not there", missing_attributes_));
+    }
+  }
+
+  Corner checked(Corner corner) {
+    if (corner.texcoord != Corner::none && corner.texcoord >= file_.texcoords.size()) {
+      corner.texcoord = Corner::none;
+      ++missing_attributes_;
+    }
+    if (corner.normal != Corner::none && corner.normal >= file_.normals.size()) {
+      corner.normal = Corner::none;
+      ++missing_attributes_;
+    }
+    return corner;
+  }
+
+  void left_out(std::size_t count, std::string_view why) {
+    diagnostics_.add(Severity::warning, {}, fmt::format("{} triangles left out: they have {}", count, why));
+  }
+
+  static constexpr std::size_t max_mentions = 1000;
+  static constexpr std::size_t max_parts = std::size_t(1) << 16;
+
+  Diagnostics& diagnostics_;
+  ObjFile file_;
+  std::string object_, group_, material_;
+  Part* part_ = nullptr;
+  std::unordered_map<std::string, std::size_t> part_numbers_;
+  std::unordered_set<std::string> known_materials_;
+  std::unordered_set<std::string> told_;
+  std::vector<std::pair<Mention, std::uint32_t>> mentions_;  // of vertices that were not there yet
+  std::size_t missing_attributes_ = 0;
+  // Of one face; kept for their memory.
+  std::vector<Corner> corners_;
+  std::vector<Float3> points_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+};
+
+}  // namespace
+
+ObjFile read_obj(std::string_view text, Diagnostics& diagnostics) { return Reader(diagnostics).run(text); }
+
+void join_continued_lines(std::string& text) {
+  if (text.find("\\\n") == std::string::npos && text.find("\\\r\n") == std::string::npos) return;
+  std::string joined;
+  joined.reserve(text.size());
+  std::size_t pending = 0;  // line breaks that were left out
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::size_t const line_break = text[i] != '\\'                       ? 0
+                                   : text.compare(i + 1, 1, "\n") == 0   ? 1
+                                   : text.compare(i + 1, 2, "\r\n") == 0 ? 2
+                                                                         : 0;
+    if (line_break > 0) {
+      joined += ' ';
+      ++pending;
+      i += line_break;
+    } else {
+      joined += text[i];
+      if (text[i] != '\n') continue;
+      joined.append(pending, '\n');
+      pending = 0;
+    }
+  }
+  text = std::move(joined);
+}
+
+}  // namespace lichtraum::obj

@@ -1,0 +1,86 @@
+#include "io/obj/part_geometry.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "io/model_scene.hpp"
+
+namespace lichtraum::obj {
+namespace {
+
+std::size_t hash_of(Corner const& corner) {
+  std::uint64_t hash = corner.position;
+  hash = (hash ^ (hash >> 32)) * 0x9E3779B97F4A7C15u + corner.texcoord;
+  hash = (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9u + corner.normal;
+  hash = (hash ^ (hash >> 32)) * 0x94D049BB133111EBu;
+  return std::size_t(hash ^ (hash >> 31));
+}
+
+}  // namespace
+
+PartGeometry::PartGeometry(ObjFile const& file)
+    : file_(file), vertex_of_position_(file.positions.size(), Corner::none) {
+  for (Float3 const& c : file.colors) {
+    linear_colors_.push_back({linear_from_srgb(c[0]), linear_from_srgb(c[1]), linear_from_srgb(c[2])});
+  }
+}
+
+std::shared_ptr<MeshGeometry const> PartGeometry::of(Part const& part) {
+  auto geometry = std::make_shared<MeshGeometry>();
+  bool const has_texcoords =
+      std::any_of(part.corners.begin(), part.corners.end(), [](auto& c) { return c.texcoord != Corner::none; });
+  bool const has_normals =
+      std::any_of(part.corners.begin(), part.corners.end(), [](auto& c) { return c.normal != Corner::none; });
+  if (has_texcoords) geometry->texcoords.emplace_back();
+  geometry->indices.reserve(part.corners.size());
+  if (has_normals || has_texcoords) {
+    index_corners(part, *geometry);
+  } else {
+    index_positions(part, *geometry);
+  }
+  if (!has_normals) geometry->normals.clear();
+  return geometry;
+}
+
+void PartGeometry::add_vertex(Corner const& corner, MeshGeometry& out) const {
+  out.positions.push_back(file_.positions[corner.position]);
+  out.normals.push_back(corner.normal == Corner::none ? Float3{0, 0, 0} : file_.normals[corner.normal]);
+  if (!out.texcoords.empty()) {
+    out.texcoords[0].push_back(corner.texcoord == Corner::none ? Float2{0, 0} : file_.texcoords[corner.texcoord]);
+  }
+  if (!linear_colors_.empty()) {
+    Float3 const& c = linear_colors_[corner.position];
+    out.colors.push_back({c[0], c[1], c[2], 1});
+  }
+}
+
+void PartGeometry::index_positions(Part const& part, MeshGeometry& out) {
+  for (Corner const& corner : part.corners) {
+    std::uint32_t& vertex = vertex_of_position_[corner.position];
+    if (vertex == Corner::none) {
+      vertex = std::uint32_t(out.positions.size());
+      add_vertex(corner, out);
+    }
+    out.indices.push_back(vertex);
+  }
+  for (Corner const& corner : part.corners) vertex_of_position_[corner.position] = Corner::none;
+}
+
+/// A hash table with open addressing, at most half full.
+void PartGeometry::index_corners(Part const& part, MeshGeometry& out) {
+  std::vector<std::uint32_t> table(std::bit_ceil(2 * part.corners.size() + 1), Corner::none);
+  std::vector<Corner> corners;  // of the vertices
+  std::size_t const mask = table.size() - 1;
+  for (Corner const& corner : part.corners) {
+    std::size_t slot = hash_of(corner) & mask;
+    while (table[slot] != Corner::none && corners[table[slot]] != corner) slot = (slot + 1) & mask;
+    if (table[slot] == Corner::none) {
+      table[slot] = std::uint32_t(corners.size());
+      corners.push_back(corner);
+      add_vertex(corner, out);
+    }
+    out.indices.push_back(table[slot]);
+  }
+}
+
+}  // namespace lichtraum::obj

@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+
+#include <new>
+
+#include "core/read_file.hpp"
+#include "io/image/decode.hpp"
+#include "io/model_file.hpp"
+#include "io/model_scene.hpp"
+#include "io/ply/ply_data.hpp"
+#include "io/triangles.hpp"
+#include "lichtraum/ply.hpp"
+
+namespace lichtraum {
+namespace ply {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t max_findings = 100;
+
+/// The picture of a "comment TextureFile", or null after a warning.
+std::shared_ptr<Texture const> read_texture(std::string const& file, fs::path const& folder,
+                                            ModelOptions const& options, Diagnostics& diagnostics) {
+  std::string reason;
+  auto const bytes = read_model_file(folder, options.allowed_paths, file, reason);
+  auto image = bytes ? decode_image(*bytes, options.max_texture, reason) : std::nullopt;
+  if (!image) {
+    diagnostics.add(Severity::warning, {}, fmt::format("the picture is left out: {}", reason));
+    return nullptr;
+  }
+  image->name = file;
+  return std::make_shared<Texture const>(Texture{std::make_shared<TextureImage const>(std::move(*image))});
+}
+
+std::shared_ptr<Material> material_of(std::string const& texture_file, MeshGeometry const& geometry,
+                                      fs::path const& folder, ModelOptions const& options, Diagnostics& diagnostics) {
+  auto texture = texture_file.empty() || geometry.texcoords.empty()
+                     ? nullptr
+                     : read_texture(texture_file, folder, options, diagnostics);
+  auto material = default_material(texture || !geometry.colors.empty());
+  if (texture) {
+    auto pbr = std::make_shared<PbrMaterial>();
+    pbr->metallic = 0;
+    pbr->base_color_texture.texture = std::move(texture);
+    material->set_pbr(std::move(pbr));
+  }
+  return material;
+}
+
+Model import(std::string_view bytes, std::string const& name, fs::path const& folder, ModelOptions const& options) {
+  Diagnostics diagnostics(name, max_findings);
+  Header header;
+  auto geometry = std::make_shared<MeshGeometry>();
+  if (read_header(bytes, header, diagnostics)) {
+    *geometry = read_data(bytes, header, diagnostics);
+    diagnostics.begin_line({});
+    TriangleFaults const faults = remove_faulty_triangles(*geometry);
+    auto const left_out = [&](std::size_t count, char const* why) {
+      if (count > 0) {
+        diagnostics.add(Severity::warning, {}, fmt::format("{} triangles left out: they have {}", count, why));
+      }
+    };
+    left_out(faults.out_of_range, "a vertex that is not there");
+    left_out(faults.non_finite, "a corner that is no finite number");
+    if (geometry->indices.empty()) {
+      diagnostics.add(Severity::error, {}, "nothing of the model can be drawn: it has no triangles");
+    }
+  }
+  bool const has_failed = diagnostics.errors() > 0;
+  Model model;
+  std::shared_ptr<Material const> material = options.material;
+  if (!has_failed && !material) {
+    auto const own = material_of(header.texture_file, *geometry, folder, options, diagnostics);
+    model.scene.materials.insert(own);
+    material = own;
+  }
+  model.diagnostics = std::move(diagnostics).finish(0);
+  check_static(options, name, model.diagnostics);
+  if (has_failed) throw SceneError(std::move(model.diagnostics));
+  add_parts({{"mesh", std::move(geometry), std::move(material)}}, fs::path(name).stem().string(), model.scene);
+  return model;
+}
+
+}  // namespace
+}  // namespace ply
+
+Model import_ply_bytes(std::string_view bytes, std::string const& name, std::filesystem::path const& folder,
+                       ModelOptions const& options) {
+  try {
+    return ply::import(bytes, name, folder, options);
+  } catch (std::bad_alloc const&) {
+    throw Error(ErrorKind::scene, fmt::format("{}: the model needs more memory than there is", name));
+  }
+}
+
+Model import_ply(std::filesystem::path const& path, ModelOptions const& options) {
+  return import_ply_bytes(read_file(path), path.string(), path.parent_path(), options);
+}
+
+}  // namespace lichtraum

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "io/text/diagnostics.hpp"
+
+namespace lichtraum {
+
+/// Reads the whole of a word, a part of the current line, as a number that fits a float; else false after a warning at
+/// its place.
+bool read_number(Token word, double& value, Diagnostics& diagnostics);
+
+}  // namespace lichtraum

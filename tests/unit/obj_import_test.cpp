@@ -1,0 +1,208 @@
+#include "lichtraum/obj.hpp"
+
+#include <filesystem>
+
+#include "support/catch.hpp"
+#include "support/gltf_triangles.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace lichtraum;
+using testing::Corners;
+using testing::world_triangles;
+
+namespace {
+
+Model import_text(std::string const& text, ModelOptions const& options = {}) {
+  return import_obj_text(text, "m.obj", ".", options);
+}
+
+std::string shown(std::vector<Diagnostic> const& diagnostics) {
+  std::string all;
+  for (auto const& d : diagnostics) {
+    all += d.location.file + ":" + std::to_string(d.location.line) + ":" + std::to_string(d.location.column) + ": " +
+           d.message + "\n";
+  }
+  return all;
+}
+
+std::string const triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+Mesh const& mesh_of(Scene const& scene, std::string const& name) {
+  auto const* shape = scene.shapes.find(name);
+  REQUIRE(shape);
+  return dynamic_cast<Mesh const&>(**shape);
+}
+
+}  // namespace
+
+TEST_CASE("OBJ: a triangle, with a camera and lights that show it", "[unit][obj]") {
+  Model const model = import_text("# a comment\r\n\r\n" + triangle);
+  CHECK(shown(model.diagnostics) == "");
+  auto const triangles = world_triangles(model.scene);
+  REQUIRE(triangles.size() == 1);
+  CHECK(triangles[0] == Corners{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
+  CHECK(model.scene.cameras.size() == 1);
+  CHECK(model.scene.lights.size() == 3);
+  CHECK(model.scene.roots().at(0)->name() == "m");
+}
+
+TEST_CASE("OBJ: corners with texture coordinates and normals share vertices; missing ones are zeros", "[unit][obj]") {
+  Model const model = import_text(
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0.25\nvn 0 0 2\nvn 0 3 4\n"
+      "f 1/1/1 2/2/1 3/2/1 4/1/1\nf 1/1/1 2/2/1 3//2\nf -4/-2 -3/-1/-1 -2\n");
+  CHECK(shown(model.diagnostics) == "");
+  MeshGeometry const& g = *mesh_of(model.scene, "mesh").geometry();
+  CHECK(g.triangle_count() == 4);
+  CHECK(g.positions.size() == 4 + 1 + 3);  // a corner each of the second face, and all of the third, is another
+  REQUIRE(g.texcoords.size() == 1);
+  CHECK(g.texcoords[0][0] == Float2{0, 1});  // from above
+  CHECK(g.texcoords[0][1] == Float2{1, 0.75f});
+  CHECK(g.normals[0] == Float3{0, 0, 1});
+  CHECK(g.normals[4] == Float3{0, 0.6f, 0.8f});
+  CHECK(g.normals.back() == Float3{0, 0, 0});
+  CHECK(g.texcoords[0].back() == Float2{0, 0});
+}
+
+TEST_CASE("OBJ: a mesh for each material of each object and group, however they alternate", "[unit][obj]") {
+  Model const model = import_text(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\no car\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 2 3\nusemtl red\nf 1 2 3\n"
+      "g wheel left\nf 1 2 3\no car\nf 1 2 3\n");
+  CHECK(mesh_of(model.scene, "car.red").geometry()->triangle_count() == 3);
+  CHECK(mesh_of(model.scene, "car.blue").geometry()->triangle_count() == 1);
+  CHECK(mesh_of(model.scene, "car.wheel left.red").geometry()->triangle_count() == 1);
+  CHECK(shown(model.diagnostics) ==
+        "m.obj:5:8: there is no material 'red'\n"
+        "m.obj:7:8: there is no material 'blue'\n");
+}
+
+TEST_CASE("OBJ: colours of vertices become linear", "[unit][obj]") {
+  Model const model = import_text("v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0\nf 1 2 3\n");
+  auto const& colors = mesh_of(model.scene, "mesh").geometry()->colors;
+  REQUIRE(colors.size() == 3);
+  CHECK(colors[0] == Float4{1, 1, 1, 1});
+  CHECK(colors[1][0] == 1);
+  CHECK(colors[1][1] == Approx(0.2140411));  // IEC 61966-2-1
+  CHECK(colors[1][2] == 0);
+}
+
+TEST_CASE("OBJ: what is wrong is told with its place and left out", "[unit][obj]") {
+  struct Case {
+    std::string text;
+    std::string expected;
+  };
+  Case const cases[] = {
+      {triangle + "v 1 x 3\n", "m.obj:5:5: 'x' is not a number\n"},
+      {triangle + "v 1 2\n", "m.obj:5:6: expected 3 numbers, found 2\n"},
+      {triangle + "v 1 1e99 nan\n", "m.obj:5:5: '1e99' is too large\n"},
+      {triangle + "v nan 1 1\nf 1 2 4\nf 4 2 3 1\n",
+       "m.obj:0:0: 3 triangles left out: they have a corner that is no finite number\n"
+       "m.obj:5:3: 'nan' is not a finite number\n"},
+      {triangle + "f 1 2 9\n",
+       "m.obj:0:0: 1 triangles left out: they have a vertex that is not there\n"
+       "m.obj:5:7: there is no vertex 9; the file has 3\n"},
+      {triangle + "f 1 2 -4\n", "m.obj:5:7: expected vertex/texture/normal, found '-4': the face is left out\n"},
+      {triangle + "f 1 2 0\n", "m.obj:5:7: expected vertex/texture/normal, found '0': the face is left out\n"},
+      {triangle + "f 1 2 99999999999999999999\n",
+       "m.obj:5:7: expected vertex/texture/normal, found '99999999999999999999': the face is left out\n"},
+      {triangle + "f 1 2\n", "m.obj:5:1: a face of 2 corners is left out\n"},
+      {triangle + "f 1/5 2 3\n", "m.obj:0:0: 1 corners name a texture coordinate or normal that is not there\n"},
+      {triangle + "l 1 2\np 1\n",
+       "m.obj:5:0: points and lines are not drawn\nm.obj:6:0: points and lines are not drawn\n"},
+      {triangle + "curv 0 1 1 2\nsurf 0 1\n", "m.obj:5:0: free-form curves and surfaces are not drawn\n"},
+      {"vx 1 2 3\n" + triangle, "m.obj:1:1: OBJ knows no 'vx': the line is left out\n"},
+      {"mtllib nowhere.mtl\n" + triangle, ""},
+      {"mtllib ../secret.mtl\n" + triangle, ""},
+  };
+  for (Case const& c : cases) {
+    INFO(c.text);
+    if (!c.expected.empty()) CHECK(shown(import_text(c.text).diagnostics) == c.expected);
+  }
+}
+
+TEST_CASE("OBJ: nothing to draw is an error; faces may come before their vertices; lines may go on", "[unit][obj]") {
+  for (char const* text : {"", "v 0 0 0\n", "garbage", "\x01\x02\xFF", "f 1 2 3\n"}) {
+    CHECK_THROWS_AS(import_text(text), SceneError);
+  }
+  CHECK(world_triangles(import_text("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0").scene).size() == 1);
+  Model const model = import_text("v 0 0 \\\n0\nv 1 0 0\nv 0 \\\r\n 1 0\nf 1 2 \\\n3\nl 1 2\n");
+  CHECK(shown(model.diagnostics) == "m.obj:8:0: points and lines are not drawn\n");
+  CHECK(world_triangles(model.scene)[0] == Corners{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
+}
+
+TEST_CASE("MTL: Phong's coefficients, mirrors and glass", "[unit][obj]") {
+  TemporaryFolder const folder;
+  folder.write("m.mtl",
+               "newmtl plain\nKd 0.1 0.2 0.3\nKs 0.5 0.5 0.4\nNs 20\nKa 0.01 0.02 0.03\nKe 0 0 2\n"
+               "newmtl blender\nKa 1 1 1\nKd 0.5 0 0\n"
+               "newmtl mirror\nKd 0 0 0\nKs 0.75 0.5 0.5\nillum 3\n"
+               "newmtl glass\nKs 1 1 1\nillum 7\nd 0.25\nTr 0.5\nNi 1.5\n"
+               "newmtl thin\nTr 0.5\nNi 1.5\nillum 4\n"
+               "newmtl matt\nKs 1 1 1\nillum 1\n");
+  std::string text = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (char const* name : {"plain", "blender", "mirror", "glass", "thin", "matt"}) {
+    text += std::string("usemtl ") + name + "\nf 1 2 3\n";
+  }
+  folder.write("m.obj", text);
+  Model const model = import_obj(folder / "m.obj");
+  CHECK(shown(model.diagnostics) == "");
+  auto const& material = [&](char const* name) -> Material const& { return **model.scene.materials.find(name); };
+  CHECK(material("plain").ka() == Rgb(0.01, 0.02, 0.03));
+  CHECK(material("plain").kd() == Rgb(0.1, 0.2, 0.3));
+  CHECK(material("plain").ks() == Rgb(0.5, 0.5, 0.4));
+  CHECK(material("plain").m() == 20);
+  CHECK(material("plain").emission() == Rgb(0, 0, 2));
+  CHECK(material("plain").pbr()->emissive == Rgb(0, 0, 2));
+  CHECK(material("blender").ka() == Rgb(0.5, 0, 0));
+  CHECK(material("mirror").reflect() == 0.75);
+  CHECK(material("glass").transmit() == 0.75);
+  CHECK(material("glass").reflect() == 0.25);
+  CHECK(material("glass").ior() == 1.5);
+  CHECK(material("thin").transmit() == 0.5);
+  CHECK(material("thin").ior() == 1);
+  CHECK(material("matt").ks() == Rgb(0));
+}
+
+TEST_CASE("MTL: pictures keep their place and options; what is wrong is told in its own file", "[unit][obj]") {
+  TemporaryFolder const folder;
+  std::filesystem::create_directories(folder / "materials");
+  folder.write("materials/red.ppm", "P6 1 1 255 \xFF");
+  folder.write("materials/my stuff.mtl",
+               "Kd 1 1 1\nnewmtl a\nKd 1 x 1\nmap_Kd -s 2 3 -o 0.25 0.5 -clamp on red.ppm\nmap_Ke ..\\..\\secret.png\n"
+               "wibble 1\nnorm nowhere.png\n");
+  folder.write("m.obj", "mtllib materials\\my stuff.mtl\nusemtl a\n" + triangle);
+  Model const model = import_obj(folder / "m.obj");
+  std::string all = shown(model.diagnostics);
+  std::string const mtl = (folder / "materials/my stuff.mtl").string();
+  CHECK_THAT(all, contains_text(mtl + ":1:1: a property before the first newmtl is left out\n"));
+  CHECK_THAT(all, contains_text(mtl + ":3:6: 'x' is not a number\n"));
+  CHECK_THAT(all, contains_text(mtl + ":4:0: the picture is left out: it is no PNG, JPEG or WebP\n"));
+  CHECK_THAT(all, contains_text(mtl + ":5:0: the picture is left out: cannot use 'materials/../../secret.png'"));
+  CHECK_THAT(all, contains_text(mtl + ":6:1: MTL knows no 'wibble': the line is left out\n"));
+  CHECK_THAT(all, contains_text(mtl + ":7:0: the picture is left out: cannot open"));
+}
+
+TEST_CASE("OBJ: no file outside the model's folder is read", "[unit][obj]") {
+  TemporaryFolder const folder;
+  folder.write("secret.mtl", "newmtl a\nKd 1 0 0\n");
+  std::filesystem::create_directories(folder / "model");
+  for (std::string const& library : {std::string("../secret.mtl"), (folder / "secret.mtl").string()}) {
+    folder.write("model/m.obj", "mtllib " + library + "\nusemtl a\n" + triangle);
+    Model const model = import_obj(folder / "model/m.obj");
+    CHECK_THAT(shown(model.diagnostics), contains_text("m.obj:1:8: cannot use '") && contains_text("no material 'a'"));
+    ModelOptions options;
+    options.allowed_paths = {folder.path()};
+    CHECK(shown(import_obj(folder / "model/m.obj", options).diagnostics) == "");
+  }
+}
+
+TEST_CASE("OBJ: hostile sizes end soon", "[unit][obj]") {
+  std::string same = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";  // one position with many texture coordinates
+  for (int i = 1; i <= 100000; ++i) same += "vt " + std::to_string(i) + "\nf 1/" + std::to_string(i) + " 2/1 3/1\n";
+  CHECK(world_triangles(import_text(same).scene).size() == 100000);
+  std::string polygon = triangle + "f";
+  for (int i = 0; i < 200000; ++i) polygon += " " + std::to_string(1 + i % 3);
+  CHECK(world_triangles(import_text(polygon).scene).size() == 1 + 199998);
+  std::string groups = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < 70000; ++i) groups += "g " + std::to_string(i) + "\nf 1 2 3\n";
+  CHECK_THAT(shown(import_text(groups).diagnostics), contains_text("more than 65536 objects and groups"));
+}

@@ -1,15 +1,18 @@
 # fish completion for lichtraum
 
-set -l commands render check info devices doctor
+set -l commands render preview check info devices doctor
 set -l first "not __fish_seen_subcommand_from $commands"
 set -l any "__fish_seen_subcommand_from $commands"
-set -l scenes '__fish_seen_subcommand_from render check info'
+set -l scenes '__fish_seen_subcommand_from render preview check info'
 set -l render '__fish_seen_subcommand_from render'
+set -l seen '__fish_seen_subcommand_from render preview'
+set -l preview '__fish_seen_subcommand_from preview'
 set -l json '__fish_seen_subcommand_from render info devices'
 
 complete -c lichtraum -f
 complete -c lichtraum -n $first -s V -l version -d 'Print the version'
 complete -c lichtraum -n $first -a render -d 'Draw scenes to pictures'
+complete -c lichtraum -n $first -a preview -d 'Show a scene in the terminal'
 complete -c lichtraum -n $first -a check -d 'Report what is wrong in scenes'
 complete -c lichtraum -n $first -a info -d 'Tell what is in a scene'
 complete -c lichtraum -n $first -a devices -d 'List what can draw'
@@ -45,12 +48,15 @@ complete -c lichtraum -n $render -l fps -x -a '24 25 30 60' -d 'Frames a second'
 complete -c lichtraum -n $render -l turntable -x -d 'Pictures around the scene'
 complete -c lichtraum -n $render -l resume -d 'Leave what is there already'
 complete -c lichtraum -n $render -l region -x -d 'X,Y,WIDTH,HEIGHT'
-complete -c lichtraum -n $render -l camera -x -d 'Look through this camera'
-complete -c lichtraum -n $render -l root -x -d 'Draw this shape only'
-complete -c lichtraum -n $render -l samples -x -a '1 2x2 4x4 8x8 16 64' -d 'Samples a pixel'
+complete -c lichtraum -n $seen -l camera -x -d 'Look through this camera'
+complete -c lichtraum -n $seen -l root -x -d 'Draw this shape only'
+complete -c lichtraum -n $seen -l samples -x -a '1 2x2 4x4 8x8 16 64' -d 'Samples a pixel'
 complete -c lichtraum -n $render -l depth -x -d 'Mirrors and glass in a row'
 complete -c lichtraum -n $render -l seed -x -d 'Of random samples'
 complete -c lichtraum -n $render -l tonemap -x -a 'auto none reinhard' -d 'From radiance to shown values'
 complete -c lichtraum -n $render -l transfer -x -a 'linear srgb' -d 'From linear to stored values'
 complete -c lichtraum -n $render -l traversal -x -a 'auto scalar wide packet' -d 'How rays find what they hit'
-complete -c lichtraum -n $render -l device -x -a 'cpu gpu reference' -d 'What draws'
+complete -c lichtraum -n $seen -l device -x -a 'cpu gpu reference' -d 'What draws'
+
+complete -c lichtraum -n $preview -l size -x -d 'Columns and rows of characters'
+complete -c lichtraum -n $preview -l graphics -x -a 'auto blocks kitty sixel' -d 'What the terminal shows'

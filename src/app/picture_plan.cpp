@@ -113,6 +113,21 @@ PicturePlan plan_picture(Scene const& scene, SceneSource const& source, RenderCo
 
 }  // namespace
 
+RenderRequest first_view(LoadedScene const& loaded, SceneSource const& source, RenderOptions const& options) {
+  Scene const& scene = loaded.scene();
+  RenderCommand const command = scene.renders.empty() ? RenderCommand() : scene.renders.front();
+  RenderRequest request;
+  request.camera = find_camera(scene, source, options, command.camera);
+  request.resolution = choose_size(scene, request.camera, command, options);
+  request.region = {0, 0, request.resolution.width, request.resolution.height};
+  request.sampling = options.sampling.value_or(Sampling());
+  request.max_depth = options.depth.value_or(command.depth.value_or(default_depth));
+  request.seed = options.seed;
+  request.tone_map = options.tone_map == ToneMap::automatic ? scene.tone_map : options.tone_map;
+  request.transfer = options.transfer.value_or(loaded.is_model() ? Transfer::srgb : Transfer::linear);
+  return request;
+}
+
 void check_memory(Resolution const& size, ErrorKind kind) {
   // Three floats a pixel for the picture, as much again while it is encoded.
   double const needed = 24.0 * size.width * size.height;

@@ -31,6 +31,11 @@ struct PicturePlan {
 std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource const& source,
                                        RenderOptions const& options, OutputNames& names);
 
+/// What is seen of a scene at its end before anyone chose a picture: through --camera, else the camera of its first
+/// `render`, else its first camera; in the size and development that a picture of it would have, one sample a pixel
+/// unless --samples says more. Throws Error{usage} and Error{scene}.
+RenderRequest first_view(LoadedScene const& loaded, SceneSource const& source, RenderOptions const& options);
+
 /// Throws Error{`kind`} with the numbers when a picture of that size needs more memory than the machine has.
 void check_memory(Resolution const& size, ErrorKind kind);
 

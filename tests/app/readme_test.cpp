@@ -29,6 +29,7 @@ TEST_CASE("the commands in README.md are understood", "[app][docs]") {
   Lichtraum const lichtraum;
   // A faulty scene shows that the command line was understood, without drawing for long.
   lichtraum.folder.write("scene.sdf", "define nonsense\n");
+  lichtraum.folder.write("model.glb", "no model");
   std::string const readme = read_project_file("README.md");
   std::regex const command("`lichtraum ([^`<]*?)( <[^`]*)?`");
   int count = 0;
@@ -38,7 +39,8 @@ TEST_CASE("the commands in README.md are understood", "[app][docs]") {
     words = replace_all(words, "*.sdf", "scene.sdf");
     words = replace_all(words, " --device gpu", " --device reference");  // not every machine has one
     INFO(words);
-    bool const reads_scene = words.find("scene.sdf") != std::string::npos || words.find("render - ") == 0;
+    bool const reads_scene = words.find("scene.sdf") != std::string::npos ||
+                             words.find("model.glb") != std::string::npos || words.find("render - ") == 0;
     auto const result = lichtraum(words, "define nonsense\n");
     CHECK(result.exit_code == (reads_scene ? 65 : 0));
     ++count;

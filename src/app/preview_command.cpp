@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "app/arguments.hpp"
+#include "app/commands.hpp"
+#include "app/interruption.hpp"
+#include "app/picture_plan.hpp"
+#include "app/renderer_choice.hpp"
+#include "app/terminal.hpp"
+#include "app/values.hpp"
+
+namespace lichtraum::app {
+namespace {
+
+constexpr char const* description =
+    "Shows a scene in the terminal: in the terminal's own graphics where it says it\n"
+    "has some (kitty's or sixel), else as characters in two colours. SCENE is an\n"
+    "eSDF file, a glTF model, or - for standard input.";
+
+constexpr char const* examples =
+    "  lichtraum preview hello.sdf\n"
+    "  lichtraum preview model.glb --time 1.5\n"
+    "  lichtraum preview hello.sdf --size 60x20 --graphics blocks > hello.txt\n";
+
+/// A terminal that says nothing: what people have on slow lines answers within this.
+constexpr std::chrono::milliseconds patience{300};
+
+struct PreviewOptions {
+  RenderOptions render;  // its size is that of the area, in characters
+  std::optional<TerminalGraphics> graphics;
+};
+
+std::optional<TerminalGraphics> parse_graphics(std::string_view text) {
+  if (text == "auto") return std::nullopt;
+  if (text == "blocks") return TerminalGraphics::blocks;
+  if (text == "kitty") return TerminalGraphics::kitty;
+  if (text == "sixel") return TerminalGraphics::sixel;
+  throw std::invalid_argument("expected auto, blocks, kitty or sixel");
+}
+
+bool parse_preview(Arguments const& arguments, PreviewOptions& options, Console& console) {
+  RenderOptions& render = options.render;
+  render.sampling = Sampling{Sampling::Pattern::grid, 9};
+  std::string scene;
+  auto const parser = make_parser("preview", description, examples);
+  parser->add_option("scene", scene, "an eSDF file, a glTF model")->required()->type_name("SCENE");
+  std::string const group = "Picture";
+  add_value(*parser, "--size", render.size, parse_size, "CxR",
+            "Columns and rows of characters at most\n(default: the terminal's)", group);
+  add_value(*parser, "--graphics", options.graphics, parse_graphics, "NAME",
+            "auto (default: ask the terminal), blocks, kitty\nor sixel", group);
+  add_value(*parser, "--camera", render.camera, parse_name, "NAME", "Look through this camera: name or number", group);
+  add_value(*parser, "--root", render.root, parse_name, "NAME", "Draw this shape and what is below it only", group);
+  add_value(*parser, "--samples", render.sampling, parse_samples, "N|NxN", "Samples a pixel (default: 3x3)", group);
+  add_value(*parser, "--device", render.device, parse_name, "NAME",
+            "Index, part of a name, cpu, gpu or reference\n(default: the best)", group);
+  add_language_options(*parser, render.load.language);
+  add_model_options(*parser, render.load.model);
+  add_verbosity(*parser, console);
+  if (!parse(*parser, arguments)) return false;
+  render.scenes = {scene};
+  return true;
+}
+
+/// As large as fits into the area with the picture's proportions, leaving a row for the shell's next line.
+Resolution fit(Resolution const& picture, TerminalSize const& area, TerminalGraphics graphics) {
+  bool const is_blocks = graphics == TerminalGraphics::blocks;
+  double const width = area.columns * (is_blocks ? 1.0 : area.cell_width);
+  double const height = std::max(1, area.rows - 1) * (is_blocks ? 2.0 : area.cell_height);
+  double const scale = std::min(width / picture.width, height / picture.height);
+  return {std::max(1, int(std::lround(picture.width * scale))), std::max(1, int(std::lround(picture.height * scale)))};
+}
+
+std::string encode(Image const& image, TerminalGraphics graphics) {
+  switch (graphics) {
+    case TerminalGraphics::blocks:
+      return encode_blocks(image);
+    case TerminalGraphics::kitty:
+      return encode_kitty(image);
+    case TerminalGraphics::sixel:
+      return encode_sixel(image);
+  }
+  return {};
+}
+
+}  // namespace
+
+int preview_command(Arguments const& arguments, Console& console) {
+  PreviewOptions options;
+  if (!parse_preview(arguments, options, console)) return 0;
+  RenderOptions& render = options.render;
+  auto const terminal = terminal_size();
+  TerminalSize area = terminal.value_or(TerminalSize());
+  if (render.size) {
+    area.columns = render.size->width;
+    area.rows = render.size->height + 1;
+    render.size.reset();
+  }
+  constexpr int most_characters = 10'000;
+  if (area.columns > most_characters || area.rows > most_characters) {
+    throw Error(ErrorKind::usage, fmt::format("--size: at most {0}x{0} characters", most_characters));
+  }
+
+  SceneSource const source(render.scenes.front());
+  LoadedScene const loaded = source.load(render.load);
+  console.show(loaded.diagnostics());
+  RenderRequest request = first_view(loaded, source, render);
+
+  // A pipe or a file cannot be asked: blocks are text, and every terminal that it is shown in later knows them.
+  TerminalGraphics const graphics = options.graphics ? *options.graphics
+                                    : terminal       ? ask_for_graphics(patience)
+                                                     : TerminalGraphics::blocks;
+  if (interrupted()) throw Error(ErrorKind::interrupted, "interrupted");
+  request.resolution = fit(request.resolution, area, graphics);
+  request.region = {0, 0, request.resolution.width, request.resolution.height};
+  auto const renderer = choose_renderer(render.device, Traversal::automatic, console);
+  renderer->set_scene(loaded.scene(), render.root);
+  Image image;
+  renderer->render(request, image);
+  write_standard_output(encode(image, graphics));
+  return 0;
+}
+
+}  // namespace lichtraum::app

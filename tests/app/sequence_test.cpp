@@ -245,3 +245,18 @@ TEST_CASE("an interrupted sequence is resumed", "[app][sequence][resume]") {
   CHECK((before == int(whole) || before == int(whole) + 1));  // the one interrupted is in the report
   CHECK(values(lichtraum, "ball_0400.png").size() == 32 * 24 * 3);
 }
+
+TEST_CASE("the two programs that write an animation write the same good scene", "[app][sequence][docs]") {
+  Lichtraum const lichtraum;
+  Process process;
+  process.arguments = {LICHTRAUM_MAKE_ANIMATION, "5"};
+  std::string const text = run_process(process).out;
+  process.arguments = {"python3", LICHTRAUM_SOURCE_DIR "/tools/make_animation.py", "5"};
+  CHECK(run_process(process).out == text);
+  CHECK(lichtraum("check --strict -", text).out == "-: good\n");
+  auto const result = lichtraum.render("- --size 32x18 -o %d.png", text);
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(values(lichtraum, "1.png") != values(lichtraum, "2.png"));
+  CHECK(values(lichtraum, "4.png") != values(lichtraum, "5.png"));
+}

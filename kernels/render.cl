@@ -45,8 +45,10 @@ static inline void finish_pixel(__global FrameParameters const* frame, bool is_l
 __kernel void render_tile(__global FrameParameters const* frame, Tile const tile, TREE_PARAMETERS,
                           __global SpherePrimitive const* spheres, __global EllipsoidPrimitive const* ellipsoids,
                           __global BoxPrimitive const* boxes, __global Instance const* instances,
-                          __global PhongMaterial const* materials, __global PointLight const* lights,
-                          __global float* film, __global WorkItemRays* rays) {
+                          __global PhongMaterial const* materials, __global PunctualLight const* lights,
+                          __global PbrMaterial const* pbr_materials, __global Texture const* textures,
+                          __global uint const* texels, __global TriangleAttributes const* triangle_attributes,
+                          __global float const* vertex_data, __global float* film, __global WorkItemRays* rays) {
   Scene scene;
 #ifdef TRAVERSAL_SCALAR
   scene.nodes = nodes;
@@ -63,10 +65,15 @@ __kernel void render_tile(__global FrameParameters const* frame, Tile const tile
   scene.instances = instances;
   scene.materials = materials;
   scene.lights = lights;
+  scene.pbr_materials = pbr_materials;
+  scene.textures = textures;
+  scene.texels = texels;
+  scene.triangle_attributes = triangle_attributes;
+  scene.vertex_data = vertex_data;
   scene.light_count = frame->light_count;
   scene.root_node = frame->root_node;
   scene.ray_epsilon = frame->ray_epsilon;
-  scene.has_transparency = frame->has_transparency;
+  scene.features = frame->features;
   uint const end_sample = tile.first_sample + tile.sample_count;
   bool const is_last = end_sample == frame->sample_count;
   WorkItemRays counts = {0u, 0u, 0u, 0u};

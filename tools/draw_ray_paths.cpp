@@ -87,7 +87,7 @@ std::optional<Hit> find_closest(Scene const& scene, Ray const& ray, double t_max
 
 void draw_shadow_rays(Scene const& scene, Vec3 const& point, Vec3 const& normal) {
   for (Light const& light : scene.lights) {
-    if (light.kind() != LightKind::point || glm::dot(normal, light.position() - point) <= 0) continue;
+    if (!light.has_position() || glm::dot(normal, light.position() - point) <= 0) continue;
     Ray const ray{point + epsilon * normal, light.position() - point};
     auto const blocker = find_closest(scene, ray, 1);
     if (!blocker || !blocker->shape->material()->is_opaque()) {
@@ -150,7 +150,7 @@ void draw(Scene const& scene, int column_count, char** columns) {
   std::cout << fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='7' fill='#222'/>\n", svg_x(eye), svg_y(eye));
   draw_text(eye + Vec3(0, 0, 0.4), "camera");
   for (Light const& light : scene.lights) {
-    if (light.kind() != LightKind::point) continue;
+    if (!light.has_position()) continue;
     std::cout << fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='11' fill='#ffc820' stroke='#a07000'/>\n",
                              svg_x(light.position()), svg_y(light.position()));
     draw_text(light.position() + Vec3(0, 0, 0.45), light.name());

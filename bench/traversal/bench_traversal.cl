@@ -16,7 +16,7 @@ typedef struct {
   scene.nodes = nodes;           \
   scene.references = references; \
   scene.triangles = triangles;   \
-  scene.has_transparency = 0u;   \
+  scene.features = 0u;           \
   scene.root_node = root_node
 #else
 #define SCENE_PARAMETERS                                                              \
@@ -27,7 +27,7 @@ typedef struct {
   scene.wide_nodes = wide_nodes;           \
   scene.triangle_blocks = triangle_blocks; \
   scene.triangle_tags = triangle_tags;     \
-  scene.has_transparency = 0u;             \
+  scene.features = 0u;                     \
   scene.root_node = root_node
 #endif
 

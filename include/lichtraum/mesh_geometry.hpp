@@ -22,7 +22,7 @@ struct MeshGeometry {
   std::vector<Float3> normals;                 ///< unit length, outward; empty: flat, as the triangles lie
   std::vector<Float4> tangents;                ///< xyz unit length, w = +1 or -1: the sign of the bitangent
   std::vector<std::vector<Float2>> texcoords;  ///< sets 0..n; (0, 0) is the image's first texel, the top left one
-  std::vector<Float4> colors;                  ///< linear red, green, blue and alpha, multiplied with the base colour
+  std::vector<Float4> colors;  ///< linear red, green, blue and alpha, times the base colour of a Material::pbr
 
   std::size_t triangle_count() const { return indices.size() / 3; }
   std::array<Vec3, 3> triangle(std::size_t number) const;

@@ -19,6 +19,9 @@ struct Hit {
   double t = std::numeric_limits<double>::infinity();  ///< in units of the ray's direction
   Vec3 normal{0};                                      ///< geometric, unit length, outward (triangle: by its winding)
   Shape const* shape = nullptr;                        ///< the sphere, box, triangle or mesh, never the composite above
+  std::size_t triangle = 0;                            ///< of a mesh: the triangle's number
+  Vec3 barycentric{0};        ///< of a mesh: the weights of that triangle's corners, which sum to 1
+  Mat3 linear_from_shape{1};  ///< maps directions of the shape's own frame to those of the ray's
 };
 
 /// A node of the scene graph (the composite pattern's component). A shape may be a child of several composites, or

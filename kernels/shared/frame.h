@@ -29,6 +29,12 @@ DEVICE_STRUCT_SIZE(PinholeCamera, 64);
 /* For FrameParameters.ray_epsilon: 16 rounding units of float, several times what the device code can be off. */
 #define DEFAULT_RAY_EPSILON 9.5367431640625e-7f
 
+/* FrameParameters.features: what some of the scene has. What none of it has costs no time. */
+#define SCENE_TRANSPARENCY 1u /* a material lets light through */
+#define SCENE_CUTOUTS 2u      /* a material is there, or lets light through, in some points only */
+#define SCENE_ATTRIBUTES 4u   /* triangles have vertices with normals, colours or texture coordinates */
+#define SCENE_PBR 8u          /* a material is derived from a physically based one */
+
 /* Everything about the picture that is the same for each of its pixels. */
 typedef struct {
   PinholeCamera camera;
@@ -42,11 +48,11 @@ typedef struct {
   uint seed_high;
   uint max_depth;
   uint light_count;
-  uint tone_map;         /* TONE_MAP_... */
-  uint transfer;         /* TRANSFER_... */
-  float ray_epsilon;     /* how far, relative to its coordinates, a computed hit point may lie off its surface */
-  uint root_node;        /* of the world's hierarchy */
-  uint has_transparency; /* some material lets light through */
+  uint tone_map;     /* TONE_MAP_... */
+  uint transfer;     /* TRANSFER_... */
+  float ray_epsilon; /* how far, relative to its coordinates, a computed hit point may lie off its surface */
+  uint root_node;    /* of the world's hierarchy */
+  uint features;     /* SCENE_... */
   uint padding[3];
 } FrameParameters;
 DEVICE_STRUCT_SIZE(FrameParameters, 160);

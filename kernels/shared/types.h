@@ -11,6 +11,7 @@
 #define DEVICE_NAMESPACE_BEGIN
 #define DEVICE_NAMESPACE_END
 #define SHARED_FUNCTION static inline
+#define SHARED_TABLE __constant
 
 #else
 
@@ -20,6 +21,7 @@
 #define DEVICE_NAMESPACE_BEGIN namespace lichtraum::device {
 #define DEVICE_NAMESPACE_END }
 #define SHARED_FUNCTION inline
+#define SHARED_TABLE inline constexpr
 
 namespace lichtraum::device {
 using uint = std::uint32_t;

@@ -189,4 +189,16 @@ void fill_blocks(std::span<WideBvh::Block const> blocks, std::span<device::Primi
   }
 }
 
+void fill_block_attributes(std::span<WideBvh::Block const> blocks,
+                           std::span<device::PrimitiveReference const> references,
+                           std::span<device::TriangleAttributes const> attributes,
+                           std::span<device::TriangleAttributes> filled) {
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (uint lane = 0; lane < blocks[b].count; ++lane) {
+      uint const triangle = references[blocks[b].first + lane].index;
+      if (triangle < attributes.size()) filled[b * BLOCK_LANES + lane] = attributes[triangle];
+    }
+  }
+}
+
 }  // namespace lichtraum

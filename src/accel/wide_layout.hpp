@@ -5,6 +5,7 @@
 
 #include "accel/bvh.hpp"
 #include "shared/geometry.h"
+#include "shared/vertex.h"
 #include "shared/wide.h"
 
 namespace lichtraum {
@@ -32,5 +33,11 @@ WideBvh collapse(Bvh const& bvh);
 void fill_blocks(std::span<WideBvh::Block const> blocks, std::span<device::PrimitiveReference const> references,
                  std::span<device::TrianglePrimitive const> triangles, std::span<device::TriangleBlock> filled,
                  std::span<device::PrimitiveTag> tags);
+
+/// The same of what their vertices have; triangles beyond the end of `attributes` have nothing.
+void fill_block_attributes(std::span<WideBvh::Block const> blocks,
+                           std::span<device::PrimitiveReference const> references,
+                           std::span<device::TriangleAttributes const> attributes,
+                           std::span<device::TriangleAttributes> filled);
 
 }  // namespace lichtraum

@@ -105,13 +105,13 @@ std::string to_json(SceneSummary const& summary, std::string const& file) {
   Scene const& scene = *summary.scene;
   Json lights = Json::array();
   for (Light const& light : scene.lights) {
-    Json json{{"name", light.name()},
-              {"kind", light.kind() == LightKind::ambient ? "ambient" : "point"},
-              {"la", triple_json(light.la())}};
-    if (light.kind() == LightKind::point) {
-      json["position"] = triple_json(light.position());
-      json["ld"] = triple_json(light.ld());
+    Json json{{"name", light.name()}, {"kind", name_of(light.kind())}, {"la", triple_json(light.la())}};
+    if (light.kind() != LightKind::ambient) json["ld"] = triple_json(light.ld());
+    if (light.has_position()) json["position"] = triple_json(light.position());
+    if (light.kind() == LightKind::spot || light.kind() == LightKind::directional) {
+      json["direction"] = triple_json(light.direction());
     }
+    if (light.falls_off()) json["falls_off"] = true;
     lights.push_back(std::move(json));
   }
   Json cameras = Json::array();

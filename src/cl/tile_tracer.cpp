@@ -110,7 +110,12 @@ struct TileTracer::State {
   HostBuffer<device::TriangleBlock> triangle_blocks;
   HostBuffer<device::PrimitiveTag> triangle_tags;
   HostBuffer<device::PhongMaterial> materials;
-  HostBuffer<device::PointLight> lights;
+  HostBuffer<device::PunctualLight> lights;
+  HostBuffer<device::PbrMaterial> pbr_materials;
+  HostBuffer<device::Texture> textures;
+  HostBuffer<device::uint> texels;
+  HostBuffer<device::TriangleAttributes> triangle_attributes;
+  HostBuffer<float> vertex_data;
 
   std::vector<device::FrameParameters> frame;
   HostBuffer<device::FrameParameters> frame_buffer;
@@ -138,6 +143,11 @@ struct TileTracer::State {
     f(scene->instances, instances);
     f(scene->materials, materials);
     f(scene->lights, lights);
+    f(scene->pbr_materials, pbr_materials);
+    f(scene->textures, textures);
+    f(scene->texels, texels);
+    f(scene->triangle_attributes, triangle_attributes);
+    f(scene->vertex_data, vertex_data);
   }
 
   void check_size() {
@@ -221,7 +231,7 @@ void TileTracer::begin_frame(device::FrameParameters const& frame, Image& image)
 
 RayCounts TileTracer::trace(device::Tile const& tile) {
   State& state = *state_;
-  constexpr cl_uint tile_argument = 1, rays_argument = 12;
+  constexpr cl_uint tile_argument = 1, rays_argument = 17;
   LaunchSize const size = launch_size(tile, state.scene->traversal);
   std::size_t const work_items = size.width * size.height;
   RayCounts counts;

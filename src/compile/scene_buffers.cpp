@@ -9,7 +9,11 @@
 #include "accel/bvh.hpp"
 #include "accel/primitive_bounds.hpp"
 #include "accel/wide_layout.hpp"
+#include "compile/light_table.hpp"
+#include "compile/material_table.hpp"
+#include "lichtraum/error.hpp"
 #include "scene/device_conversion.hpp"
+#include "shared/frame.h"
 
 namespace lichtraum {
 namespace {
@@ -29,6 +33,7 @@ void append(std::vector<T>& all, std::span<T const> more) {
 }
 
 void hash_primitives(FlatObject const& object, ContentHasher& hasher) {
+  hasher.add(object.triangle_attributes);
   hasher.add(object.triangles);
   hasher.add(object.spheres);
   hasher.add(object.ellipsoids);
@@ -52,10 +57,11 @@ class Compiler {
     hash_primitives(object, scene_content_);
     // Leaves name primitives by where they are in all of the scene.
     pending->content.add(std::array{buffers_.triangles.size(), buffers_.spheres.size(), buffers_.ellipsoids.size(),
-                                    buffers_.boxes.size()});
+                                    buffers_.boxes.size(), buffers_.vertex_data.size()});
     std::vector<BuildPrimitive>& all = pending->primitives;
     all.reserve(object.primitive_count());
-    refer(object.triangles, PRIMITIVE_TRIANGLE, buffers_.triangles.size(), all);
+    std::size_t const first_triangle = buffers_.triangles.size();
+    refer(object.triangles, PRIMITIVE_TRIANGLE, first_triangle, all);
     refer(object.spheres, PRIMITIVE_SPHERE, buffers_.spheres.size(), all);
     refer(object.ellipsoids, PRIMITIVE_ELLIPSOID, buffers_.ellipsoids.size(), all);
     refer(object.boxes, PRIMITIVE_BOX, buffers_.boxes.size(), all);
@@ -63,6 +69,7 @@ class Compiler {
     append(buffers_.spheres, std::move(object.spheres));
     append(buffers_.ellipsoids, std::move(object.ellipsoids));
     append(buffers_.boxes, std::move(object.boxes));
+    take_attributes(std::move(object), first_triangle);
     return pending;
   }
 
@@ -89,6 +96,18 @@ class Compiler {
     buffers_.instances.push_back(placed);
   }
 
+  /// Once everything is built: attributes in the order of the layout's triangles.
+  void finish() {
+    if (attributes_.empty()) return;
+    if (buffers_.traversal == Traversal::scalar) {
+      attributes_.resize(buffers_.triangles.size());
+      buffers_.triangle_attributes = std::move(attributes_);
+    } else {
+      buffers_.triangle_attributes.resize(buffers_.triangle_tags.size());
+    }
+    buffers_.features |= SCENE_ATTRIBUTES;
+  }
+
   SceneBuffers& buffers() { return buffers_; }
   ContentHasher& scene_content() { return scene_content_; }
 
@@ -100,6 +119,21 @@ class Compiler {
     } else {
       ++buffers_.unrepresentable;
     }
+  }
+
+  /// Those of the triangles taken last.
+  void take_attributes(FlatObject&& object, std::size_t first_triangle) {
+    if (object.triangle_attributes.empty()) return;
+    std::size_t const first = buffers_.vertex_data.size();
+    if (first + object.vertex_data.size() > 0xFFFFFFFFu) {
+      throw Error(ErrorKind::scene, "the meshes' normals, colours and texture coordinates need more than 2^32 floats");
+    }
+    for (device::TriangleAttributes& triangle : object.triangle_attributes) {
+      for (device::uint& corner : triangle.corners) corner += device::uint(first);
+    }
+    attributes_.resize(first_triangle);
+    append(attributes_, std::move(object.triangle_attributes));
+    append(buffers_.vertex_data, std::move(object.vertex_data));
   }
 
   template <class T>
@@ -147,6 +181,11 @@ class Compiler {
     fill_blocks(wide.blocks, bvh.references, buffers_.triangles,
                 std::span(buffers_.triangle_blocks).subspan(object.first_leaf),
                 std::span(buffers_.triangle_tags).subspan(BLOCK_LANES * object.first_leaf));
+    if (!attributes_.empty()) {
+      buffers_.triangle_attributes.resize(buffers_.triangle_tags.size());
+      fill_block_attributes(wide.blocks, bvh.references, attributes_,
+                            std::span(buffers_.triangle_attributes).subspan(BLOCK_LANES * object.first_leaf));
+    }
     return object;
   }
 
@@ -168,6 +207,11 @@ class Compiler {
       append(buffers_.triangle_blocks, part(previous_->triangle_blocks, known.first_leaf, known.leaf_count));
       append(buffers_.triangle_tags,
              part(previous_->triangle_tags, BLOCK_LANES * known.first_leaf, BLOCK_LANES * known.leaf_count));
+      if (!attributes_.empty() && !previous_->triangle_attributes.empty()) {
+        buffers_.triangle_attributes.resize(BLOCK_LANES * object.first_leaf);
+        append(buffers_.triangle_attributes,
+               part(previous_->triangle_attributes, BLOCK_LANES * known.first_leaf, BLOCK_LANES * known.leaf_count));
+      }
     }
     move_nodes(object, object.root_node - known.root_node, object.first_leaf - known.first_leaf);
     return object;
@@ -193,25 +237,8 @@ class Compiler {
   SceneBuffers const* previous_;
   SceneBuffers buffers_;
   ContentHasher scene_content_;
+  std::vector<device::TriangleAttributes> attributes_;  // of the triangles taken so far, as those are counted
 };
-
-/// Whether rays from the point resolve the scene: their t has 24 bits for all of the distance.
-bool is_near(Vec3 const& point, Bounds const& bounds) {
-  constexpr double max_distance = 16;  // in diagonals of the scene
-  if (bounds.is_empty()) return false;
-  Vec3 const min(bounds.min[0], bounds.min[1], bounds.min[2]), max(bounds.max[0], bounds.max[1], bounds.max[2]);
-  return glm::distance(point, 0.5 * (min + max)) <= max_distance * glm::distance(min, max);
-}
-
-device::PhongMaterial device_material(Material const& material) {
-  device::PhongMaterial out{};
-  out.ka = device_float4(material.ka(), material.m());
-  out.kd = device_float4(material.kd(), material.reflect());
-  out.ks = device_float4(material.ks(), material.transmit());
-  out.ior = float(material.ior());
-  store(material.emission(), out.emission);
-  return out;
-}
 
 }  // namespace
 
@@ -233,20 +260,22 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tra
   std::size_t deepest_object = 0;
   for (CompiledObject const& object : objects) deepest_object = std::max(deepest_object, object.stack_size);
   buffers.stack_size = built.stack_size + deepest_object;
+  compiler.finish();
   buffers.triangle_count = buffers.triangles.size();
   if (traversal != Traversal::scalar) buffers.triangles = {};  // they are in the blocks
-  for (auto const& material : scene.materials) {
-    buffers.materials.push_back(device_material(material ? *material : Material()));
-    buffers.has_transparency = buffers.has_transparency || buffers.materials.back().ks.w > 0;
-  }
-  for (Light const& light : lights) {
-    if (light.kind() == LightKind::point) {
-      bool const near = is_near(light.position(), buffers.world_bounds);
-      buffers.lights.push_back({device_float4(light.position(), near ? 1 : 0), device_float4(light.ld())});
-    }
-  }
+  MaterialTable table = make_material_table(scene.materials);
+  buffers.materials = std::move(table.phong);
+  buffers.pbr_materials = std::move(table.pbr);
+  buffers.textures = std::move(table.textures);
+  buffers.texels = std::move(table.texels);
+  buffers.features |= table.features;
+  buffers.lights = make_light_table(lights, buffers.world_bounds);
   buffers.unrepresentable += scene.unrepresentable;
+  compiler.scene_content().add(buffers.vertex_data);
   compiler.scene_content().add(buffers.materials);
+  compiler.scene_content().add(buffers.pbr_materials);
+  compiler.scene_content().add(buffers.textures);
+  compiler.scene_content().add(buffers.texels);
   compiler.scene_content().add(buffers.lights);
   buffers.content = compiler.scene_content().finish();
   return std::move(buffers);

@@ -8,7 +8,9 @@
 #include "scene/flat_scene.hpp"
 #include "shared/bvh.h"
 #include "shared/geometry.h"
+#include "shared/pbr_material.h"
 #include "shared/shading.h"
+#include "shared/vertex.h"
 #include "shared/wide.h"
 
 namespace lichtraum {
@@ -42,7 +44,13 @@ struct SceneBuffers {
   std::vector<device::BoxPrimitive> boxes;
   std::vector<device::Instance> instances;
   std::vector<device::PhongMaterial> materials;
-  std::vector<device::PointLight> lights;
+  std::vector<device::PunctualLight> lights;
+  /// Empty unless the scene needs them.
+  std::vector<device::PbrMaterial> pbr_materials;  ///< as many as materials
+  std::vector<device::Texture> textures;
+  std::vector<device::uint> texels;
+  std::vector<device::TriangleAttributes> triangle_attributes;  ///< one a triangle, as the layout counts them
+  std::vector<float> vertex_data;
 
   device::uint root_node = 0;  ///< of the world's hierarchy
   Bounds world_bounds;         ///< empty when nothing is drawn
@@ -50,7 +58,7 @@ struct SceneBuffers {
   ContentHash content;                ///< of all that decides what rays see, whatever the layout
   std::uint64_t unrepresentable = 0;  ///< primitives left out, see FlatScene
   std::uint64_t triangle_count = 0;
-  bool has_transparency = false;  ///< some material lets light through
+  device::uint features = 0;  ///< SCENE_...
 };
 
 /// Builds a hierarchy per object and puts everything into the device's arrays. `traversal` is not `automatic`. Objects

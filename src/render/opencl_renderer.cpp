@@ -91,7 +91,7 @@ class OpenClRenderer final : public Renderer {
   RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress) override {
     auto frame = frame_parameters(request, scene_->shading, tracer_.scene().root_node,
                                   device::uint(tracer_.scene().lights.size()));
-    frame.has_transparency = tracer_.scene().has_transparency ? 1 : 0;
+    frame.features = tracer_.scene().features;
     if (image.size() != request.resolution) image = Image(request.resolution);
     clear(image, request.region);
 

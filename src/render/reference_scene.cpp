@@ -89,7 +89,7 @@ ReferenceScene make_reference_scene(Scene const& scene, std::string_view root) {
   ReferenceScene result{shading_of(scene), {}, {}};
   result.roots = drawn_roots(scene, root);
   for (Light const& light : scene.lights) {
-    if (light.kind() == LightKind::point) result.point_lights.push_back(light);
+    if (light.kind() != LightKind::ambient) result.lights.push_back(light);
   }
   return result;
 }

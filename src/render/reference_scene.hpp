@@ -12,7 +12,7 @@ namespace lichtraum {
 /// What the reference renderer keeps of a scene: a copy of its graph, and what shading needs.
 struct ReferenceScene : SceneShading {
   std::vector<std::shared_ptr<Shape const>> roots;
-  std::vector<Light> point_lights;
+  std::vector<Light> lights;  ///< all but ambient ones
 };
 
 /// All roots, or the shape called `root`, as they are: nothing is copied. Throws Error{usage} for an unknown root.

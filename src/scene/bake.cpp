@@ -8,6 +8,7 @@
 
 #include "core/huge_pages.hpp"
 #include "core/parallel_ranges.hpp"
+#include "scene/bake_attributes.hpp"
 #include "scene/device_conversion.hpp"
 
 namespace lichtraum {
@@ -113,11 +114,13 @@ class Baker final : public ShapeVisitor {
       }
       if (!fits) all_fit = false;
     });
-    if (all_fit) return;
-    auto const begin = object_.triangles.begin() + std::ptrdiff_t(first);
-    auto const kept = std::remove_if(begin, object_.triangles.end(), [](auto const& t) { return !is_finite(t); });
-    left_out_ += std::uint64_t(object_.triangles.end() - kept);
-    object_.triangles.erase(kept, object_.triangles.end());
+    if (!all_fit) {
+      auto const begin = object_.triangles.begin() + std::ptrdiff_t(first);
+      auto const kept = std::remove_if(begin, object_.triangles.end(), [](auto const& t) { return !is_finite(t); });
+      left_out_ += std::uint64_t(object_.triangles.end() - kept);
+      object_.triangles.erase(kept, object_.triangles.end());
+    }
+    bake_attributes(mesh, object_from_shape_, positions, places, first, object_);
   }
 
   void visit(Composite const&) override {}  // no leaf: flatten unfolds it

@@ -68,15 +68,19 @@ bool Composite::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
     std::size_t next_child;
     Ray ray;         // in the composite's own frame
     Mat3 normal_up;  // from that frame's normals to those of the frame that was asked in
+    Mat3 vector_up;  // the same of directions
   };
-  auto const enter = [](Composite const& composite, Ray const& outer_ray, Mat3 const& outer_normal_up) {
-    auto const to_parent = glm::transpose(Mat3(composite.world_from_object().inverse_matrix()));
-    return Level{&composite, 0, composite.object_from_world(outer_ray), outer_normal_up * to_parent};
+  auto const enter = [](Composite const& composite, Ray const& outer_ray, Mat3 const& outer_normal_up,
+                        Mat3 const& outer_vector_up) {
+    Transform const& to_parent = composite.world_from_object();
+    return Level{&composite, 0, composite.object_from_world(outer_ray),
+                 outer_normal_up * glm::transpose(Mat3(to_parent.inverse_matrix())),
+                 outer_vector_up * Mat3(to_parent.matrix())};
   };
 
   bool found = false;
   std::vector<Level> levels;
-  levels.push_back(enter(*this, ray, Mat3(1)));
+  levels.push_back(enter(*this, ray, Mat3(1), Mat3(1)));
   while (!levels.empty()) {
     Level& level = levels.back();
     if (level.next_child == level.composite->children_.size()) {
@@ -85,7 +89,7 @@ bool Composite::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
     }
     Shape const& child = *level.composite->children_[level.next_child++];
     if (Composite const* const composite = as_composite(child)) {
-      Level inner = enter(*composite, level.ray, level.normal_up);
+      Level inner = enter(*composite, level.ray, level.normal_up, level.vector_up);
       bool const was_last = level.next_child == level.composite->children_.size();
       if (was_last) {
         level = inner;
@@ -94,6 +98,7 @@ bool Composite::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
       }
     } else if (child.closest_hit(level.ray, t_min, hit)) {
       hit.normal = unit_vector(level.normal_up * hit.normal);
+      hit.linear_from_shape = level.vector_up * hit.linear_from_shape;
       found = true;
     }
   }

@@ -7,6 +7,7 @@
 #include "lichtraum/scene.hpp"
 #include "scene/bounds.hpp"
 #include "shared/geometry.h"
+#include "shared/vertex.h"
 
 namespace lichtraum {
 
@@ -16,6 +17,9 @@ struct FlatObject {
   std::vector<device::SpherePrimitive> spheres;
   std::vector<device::EllipsoidPrimitive> ellipsoids;
   std::vector<device::BoxPrimitive> boxes;
+  /// What shading interpolates. One entry a triangle; those that are missing at the end have nothing.
+  std::vector<device::TriangleAttributes> triangle_attributes;
+  std::vector<float> vertex_data;  ///< what they count in
 
   std::size_t primitive_count() const { return triangles.size() + spheres.size() + ellipsoids.size() + boxes.size(); }
 };

@@ -8,7 +8,8 @@ namespace lichtraum {
 
 struct TriangleHit {
   double t;
-  Vec3 normal;  ///< by the winding, not normalised
+  Vec3 normal;       ///< by the winding, not normalised
+  Vec3 barycentric;  ///< weights of the corners; they sum to 1
 };
 
 /// Whether `ray` hits the triangle with t_min < t < found.t; only then `found` is changed. Watertight: a ray that
@@ -37,7 +38,7 @@ inline bool hit_triangle(Ray const& ray, std::array<Vec3, 3> const& vertices, do
 
   double const t = glm::dot(normal, a) / glm::dot(normal, ray.direction);
   if (!(t > t_min && t < found.t)) return false;
-  found = {t, normal};
+  found = {t, normal, Vec3(u, v, w) / (u + v + w)};
   return true;
 }
 

@@ -7,7 +7,12 @@ namespace lichtraum {
 
 /// The hit of a leaf whose surface has `object_normal` in its own frame, seen from its parent's frame.
 inline Hit leaf_hit(Shape const& shape, double t, Vec3 const& object_normal) {
-  return {t, unit_vector(shape.world_from_object().normal(object_normal)), &shape};
+  Hit hit;
+  hit.t = t;
+  hit.normal = unit_vector(shape.world_from_object().normal(object_normal));
+  hit.shape = &shape;
+  hit.linear_from_shape = Mat3(shape.world_from_object().matrix());
+  return hit;
 }
 
 /// What every kind of shape answers to Shape::intersect.

@@ -68,13 +68,17 @@ Mesh::Mesh(std::string name, std::shared_ptr<MeshGeometry const> geometry, std::
 bool Mesh::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
   Ray const local = object_from_world(ray);
   if (!may_hit_box(local, min_, max_, t_min, hit.t)) return false;
-  TriangleHit found{hit.t, Vec3(0)};
-  bool any = false;
+  TriangleHit found{hit.t, Vec3(0), Vec3(0)};
+  std::size_t const none = geometry_->triangle_count();
+  std::size_t nearest = none;
   for (std::size_t i = 0; i < geometry_->triangle_count(); ++i) {
-    any = hit_triangle(local, geometry_->triangle(i), t_min, found) || any;
+    if (hit_triangle(local, geometry_->triangle(i), t_min, found)) nearest = i;
   }
-  if (any) hit = leaf_hit(*this, found.t, found.normal);
-  return any;
+  if (nearest == none) return false;
+  hit = leaf_hit(*this, found.t, found.normal);
+  hit.triangle = nearest;
+  hit.barycentric = found.barycentric;
+  return true;
 }
 
 bool Mesh::intersect(Ray const& ray, float& t) const { return intersect_closest(*this, ray, t); }

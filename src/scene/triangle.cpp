@@ -9,7 +9,7 @@ Triangle::Triangle(std::string name, Vec3 const& a, Vec3 const& b, Vec3 const& c
     : Shape(std::move(name), std::move(material)), vertices_{a, b, c} {}
 
 bool Triangle::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
-  TriangleHit found{hit.t, Vec3(0)};
+  TriangleHit found{hit.t, Vec3(0), Vec3(0)};
   if (!hit_triangle(object_from_world(ray), vertices_, t_min, found)) return false;
   hit = leaf_hit(*this, found.t, found.normal);
   return true;

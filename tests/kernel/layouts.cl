@@ -1,5 +1,5 @@
 /* The traversal interface of one layout, chosen by -D. */
-#include "traversal/traversal.clh"
+#include "layout_arguments.clh"
 
 typedef struct {
   float t; /* INFINITY: nothing */
@@ -7,42 +7,6 @@ typedef struct {
   uint instance;
   uint padding;
 } ProbeHit;
-
-#ifdef TRAVERSAL_SCALAR
-#define TREE_PARAMETERS                                                         \
-  __global BvhNode const *nodes, __global PrimitiveReference const *references, \
-      __global TrianglePrimitive const *triangles
-#else
-#define TREE_PARAMETERS                                                               \
-  __global WideNode const *wide_nodes, __global TriangleBlock const *triangle_blocks, \
-      __global PrimitiveTag const *triangle_tags
-#endif
-#define SCENE_PARAMETERS                                                                                               \
-  TREE_PARAMETERS, __global SpherePrimitive const *spheres, __global EllipsoidPrimitive const *ellipsoids,             \
-      __global BoxPrimitive const *boxes, __global Instance const *instances, __global PhongMaterial const *materials, \
-      uint const root_node
-
-#ifdef TRAVERSAL_SCALAR
-#define SET_TREE                 \
-  scene.nodes = nodes;           \
-  scene.references = references; \
-  scene.triangles = triangles
-#else
-#define SET_TREE                           \
-  scene.wide_nodes = wide_nodes;           \
-  scene.triangle_blocks = triangle_blocks; \
-  scene.triangle_tags = triangle_tags
-#endif
-#define MAKE_SCENE               \
-  Scene scene;                   \
-  SET_TREE;                      \
-  scene.spheres = spheres;       \
-  scene.ellipsoids = ellipsoids; \
-  scene.boxes = boxes;           \
-  scene.instances = instances;   \
-  scene.materials = materials;   \
-  scene.has_transparency = 1u;   \
-  scene.root_node = root_node
 
 static inline ProbeHit probe_hit(Scene const* scene, Hit hit) {
   ProbeHit out = {INFINITY, 0u, 0u, 0u};

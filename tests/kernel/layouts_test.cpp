@@ -4,6 +4,7 @@
 #include <map>
 
 #include "compile/scene_buffers.hpp"
+#include "layout_arguments.hpp"
 #include "reference.hpp"
 #include "scene/device_conversion.hpp"
 #include "support/catch.hpp"
@@ -42,7 +43,7 @@ class LayoutProbe {
   LayoutProbe(FlatScene scene, Traversal traversal)
       : scene_(compile_scene(std::move(scene), {}, traversal)),
         packets_(traversal == Traversal::packet),
-        program_("layouts.cl", options(scene_)) {}
+        program_("layouts.cl", layout_options(scene_)) {}
 
   std::vector<ProbeHit> closest(Rays const& rays) const {
     std::vector<ProbeHit> hits(rays.size());
@@ -57,23 +58,9 @@ class LayoutProbe {
   SceneBuffers const& scene() const { return scene_; }
 
  private:
-  static std::string options(SceneBuffers const& scene) {
-    char const* const names[] = {"", "SCALAR", "WIDE", "PACKET"};
-    return std::string("-D TRAVERSAL_") + names[int(scene.traversal)] +
-           " -D TRAVERSAL_STACK_SIZE=" + std::to_string(std::max<std::size_t>(scene.stack_size, 1));
-  }
   void run(std::string const& kernel, Rays const& rays, std::vector<ProbeArgument> const& last) const {
-    std::vector<ProbeArgument> arguments;
-    if (scene_.traversal == Traversal::scalar) {
-      arguments = {in(scene_.nodes), in(scene_.references), in(scene_.triangles)};
-    } else {
-      arguments = {in(scene_.wide_nodes), in(scene_.triangle_blocks), in(scene_.triangle_tags)};
-    }
-    for (auto const& argument :
-         {in(scene_.spheres), in(scene_.ellipsoids), in(scene_.boxes), in(scene_.instances), in(scene_.materials),
-          value(scene_.root_node), in(rays.origins), in(rays.directions)}) {
-      arguments.push_back(argument);
-    }
+    std::vector<ProbeArgument> arguments = layout_arguments(scene_);
+    arguments.insert(arguments.end(), {in(rays.origins), in(rays.directions)});
     arguments.insert(arguments.end(), last.begin(), last.end());
     // Small groups: each work-item has much memory of its own.
     program_.run(kernel, packets_ ? rays.size() / packet_size : rays.size(), arguments, 1, packets_ ? 1 : 16, 1);

@@ -21,8 +21,8 @@ struct SmallPicture {
       scene.materials.push_back(
           {{0.1f, 0.2f, 0.1f, 20}, {0.5f, 0.6f, 0.7f, reflect}, {0.3f, 0.3f, 0.3f, transmit}, 1.5f, {}});
     }
-    scene.lights.push_back({{3, 5, 4, 0}, {1, 0.9f, 0.8f, 0}});
-    scene.lights.push_back({{-3, 2, 4, 0}, {0.2f, 0.3f, 0.4f, 0}});
+    scene.lights.push_back({{3, 5, 4, 0}, {1, 0.9f, 0.8f, 0}, {}, 0, 0, 1, LIGHT_CONSTANT});
+    scene.lights.push_back({{-3, 2, 4, 0}, {0.2f, 0.3f, 0.4f, 0}, {}, 0, 0, 1, LIGHT_CONSTANT});
     scene.add(make_box({}, Vec3(-0.3), Vec3(0.3), 1));
     scene.add(make_sphere({0, 0.5, 0}, 0.3, 2));
     auto const [object, bounds] = scene.close_object();
@@ -57,10 +57,11 @@ struct SmallPicture {
 
   std::vector<device::WorkItemRays> render(ProbeProgram const& program, device::Tile const& tile) {
     std::vector<device::WorkItemRays> rays(tile.width * tile.height);
+    std::vector<float> const none;  // no physically based materials, textures and vertices
     program.run("render_tile", tile.width,
                 {in(frame), value(tile), in(scene.nodes), in(scene.references), in(scene.triangles), in(scene.spheres),
                  in(scene.ellipsoids), in(scene.boxes), in(scene.instances), in(scene.materials), in(scene.lights),
-                 updated(film), out(rays)},
+                 in(none), in(none), in(none), in(none), in(none), updated(film), out(rays)},
                 tile.height, 8, 8);
     return rays;
   }

@@ -31,7 +31,7 @@ struct SceneArrays {
   std::vector<device::BoxPrimitive> boxes;
   std::vector<device::Instance> instances;
   std::vector<device::PhongMaterial> materials;
-  std::vector<device::PointLight> lights;
+  std::vector<device::PunctualLight> lights;
   device::uint root_node = 0;  ///< of the object closed last: the world
 
   void add(device::TrianglePrimitive const& p) { add(triangles, p, PRIMITIVE_TRIANGLE); }

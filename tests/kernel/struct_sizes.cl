@@ -1,8 +1,12 @@
 #include "shared/bvh.h"
 #include "shared/frame.h"
 #include "shared/geometry.h"
+#include "shared/pbr_material.h"
+#include "shared/phong_from_pbr.h"
 #include "shared/sampling.h"
 #include "shared/shading.h"
+#include "shared/texture.h"
+#include "shared/vertex.h"
 #include "shared/wide.h"
 
 /* In the order of struct_members.h. */

@@ -29,7 +29,7 @@ __kernel void probe_leave_surface(SCENE_ARGUMENTS, __global float4 const* positi
 }
 
 __kernel void probe_light_visibility(SCENE_ARGUMENTS, __global float4 const* position_offset,
-                                     __global float4 const* normals, __global float4 const* light_positions,
+                                     __global float4 const* normals, __global PunctualLight const* probed_lights,
                                      __global float* visibility) {
   size_t const i = get_global_id(0);
   Scene const scene = SCENE_FROM_ARGUMENTS(0u);
@@ -37,5 +37,5 @@ __kernel void probe_light_visibility(SCENE_ARGUMENTS, __global float4 const* pos
   point.position = position_offset[i].xyz;
   point.geometric_normal = normals[i].xyz;
   point.offset = position_offset[i].w;
-  visibility[i] = light_visibility(&scene, &point, light_positions[i].xyz);
+  visibility[i] = light_visibility(&scene, &point, probed_lights + i);
 }

@@ -185,11 +185,12 @@ TEST_CASE("A light is visible unless something opaque lies strictly before it", 
       {{0, 0, 0}, {0, 5e6, 0}, 0},            //
       {{2, 0, 0}, {2.001, 1e-3, 0}, 1},       // just above the floor
   };
-  std::vector<float4> positions, normals, lights;
+  std::vector<float4> positions, normals;
+  std::vector<device::PunctualLight> lights;
   for (auto const& c : cases) {
     positions.push_back(to_float4(c.point, 1e-5));
     normals.push_back({0, 1, 0, 0});
-    lights.push_back(to_float4(c.light));
+    lights.push_back({to_float4(c.light), {}, {}, 0, 0, 1, LIGHT_CONSTANT});
   }
   std::vector<float> visibility(cases.size());
   ProbeProgram("surface.cl")

@@ -28,7 +28,7 @@ void add_square(ReferenceScene& scene, double z, std::shared_ptr<Material> const
 }
 
 void add_light(ReferenceScene& scene, Vec3 const& position, Rgb const& ld) {
-  scene.point_lights.push_back(Light::point("light", position, ld));
+  scene.lights.push_back(Light::point("light", position, ld));
 }
 
 struct Traced {

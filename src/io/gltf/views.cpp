@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 #include "io/gltf/values.hpp"
 
@@ -53,32 +54,71 @@ std::optional<Camera> make_camera(tinygltf::Camera const& source, std::string na
   return Camera(std::move(name), glm::degrees(fov), world_from_camera, resolution);
 }
 
-/// A light before it is scaled: what it throws on the middle of the scene.
-struct PlacedLight {
+/// A light as the file has it.
+struct FileLight {
   std::string name;
-  Vec3 position;
-  Rgb illumination;
+  LightKind kind;
+  Vec3 position;   ///< world
+  Vec3 direction;  ///< world; where it shines
+  Rgb intensity;   ///< candela, or lux of a directional one
+  double range;
+  SpotCone cone;
 };
 
-std::optional<PlacedLight> place_light(tinygltf::Light const& source, std::string name, Mat4 const& world_from_node,
-                                       WorldBox const& box) {
+double const infinity = std::numeric_limits<double>::infinity();
+
+std::optional<SpotCone> read_cone(tinygltf::SpotLight const& spot) {
+  SpotCone const cone{glm::degrees(spot.innerConeAngle), glm::degrees(spot.outerConeAngle)};
+  bool const is_cone = cone.inner_degrees >= 0 && cone.inner_degrees < cone.outer_degrees && cone.outer_degrees <= 90;
+  return is_cone ? std::optional(cone) : std::nullopt;
+}
+
+std::optional<FileLight> read_light(tinygltf::Light const& source, std::string name, Mat4 const& world_from_node) {
+  FileLight light;
+  light.name = std::move(name);
+  light.position = Vec3(world_from_node[3]);
+  light.direction = -Vec3(world_from_node[2]);
   Rgb color(1);
   if (source.color.size() == 3) color = {source.color[0], source.color[1], source.color[2]};
-  double const intensity = source.intensity;
-  if (!(intensity > 0 && std::isfinite(intensity))) return std::nullopt;
+  if (!(source.intensity > 0 && std::isfinite(source.intensity))) return std::nullopt;
+  light.intensity = color * source.intensity;
+  light.range = source.range > 0 ? source.range : infinity;
+  double const length = glm::length(light.direction);
+  bool const has_direction = length > 0 && std::isfinite(length);
+  if (source.type == "directional" && has_direction) {
+    light.kind = LightKind::directional;
+    return light;
+  }
+  auto const cone = source.type == "spot" ? read_cone(source.spot) : std::nullopt;
+  if (cone && has_direction) {
+    light.kind = LightKind::spot;
+    light.cone = *cone;
+    return light;
+  }
+  light.kind = LightKind::point;
+  return source.type == "point" || source.type == "spot" ? std::optional(std::move(light)) : std::nullopt;
+}
+
+/// What a light throws on the middle of the scene, whatever its cone and its range.
+Rgb illuminance(FileLight const& light, WorldBox const& box) {
+  if (light.kind == LightKind::directional) return light.intensity;
   Vec3 const center = 0.5 * box.min + 0.5 * box.max;
   double const size = std::max(glm::length(box.max - box.min), 1e-30);
-  if (source.type == "directional") {
-    Vec3 const backwards(world_from_node[2]);
-    if (!(glm::length(backwards) > 0)) return std::nullopt;
-    // A point light this far away is as good as parallel: its shadows spread by less than a thousandth.
-    return PlacedLight{std::move(name), center + 1000 * size * glm::normalize(backwards), color * intensity};
-  }
-  if (source.type != "point" && source.type != "spot") return std::nullopt;
-  Vec3 const position(world_from_node[3]);
   // Within the model there is no telling what is near: then half its size counts.
-  double const distance = std::max(glm::length(position - center), 0.5 * size);
-  return PlacedLight{std::move(name), position, color * (intensity / (distance * distance))};
+  double const distance = std::max(glm::length(light.position - center), 0.5 * size);
+  return light.intensity / (distance * distance);
+}
+
+Light make_light(FileLight&& light, double exposure) {
+  Rgb const intensity = light.intensity * exposure;
+  switch (light.kind) {
+    case LightKind::directional:
+      return Light::directional(std::move(light.name), light.direction, intensity);
+    case LightKind::spot:
+      return Light::spot(std::move(light.name), light.position, light.direction, intensity, light.cone, light.range);
+    default:
+      return Light::falling_off(std::move(light.name), light.position, intensity, light.range);
+  }
 }
 
 std::string name_of(tinygltf::Model const& model, int node, std::string const& own) {
@@ -109,7 +149,7 @@ std::vector<Camera> read_cameras(tinygltf::Model const& model, NodeTree const& t
 
 std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tree, WorldBox const& box,
                                Findings& findings) {
-  std::vector<PlacedLight> placed;
+  std::vector<FileLight> found;
   Names names;
   for (int const node : tree.order) {
     auto const* extension = find_extension(model.nodes[std::size_t(node)].extensions, lights_extension);
@@ -121,24 +161,23 @@ std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tre
       continue;
     }
     auto const& source = model.lights[std::size_t(*number)];
-    auto light = place_light(source, names.unique(name_of(model, node, source.name)),
-                             tree.world_from_node[std::size_t(node)], box);
+    auto light =
+        read_light(source, names.unique(name_of(model, node, source.name)), tree.world_from_node[std::size_t(node)]);
     if (!light) continue;
-    if (source.type == "spot") {
-      findings.warn(fmt::format("/extensions/{}/lights/{}", lights_extension, *number),
-                    "a spot light shines in all directions");
+    if (source.type == "spot" && light->kind != LightKind::spot) {
+      findings.warn(
+          fmt::format("/extensions/{}/lights/{}/spot", lights_extension, *number),
+          "its angles are not 0 <= inner < outer <= 90 degrees, or it has no direction: it shines all around");
     }
-    placed.push_back(std::move(*light));
+    found.push_back(std::move(*light));
   }
-  double brightest = 0;
+  // One exposure for all of them: on the middle of the model they throw as much light as one of eSDF's of Ld = 1.
   Rgb sum(0);
-  for (PlacedLight const& light : placed) sum += light.illumination;
-  brightest = std::max({sum.r, sum.g, sum.b});
+  for (FileLight const& light : found) sum += illuminance(light, box);
+  double const brightest = std::max({sum.r, sum.g, sum.b});
   std::vector<Light> lights;
   if (!(brightest > 0 && std::isfinite(brightest))) return lights;
-  for (PlacedLight& light : placed) {
-    lights.push_back(Light::point(std::move(light.name), light.position, light.illumination / brightest));
-  }
+  for (FileLight& light : found) lights.push_back(make_light(std::move(light), 1 / brightest));
   // Light from all around, which the lights of a file leave to the viewer.
   lights.push_back(Light::ambient(names.unique("soft"), Rgb(0.1)));
   return lights;

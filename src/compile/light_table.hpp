@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "lichtraum/light.hpp"
+#include "lichtraum/registry.hpp"
+#include "scene/bounds.hpp"
+#include "shared/shading.h"
+
+namespace lichtraum {
+
+/// The lights that cast shadows, as the kernels read them. `world_bounds`: of what is drawn.
+std::vector<device::PunctualLight> make_light_table(Registry<Light> const& lights, Bounds const& world_bounds);
+
+}  // namespace lichtraum

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lichtraum/material.hpp"
+#include "shared/pbr_material.h"
+#include "shared/shading.h"
+
+namespace lichtraum {
+
+/// Materials and their textures as the kernels read them.
+struct MaterialTable {
+  std::vector<device::PhongMaterial> phong;
+  std::vector<device::PbrMaterial> pbr;  ///< as many, or none where no material has one
+  std::vector<device::Texture> textures;
+  std::vector<device::uint> texels;  ///< RGBA8, each picture once
+  device::uint features = 0;         ///< SCENE_...
+};
+
+/// A null material is the default one. Throws Error{scene} for more than 2^32 texels.
+MaterialTable make_material_table(std::vector<std::shared_ptr<Material const>> const& materials);
+
+}  // namespace lichtraum

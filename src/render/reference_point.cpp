@@ -1,0 +1,115 @@
+#include "render/reference_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <limits>
+
+#include "scene/pbr_evaluation.hpp"
+#include "scene/texture_lookup.hpp"
+#include "scene/unit_vector.hpp"
+
+namespace lichtraum {
+namespace {
+
+double largest_coordinate(Vec3 const& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
+
+Material const& material_of(Shape const& shape) {
+  static Material const matt_grey;
+  return shape.material() ? *shape.material() : matt_grey;
+}
+
+Rgb to_rgb(device::float4 const& v) { return {v.x, v.y, v.z}; }
+
+PhongCoefficients coefficients(Material const& material, MeshPoint const& point) {
+  PbrMaterial const* const pbr = material.pbr().get();
+  if (!pbr || !point.is_on_mesh() || !(varies(*pbr) || filters(*pbr) || point.has_colors())) {
+    return {material.ka(),      material.kd(),       material.ks(),  material.m(),
+            material.reflect(), material.transmit(), material.ior(), material.emission()};
+  }
+  device::PbrPoint const evaluated = evaluate(*pbr, point);
+  device::PhongMaterial const phong = device::phong_from_pbr(&evaluated);
+  return {to_rgb(phong.ka), to_rgb(phong.kd),
+          to_rgb(phong.ks), phong.ka.w,
+          phong.kd.w,       phong.ks.w,
+          phong.ior,        Rgb(phong.emission[0], phong.emission[1], phong.emission[2])};
+}
+
+/// Tangent and bitangent of a surface with the unit normal `n`: along the texture's u, and against its v.
+struct TangentFrame {
+  Vec3 tangent;
+  Vec3 bitangent;
+};
+
+std::optional<TangentFrame> tangent_frame(Vec3 const& n, Vec3 const& tangent, double sign) {
+  Vec3 const in_plane = tangent - glm::dot(n, tangent) * n;
+  double const length = glm::length(in_plane);
+  if (!(length > 0 && std::isfinite(length))) return std::nullopt;
+  Vec3 const unit = in_plane / length;
+  return TangentFrame{unit, (sign < 0 ? -1.0 : 1.0) * glm::cross(n, unit)};
+}
+
+std::optional<TangentFrame> tangent_frame_at(PbrMaterial const& material, MeshPoint const& point, Mat3 const& linear,
+                                             Vec3 const& n) {
+  if (auto const tangent = point.tangent()) {
+    double const mirrored = glm::determinant(linear) < 0 ? -1 : 1;
+    return tangent_frame(n, linear * Vec3(*tangent), mirrored * tangent->w);
+  }
+  auto const axes = point.texture_axes(material.normal_texture);
+  if (!axes) return std::nullopt;
+  auto frame = tangent_frame(n, linear * axes->along_u, 1);
+  if (frame && glm::dot(frame->bitangent, linear * axes->along_v) > 0) frame->bitangent = -frame->bitangent;
+  return frame;
+}
+
+/// The normal that light is computed with, on the side of `geometric_normal`: interpolated between vertices (Phong
+/// 1975) and turned by a normal map (glTF 2.0, 3.9.3).
+Vec3 shading_normal(PbrMaterial const* material, MeshPoint const& point, Mat3 const& linear,
+                    Vec3 const& geometric_normal) {
+  Vec3 n = geometric_normal;
+  if (auto const interpolated = point.normal()) {
+    Vec3 const world = unit_vector(glm::transpose(glm::inverse(linear)) * *interpolated);
+    double const side = glm::dot(world, geometric_normal);
+    n = side > 0 ? world : side < 0 ? -world : geometric_normal;
+  }
+  if (!material || !material->normal_texture) return n;
+  auto const uv = point.texcoord(material->normal_texture.texcoord);
+  auto const frame = tangent_frame_at(*material, point, linear, n);
+  if (!uv || !frame) return n;
+  Vec3 const texel = 2.0 * Vec3(look_up(material->normal_texture, *uv, TexelContent::data)) - 1.0;
+  Vec3 const bumped = material->normal_scale * (texel.x * frame->tangent + texel.y * frame->bitangent) + texel.z * n;
+  return glm::length(bumped) > 0 ? glm::normalize(bumped) : n;
+}
+
+}  // namespace
+
+ReferencePoint find_reference_point(Ray const& ray, Hit const& hit) {
+  ReferencePoint result;
+  Material const& material = material_of(*hit.shape);
+  PbrMaterial const* const pbr = material.pbr().get();
+  MeshPoint const point(hit);
+  result.from_outside = glm::dot(hit.normal, ray.direction) < 0;
+  result.position = ray.at(hit.t);
+  result.geometric_normal = result.from_outside ? hit.normal : -hit.normal;
+  result.normal = result.geometric_normal;
+  result.to_viewer = -ray.direction;
+  result.offset = reference_ray_epsilon * std::max(largest_coordinate(result.position), largest_coordinate(ray.origin));
+  result.phong = coefficients(material, point);
+  if (point.is_on_mesh() && !(pbr && pbr->unlit)) {
+    Vec3 const outward = shading_normal(pbr, point, hit.linear_from_shape, hit.normal);
+    result.normal = result.from_outside ? outward : -outward;
+    result.is_bent = glm::dot(outward, hit.normal) < 1;
+  }
+  return result;
+}
+
+bool is_absent(Hit const& hit) {
+  PbrMaterial const* const pbr = material_of(*hit.shape).pbr().get();
+  if (!pbr || !has_cutouts(*pbr)) return false;
+  MeshPoint const point(hit);
+  return point.is_on_mesh() && is_cut_out(*pbr, base_alpha(*pbr, point));
+}
+
+double transmittance(Hit const& hit) { return coefficients(material_of(*hit.shape), MeshPoint(hit)).transmit; }
+
+}  // namespace lichtraum

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "lichtraum/shape.hpp"
+
+namespace lichtraum {
+
+/// How a surface answers to light at one point (see Material).
+struct PhongCoefficients {
+  Rgb ka{0}, kd{0}, ks{0};
+  double m = 1;
+  double reflect = 0, transmit = 0, ior = 1;
+  Rgb emission{0};
+};
+
+/// A point of a surface, as seen by the ray that found it: the definition of kernels/shading/shading_point.clh.
+struct ReferencePoint {
+  Vec3 position{0};
+  Vec3 geometric_normal{0};  // unit length, on the viewer's side
+  Vec3 normal{0};            // the same, for shading: smooth, and bumpy by a normal map
+  Vec3 to_viewer{0};         // unit length
+  PhongCoefficients phong;
+  bool from_outside = true;  // the viewer is on the side that the surface's own normal points to
+  bool is_bent = false;      // whether the two normals differ
+  double offset = 0;         // rays start this far off the surface, so as not to hit it again
+
+  Vec3 above() const { return position + offset * geometric_normal; }
+  Vec3 below() const { return position - offset * geometric_normal; }
+};
+
+/// How far, relative to the coordinates that went into it, a computed hit point may lie off its surface. A double has
+/// 16 digits; the others are for cancellation, as where a small scene stands on a sphere of a million units.
+inline constexpr double reference_ray_epsilon = 1e-9;
+
+/// `hit` is what was found for `ray`, whose direction has unit length.
+ReferencePoint find_reference_point(Ray const& ray, Hit const& hit);
+
+/// Whether nothing is there where a hit is: an alpha mask cuts it out, or it is wholly transparent.
+bool is_absent(Hit const& hit);
+/// How much light gets straight through there.
+double transmittance(Hit const& hit);
+
+}  // namespace lichtraum

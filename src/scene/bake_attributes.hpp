@@ -1,0 +1,16 @@
+#pragma once
+
+#include "lichtraum/shapes.hpp"
+#include "scene/flat_scene.hpp"
+
+namespace lichtraum {
+
+/// Appends what shading interpolates between the vertices of `mesh`: normals, and of tangents, colours and texture
+/// coordinates what the material uses. Nothing where there is none of it. The mesh's triangles are those of `object`
+/// from number `first` on; `positions` are its vertices in the object's frame: triangles with a corner that is not
+/// finite were left out. `places`: where in a triangle each of its corners was put.
+/// Throws Error{scene} for more than 2^32 floats of vertices.
+void bake_attributes(Mesh const& mesh, Transform const& object_from_mesh, std::vector<Float3> const& positions,
+                     std::size_t const (&places)[3], std::size_t first, FlatObject& object);
+
+}  // namespace lichtraum

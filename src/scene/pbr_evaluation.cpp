@@ -1,0 +1,65 @@
+#include "scene/pbr_evaluation.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+
+#include "scene/device_conversion.hpp"
+#include "scene/texture_lookup.hpp"
+
+namespace lichtraum {
+namespace {
+
+/// All ones for an empty slot, and for one whose texture coordinates the mesh has not.
+glm::dvec4 sample(TextureSlot const& slot, MeshPoint const& point, TexelContent content) {
+  if (!slot) return glm::dvec4(1);
+  auto const uv = point.texcoord(slot.texcoord);
+  return uv ? look_up(slot, *uv, content) : glm::dvec4(1);
+}
+
+double unit(double x) { return std::clamp(x, 0.0, 1.0); }
+
+}  // namespace
+
+bool varies(PbrMaterial const& m) {
+  return m.base_color_texture || m.metallic_roughness_texture || m.occlusion_texture || m.emissive_texture ||
+         m.transmission_texture || m.specular_texture || m.specular_color_texture;
+}
+
+bool has_cutouts(PbrMaterial const& m) { return m.alpha_mode != AlphaMode::opaque; }
+
+bool filters(PbrMaterial const& m) {
+  return m.alpha_mode == AlphaMode::blend ||
+         (m.transmission > 0 && (m.transmission_texture || m.metallic_roughness_texture));
+}
+
+double base_alpha(PbrMaterial const& m, MeshPoint const& point) {
+  return m.base_color.a * point.color().a * sample(m.base_color_texture, point, TexelContent::color).a;
+}
+
+bool is_cut_out(PbrMaterial const& m, double alpha) {
+  if (m.alpha_mode == AlphaMode::mask) return alpha < m.alpha_cutoff;
+  return m.alpha_mode == AlphaMode::blend && !(alpha > 0);
+}
+
+device::PbrPoint evaluate(PbrMaterial const& m, MeshPoint const& point) {
+  glm::dvec4 const base = m.base_color * point.color() * sample(m.base_color_texture, point, TexelContent::color);
+  glm::dvec4 const surface = sample(m.metallic_roughness_texture, point, TexelContent::data);
+  double const transmission = unit(m.transmission * sample(m.transmission_texture, point, TexelContent::data).r);
+  double const occlusion = sample(m.occlusion_texture, point, TexelContent::data).r;
+  device::PbrPoint result{};
+  store(glm::clamp(Rgb(base), Rgb(0), Rgb(1)), result.color);
+  result.alpha = m.alpha_mode == AlphaMode::blend ? float(unit(base.a)) : 1.0f;
+  result.metallic = float(unit(m.metallic * surface.b));
+  result.roughness = float(unit(m.roughness * surface.g));
+  result.transmission = float(transmission);
+  result.occlusion = float(1 + m.occlusion_strength * (occlusion - 1));
+  store(m.emissive * Rgb(sample(m.emissive_texture, point, TexelContent::color)), result.emission);
+  result.ior = float(m.ior);
+  result.refraction_ior = m.thickness > 0 && transmission > 0 && m.ior > 0 ? float(m.ior) : 1.0f;
+  result.specular = float(m.specular * sample(m.specular_texture, point, TexelContent::data).a);
+  store(m.specular_color * Rgb(sample(m.specular_color_texture, point, TexelContent::color)), result.specular_color);
+  result.is_unlit = m.unlit ? 1 : 0;
+  return result;
+}
+
+}  // namespace lichtraum

@@ -1,0 +1,44 @@
+#include "shading/direct_light.clh"
+
+__kernel void probe_sample_texture(__global Texture const* textures, __global uint const* texels,
+                                   __global TextureSlot const* slots, __global float2 const* coordinates, uint content,
+                                   __global float4* samples) {
+  size_t const i = get_global_id(0);
+  Scene scene;
+  scene.textures = textures;
+  scene.texels = texels;
+  samples[i] = sample_texture(&scene, slots[i].texture, slot_coordinate(slots + i, coordinates[i]), content);
+}
+
+/* Reads materials back as what they are: words. */
+__kernel void probe_pbr_materials(__global PbrMaterial const* materials, __global uint* words) {
+  size_t const i = get_global_id(0);
+  PbrMaterial const material = materials[i];
+  uint const* source = (uint const*)&material;
+  for (uint k = 0u; k < sizeof(PbrMaterial) / 4u; ++k) {
+    words[i * (sizeof(PbrMaterial) / 4u) + k] = source[k];
+  }
+}
+
+__kernel void probe_phong_from_pbr(__global PbrPoint const* points, __global PhongMaterial* materials) {
+  size_t const i = get_global_id(0);
+  PbrPoint const point = points[i];
+  materials[i] = phong_from_pbr(&point);
+}
+
+__kernel void probe_sample_light(__global PunctualLight const* lights, __global float4 const* positions,
+                                 __global float4* to_lights, __global float4* arriving) {
+  size_t const i = get_global_id(0);
+  LightSample const sample = sample_light(lights + i, positions[i].xyz);
+  to_lights[i] = (float4)(sample.to_light, 0.f);
+  arriving[i] = (float4)(sample.arriving, 0.f);
+}
+
+__kernel void probe_terminator(__global float4 const* geometric_normals, __global float4 const* normals,
+                               __global float4 const* to_lights, __global float* shares) {
+  size_t const i = get_global_id(0);
+  ShadingPoint point;
+  point.geometric_normal = geometric_normals[i].xyz;
+  point.normal = normals[i].xyz;
+  shares[i] = terminator_share(&point, to_lights[i].xyz);
+}

@@ -1,0 +1,337 @@
+/// What a material and a light are at one point: textures, Phong's coefficients, fall-off, terminator.
+
+#include "compile/light_table.hpp"
+#include "compile/material_table.hpp"
+#include "reference.hpp"
+#include "scene/pbr_evaluation.hpp"
+#include "scene/texture_lookup.hpp"
+#include "shared/phong_from_pbr.h"
+#include "shared/srgb.h"
+#include "support/catch.hpp"
+#include "support/opencl_probe.hpp"
+#include "support/skip.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+namespace {
+
+std::shared_ptr<TextureImage const> random_image(Random& random, int width, int height) {
+  TextureImage image;
+  image.width = width;
+  image.height = height;
+  for (int i = 0; i < 4 * width * height; ++i) image.rgba.push_back(std::uint8_t(random.index(256)));
+  return std::make_shared<TextureImage const>(std::move(image));
+}
+
+/// Textures of every wrap mode and filter, square, long, and of a single texel, in random places.
+std::vector<TextureSlot> random_slots(Random& random) {
+  std::vector<TextureSlot> slots;
+  for (auto const& [width, height] : {std::pair{7, 5}, {1, 1}, {2, 64}}) {
+    auto const image = random_image(random, width, height);
+    for (int wrap_s = 0; wrap_s < 3; ++wrap_s) {
+      for (int wrap_t = 0; wrap_t < 3; ++wrap_t) {
+        for (int filter = 0; filter < 2; ++filter) {
+          for (bool const is_placed : {false, true}) {
+            TextureSlot slot;
+            slot.texture = std::make_shared<Texture const>(
+                Texture{image, TextureWrap(wrap_s), TextureWrap(wrap_t), TextureFilter(filter)});
+            if (is_placed) {
+              slot.offset = {random.uniform(-2, 2), random.uniform(-2, 2)};
+              slot.rotation_radians = random.uniform(-4, 4);
+              slot.scale = {random.uniform(-3, 3), random.uniform(-3, 3)};
+            }
+            slots.push_back(slot);
+          }
+        }
+      }
+    }
+  }
+  return slots;
+}
+
+MaterialTable table_of(std::vector<TextureSlot> const& slots) {
+  std::vector<std::shared_ptr<Material const>> materials;
+  for (TextureSlot const& slot : slots) {
+    auto pbr = std::make_shared<PbrMaterial>();
+    pbr->base_color_texture = slot;
+    auto material = std::make_shared<Material>();
+    material->set_pbr(pbr);
+    materials.push_back(material);
+  }
+  return make_material_table(materials);
+}
+
+/// How far, in texels, a nearest lookup is from the next texel; infinite for another.
+double distance_to_edge(TextureSlot const& slot, glm::dvec2 const& uv) {
+  if (slot.texture->filter != TextureFilter::nearest) return infinity;
+  TextureImage const& image = *slot.texture->image;
+  glm::dvec2 const place = transform_coordinate(slot, uv) * glm::dvec2(image.width, image.height);
+  auto const distance = [](double x) { return std::abs(x - std::round(x)); };
+  return std::min(distance(place.x), distance(place.y));
+}
+
+}  // namespace
+
+TEST_CASE("Textures are looked up by every wrap mode, filter and transform", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  Random random(70);
+  auto const kinds = random_slots(random);
+  MaterialTable const table = table_of(kinds);
+  CHECK(table.textures.size() == kinds.size());
+  CHECK(table.texels.size() == 7 * 5 + 1 + 2 * 64);  // each picture once
+  std::size_t const count = std::max(kinds.size(), scaled_count(40000));
+  std::vector<device::TextureSlot> slots;
+  std::vector<std::array<float, 2>> coordinates;
+  for (std::size_t i = 0; i < count; ++i) {
+    slots.push_back(table.pbr[i % kinds.size()].base_color_texture);
+    double const reach = i % 3 == 0 ? 20 : 1.5;
+    coordinates.push_back({float(random.uniform(-reach, reach)), float(random.uniform(-reach, reach))});
+  }
+  for (std::size_t i = 0; i < kinds.size() && i < count; ++i) {  // corners, and what is no place at all
+    coordinates[i] = std::array<std::array<float, 2>, 4>{
+        {{0, 0}, {1, 1}, {float_nan, 0.5f}, {float_infinity, -float_infinity}}}[i / 2 % 4];
+  }
+  ProbeProgram const program("material.cl");
+  for (bool const is_color : {true, false}) {
+    std::vector<float4> samples(count);
+    program.run("probe_sample_texture", count,
+                {in(table.textures), in(table.texels), in(slots), in(coordinates),
+                 value(device::uint(is_color ? 1 : 0)), out(samples)});
+    std::size_t wrong = 0, compared = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      TextureSlot const& slot = kinds[i % kinds.size()];
+      glm::dvec2 const uv(coordinates[i][0], coordinates[i][1]);
+      if (distance_to_edge(slot, uv) < 2e-3) continue;
+      auto const expected = look_up(slot, uv, is_color ? TexelContent::color : TexelContent::data);
+      double const error = std::max(max_abs(to_vec3(samples[i]) - Vec3(expected)), std::abs(samples[i].w - expected.a));
+      ++compared;
+      // A coordinate of 60 pictures times 64 texels has lost twelve of its 24 bits.
+      wrong += !(error < 2e-3);
+    }
+    CHECK(wrong == 0);
+    CHECK(compared > count / 2);
+  }
+}
+
+TEST_CASE("The table of sRGB is its formula", "[kernel]") {
+  for (int i = 0; i < 256; ++i) {
+    double const c = i / 255.0;
+    double const expected = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    if (std::abs(device::linear_from_srgb_table[i] - expected) > 1e-7) FAIL(i);
+  }
+  SUCCEED();
+}
+
+TEST_CASE("The whole glTF material is on the device", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  Random random(71);
+  PbrMaterial m;
+  auto const slot = [&] {
+    TextureSlot result;
+    result.texture = std::make_shared<Texture const>(Texture{random_image(random, 2, 2)});
+    result.texcoord = int(random.index(3)) * 2;
+    return result;
+  };
+  m.base_color = {0.1, 0.2, 0.3, 0.4};
+  m.metallic = 0.11, m.roughness = 0.12, m.normal_scale = 0.13, m.occlusion_strength = 0.14, m.emissive = Rgb(1, 2, 3);
+  m.alpha_mode = AlphaMode::mask, m.alpha_cutoff = 0.15, m.double_sided = true;
+  m.ior = 1.6, m.dispersion = 0.17, m.specular = 0.18, m.specular_color = Rgb(0.4, 0.5, 0.6), m.transmission = 0.19;
+  m.thickness = 0.21, m.attenuation_distance = 0.22, m.attenuation_color = Rgb(0.7, 0.8, 0.9);
+  m.clearcoat = 0.23, m.clearcoat_roughness = 0.24, m.sheen_color = Rgb(0.3, 0.2, 0.1), m.sheen_roughness = 0.25;
+  m.anisotropy = 0.26, m.anisotropy_rotation_radians = 0.27, m.iridescence = 0.28, m.iridescence_ior = 1.29;
+  m.iridescence_thickness_minimum_nm = 301, m.iridescence_thickness_maximum_nm = 302;
+  TextureSlot* const slots[] = {&m.base_color_texture,
+                                &m.metallic_roughness_texture,
+                                &m.normal_texture,
+                                &m.occlusion_texture,
+                                &m.emissive_texture,
+                                &m.transmission_texture,
+                                &m.specular_texture,
+                                &m.specular_color_texture,
+                                &m.thickness_texture,
+                                &m.clearcoat_texture,
+                                &m.clearcoat_roughness_texture,
+                                &m.clearcoat_normal_texture,
+                                &m.sheen_color_texture,
+                                &m.sheen_roughness_texture,
+                                &m.anisotropy_texture,
+                                &m.iridescence_texture,
+                                &m.iridescence_thickness_texture};
+  for (TextureSlot* const s : slots) *s = slot();
+  auto with_pbr = std::make_shared<Material>();
+  with_pbr->set_pbr(std::make_shared<PbrMaterial const>(m));
+  MaterialTable const table = make_material_table({nullptr, with_pbr, std::make_shared<Material>()});
+  REQUIRE(table.pbr.size() == 3);
+  std::vector<device::PbrMaterial> read(3);
+  ProbeProgram("material.cl").run("probe_pbr_materials", 3, {in(table.pbr), out(read)});
+  CHECK(read[0].flags == 0);
+  CHECK(read[2].flags == 0);
+  device::PbrMaterial const& r = read[1];
+  CHECK(r.flags == (PBR_IS_PRESENT | PBR_VARIES | PBR_CUTOUT | PBR_FILTERS | PBR_DOUBLE_SIDED | PBR_HAS_ATTENUATION));
+  CHECK(r.alpha_mode == ALPHA_MASK);
+  std::pair<float, double> const numbers[] = {{r.alpha_cutoff, 0.15},
+                                              {r.ior, 1.6},
+                                              {r.base_color[0], 0.1},
+                                              {r.base_color[3], 0.4},
+                                              {r.emissive[2], 3},
+                                              {r.metallic, 0.11},
+                                              {r.roughness, 0.12},
+                                              {r.normal_scale, 0.13},
+                                              {r.occlusion_strength, 0.14},
+                                              {r.transmission, 0.19},
+                                              {r.specular, 0.18},
+                                              {r.specular_color[2], 0.6},
+                                              {r.thickness, 0.21},
+                                              {r.dispersion, 0.17},
+                                              {r.attenuation_distance, 0.22},
+                                              {r.attenuation_color[2], 0.9},
+                                              {r.clearcoat, 0.23},
+                                              {r.clearcoat_roughness, 0.24},
+                                              {r.sheen_color[2], 0.1},
+                                              {r.sheen_roughness, 0.25},
+                                              {r.anisotropy, 0.26},
+                                              {r.anisotropy_rotation, 0.27},
+                                              {r.iridescence, 0.28},
+                                              {r.iridescence_ior, 1.29},
+                                              {r.iridescence_thickness_minimum, 301},
+                                              {r.iridescence_thickness_maximum, 302}};
+  for (auto const& [found, expected] : numbers) CHECK(found == float(expected));
+  device::TextureSlot const* const read_slots[] = {&r.base_color_texture,
+                                                   &r.metallic_roughness_texture,
+                                                   &r.normal_texture,
+                                                   &r.occlusion_texture,
+                                                   &r.emissive_texture,
+                                                   &r.transmission_texture,
+                                                   &r.specular_texture,
+                                                   &r.specular_color_texture,
+                                                   &r.thickness_texture,
+                                                   &r.clearcoat_texture,
+                                                   &r.clearcoat_roughness_texture,
+                                                   &r.clearcoat_normal_texture,
+                                                   &r.sheen_color_texture,
+                                                   &r.sheen_roughness_texture,
+                                                   &r.anisotropy_texture,
+                                                   &r.iridescence_texture,
+                                                   &r.iridescence_thickness_texture};
+  for (std::size_t i = 0; i < std::size(slots); ++i) {
+    INFO("slot " << i);
+    REQUIRE(read_slots[i]->texture < table.textures.size());
+    device::Texture const& texture = table.textures[read_slots[i]->texture];
+    device::uint expected = 0;
+    for (int c = 3; c >= 0; --c) expected = expected << 8 | slots[i]->texture->image->rgba[std::size_t(c)];
+    CHECK(table.texels[texture.first_texel] == expected);
+    CHECK(int(read_slots[i]->texcoord) <= slots[i]->texcoord / 2);  // sets 0, 2, 4 are counted without gaps
+  }
+}
+
+TEST_CASE("Phong's coefficients follow the documented mapping, in either language", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  Random random(72);
+  std::size_t const count = scaled_count(4000);
+  std::vector<device::PbrPoint> points(count);
+  for (auto& p : points) {
+    auto const number = [&] { return float(random.index(5) == 0 ? double(random.index(2)) : random.uniform()); };
+    for (int c = 0; c < 3; ++c) p.color[c] = number(), p.emission[c] = 2 * number(), p.specular_color[c] = number();
+    p.alpha = number(), p.metallic = number(), p.roughness = number(), p.transmission = number();
+    p.occlusion = number(), p.ior = 1 + number(), p.refraction_ior = 1 + number(), p.specular = number();
+    p.is_unlit = random.index(8) == 0 ? 1 : 0;
+  }
+  std::vector<device::PhongMaterial> found(count);
+  ProbeProgram("material.cl").run("probe_phong_from_pbr", count, {in(points), out(found)});
+  for (std::size_t i = 0; i < count; ++i) {
+    device::PbrPoint const& p = points[i];
+    double const metallic = p.metallic, alpha = p.alpha, width = std::max(double(p.roughness) * p.roughness, 0.02);
+    double const m = std::max((2 / (width * width) - 2) / 4, 0.0);
+    double const transmit = 1 - alpha * (1 - p.transmission * (1 - metallic));
+    double const r0 = std::pow((p.ior - 1.0) / (p.ior + 1.0), 2);
+    Rgb const color(p.color[0], p.color[1], p.color[2]);
+    Rgb const specular_color(p.specular_color[0], p.specular_color[1], p.specular_color[2]);
+    Rgb const f0 = metallic * color + (1 - metallic) * double(p.specular) * r0 * specular_color;
+    Rgb kd = color * (1 - 0.6 * metallic), emission(p.emission[0], p.emission[1], p.emission[2]);
+    Rgb ks;
+    for (int c = 0; c < 3; ++c) ks[c] = alpha * std::min(f0[c] * (m + 8) / 8, 1.0);
+    double reflect = 0.6 * metallic * std::pow(1 - p.roughness, 2) * (1 - transmit);
+    if (p.is_unlit) {
+      emission = color;
+      kd = ks = Rgb(0);
+      reflect = 0;
+    }
+    INFO("point " << i);
+    bool const agrees =
+        max_abs(to_vec3(found[i].kd) - kd) < 1e-6 && max_abs(to_vec3(found[i].ka) - kd * double(p.occlusion)) < 1e-6 &&
+        max_abs(to_vec3(found[i].ks) - ks) < 1e-4 && (p.is_unlit || std::abs(found[i].ka.w - m) <= 1e-5 * (1 + m)) &&
+        std::abs(found[i].kd.w - reflect) < 1e-6 &&
+        std::abs(found[i].ks.w - (p.is_unlit ? 1 - alpha : transmit)) < 1e-6 &&
+        max_abs(to_vec3(found[i].emission) - alpha * emission) < 1e-6 &&
+        found[i].ior == (p.is_unlit ? 1 : p.refraction_ior);
+    if (!agrees) FAIL("the mapping");
+  }
+}
+
+TEST_CASE("Lights fall off, have cones and directions as KHR_lights_punctual says", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  Random random(73);
+  std::size_t const count = scaled_count(4000);
+  std::vector<Light> lights;
+  std::vector<device::PunctualLight> table;
+  std::vector<float4> positions, to_lights(count), arriving(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    Vec3 const place = random.in_cube(3), direction = random.direction();
+    Rgb const ld(random.uniform(0, 5), 1, 2);
+    double const range = i % 3 == 0 ? infinity : random.uniform(1, 8);
+    double const inner = i % 5 == 0 ? 0 : random.uniform(0, 60);
+    Light const kinds[] = {Light::point("", place, ld), Light::falling_off("", place, ld, range),
+                           Light::spot("", place, direction, ld, {inner, inner + random.uniform(5, 30)}, range),
+                           Light::directional("", direction, ld)};
+    Registry<Light> one;
+    one.insert(kinds[i % 4]);
+    lights.push_back(kinds[i % 4]);
+    table.push_back(make_light_table(one, Bounds()).front());
+    positions.push_back(to_float4(random.in_cube(4)));
+  }
+  ProbeProgram("material.cl")
+      .run("probe_sample_light", count, {in(table), in(positions), out(to_lights), out(arriving)});
+  std::size_t dark = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Vec3 const position = to_vec3(positions[i]);
+    Rgb const expected = lights[i].arriving_at(position);
+    Vec3 const to_light =
+        lights[i].has_position() ? glm::normalize(lights[i].position() - position) : -lights[i].direction();
+    dark += expected == Rgb(0);
+    INFO("light " << i << ", " << lights[i]);
+    // A narrow cone's edge takes a cosine's last digits a hundredfold.
+    if (max_abs(to_vec3(arriving[i]) - expected) > 1e-4 * (1 + max_abs(expected))) FAIL("what arrives");
+    if (max_abs(to_vec3(to_lights[i]) - to_light) > 1e-5) FAIL("where from");
+  }
+  if (count >= 1000) {
+    CHECK(dark > count / 20);
+    CHECK(dark < count / 2);
+  }
+}
+
+TEST_CASE("The terminator is dark behind the triangle, and changes nothing where the normals agree", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  Random random(74);
+  std::size_t const count = scaled_count(10000);
+  std::vector<float4> geometric, normals, to_lights;
+  for (std::size_t i = 0; i < count; ++i) {
+    Vec3 const g = random.direction(), l = random.direction();
+    geometric.push_back(to_float4(g));
+    normals.push_back(to_float4(i % 4 == 0 ? g : glm::normalize(g + random.in_cube(0.8))));
+    to_lights.push_back(to_float4(l));
+  }
+  std::vector<float> shares(count);
+  ProbeProgram("material.cl").run("probe_terminator", count, {in(geometric), in(normals), in(to_lights), out(shares)});
+  for (std::size_t i = 0; i < count; ++i) {
+    double const g_l = glm::dot(to_vec3(geometric[i]), to_vec3(to_lights[i]));
+    double const n_l = glm::dot(to_vec3(normals[i]), to_vec3(to_lights[i]));
+    double const g_n = glm::dot(to_vec3(geometric[i]), to_vec3(normals[i]));
+    if (std::min({std::abs(g_l), std::abs(n_l), std::abs(g_n)}) < 1e-3) continue;  // the sign is rounding's
+    double const g = std::min(1.0, g_l / (n_l * g_n));
+    double const expected = g_l > 0 && n_l > 0 && g_n > 0 ? -g * g * g + g * g + g : 0;
+    INFO("case " << i);
+    if (std::abs(shares[i] - expected) > 1e-4) FAIL("share " << shares[i] << ", expected " << expected);
+    if (i % 4 == 0 && g_l > 0 && std::abs(shares[i] - 1) > 1e-5) FAIL("same normals");
+  }
+}

@@ -29,7 +29,8 @@ __kernel void probe_phong_from_pbr(__global PbrPoint const* points, __global Pho
 __kernel void probe_sample_light(__global PunctualLight const* lights, __global float4 const* positions,
                                  __global float4* to_lights, __global float4* arriving) {
   size_t const i = get_global_id(0);
-  LightSample const sample = sample_light(lights + i, positions[i].xyz);
+  PunctualLight const light = lights[i];
+  LightSample const sample = sample_light(&light, positions[i].xyz);
   to_lights[i] = (float4)(sample.to_light, 0.f);
   arriving[i] = (float4)(sample.arriving, 0.f);
 }

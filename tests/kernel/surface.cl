@@ -37,5 +37,6 @@ __kernel void probe_light_visibility(SCENE_ARGUMENTS, __global float4 const* pos
   point.position = position_offset[i].xyz;
   point.geometric_normal = normals[i].xyz;
   point.offset = position_offset[i].w;
-  visibility[i] = light_visibility(&scene, &point, probed_lights + i);
+  PunctualLight const light = probed_lights[i];
+  visibility[i] = light_visibility(&scene, &point, &light);
 }

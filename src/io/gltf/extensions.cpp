@@ -10,7 +10,7 @@ constexpr Extension table[] = {
     {"EXT_meshopt_compression", "decoded, all modes and filters"},
     {"EXT_texture_webp", "decoded"},
     {"KHR_draco_mesh_compression", "decoded"},
-    {"KHR_lights_punctual", "point and directional lights; spot lights without their cone"},
+    {"KHR_lights_punctual", "read: point, spot and directional lights, range"},
     {"KHR_materials_anisotropy", "kept in the material"},
     {"KHR_materials_clearcoat", "kept in the material"},
     {"KHR_materials_dispersion", "kept in the material"},

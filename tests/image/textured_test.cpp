@@ -51,7 +51,7 @@ testing::GltfWriter square_model(std::array<Rgba, 4> const& texels) {
 /// The picture of a model on every device in every layout; `check` gets each.
 void for_each_picture(testing::GltfWriter const& writer, std::function<void(Image const&)> const& check) {
   TemporaryFolder const folder;
-  GltfModel model = import_gltf(folder.write("model.glb", writer.glb()));
+  Model model = import_gltf(folder.write("model.glb", writer.glb()));
   for (Diagnostic const& d : model.diagnostics) UNSCOPED_INFO(d.message);
   CHECK(model.diagnostics.empty());
   model.scene.background = Rgb(0.25);

@@ -339,7 +339,7 @@ TEST_CASE("lights keep their fall-off, cones and proportions under one exposure"
       {0, 5, 0});                                                       // 20
   add("inside", {{"type", "point"}, {"intensity", 10}}, {0, 0, 0});     // 10: half the size counts
   add("sky", {{"type", "directional"}, {"intensity", 10}}, {0, 0, 0});  // 10
-  GltfModel const model = import_model(writer);
+  Model const model = import_model(writer);
   CHECK(messages(model) == "");
   auto const light = [&](char const* name) { return *model.scene.lights.find(name); };
   CHECK(glm::distance(light("lamp").arriving_at(Vec3(0)), Rgb(0.2 * (1 - std::pow(2.0 / 7, 4)))) < 1e-6);
@@ -359,7 +359,7 @@ TEST_CASE("a spot light without a cone is named, and shines all around", "[unit]
   writer.json["extensions"]["KHR_lights_punctual"]["lights"] = {
       {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}}}}};
   writer.json["nodes"].push_back({{"name", "lamp"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
-  GltfModel const model = import_model(writer);
+  Model const model = import_model(writer);
   CHECK(messages(model).find("/extensions/KHR_lights_punctual/lights/0/spot: ") == 0);
   CHECK(model.scene.lights.find("lamp")->kind() == LightKind::point);
 }

@@ -22,9 +22,19 @@ void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& sce
   for (Light& light : studio_lights(box)) scene.lights.insert(std::move(light));
 }
 
+PbrMaterial matt_pbr(Rgb const& color) {
+  PbrMaterial pbr;
+  pbr.base_color = glm::dvec4(color, 1);
+  pbr.metallic = 0;
+  pbr.specular = 0;
+  return pbr;
+}
+
 std::shared_ptr<Material> default_material(bool has_colors) {
   Rgb const color(has_colors ? 1 : 0.8);
-  return std::make_shared<Material>("default", color, color, Rgb(0), 1);
+  auto material = std::make_shared<Material>("default", color, color, Rgb(0), 1);
+  material->set_pbr(std::make_shared<PbrMaterial const>(matt_pbr(color)));
+  return material;
 }
 
 float linear_from_srgb(float value) {

@@ -18,6 +18,9 @@ struct ModelPart {
 /// Adds a Mesh for each part, under one root called `name`, and a camera and lights that show them.
 void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& scene);
 
+/// A matt material that vertices' colours and textures may change.
+PbrMaterial matt_pbr(Rgb const& color);
+
 /// A light grey, matt material; white where the vertices bring their own colours.
 std::shared_ptr<Material> default_material(bool has_colors);
 

@@ -364,6 +364,17 @@ TEST_CASE("a spot light without a cone is named, and shines all around", "[unit]
   CHECK(model.scene.lights.find("lamp")->kind() == LightKind::point);
 }
 
+TEST_CASE("a primitive without a material is light grey, and takes its vertices' colours", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  Model const model = import_model(writer);
+  Material const& material = **model.scene.materials.find("default");
+  CHECK(glm::distance(material.kd(), Rgb(0.8)) < 1e-6);
+  CHECK(material.ks() == Rgb(0));
+  REQUIRE(material.pbr());  // which colours multiply
+  CHECK(material.pbr()->metallic == 0);
+}
+
 TEST_CASE("materials are kept whole and mapped to Phong", "[unit][gltf]") {
   GltfWriter writer;
   writer.add_mesh(triangle_positions)["material"] = 0;

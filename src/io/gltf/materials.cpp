@@ -9,6 +9,7 @@
 #include "io/gltf/phong_from_pbr.hpp"
 #include "io/gltf/textures.hpp"
 #include "io/gltf/values.hpp"
+#include "io/model_scene.hpp"
 
 namespace lichtraum::gltf {
 namespace {
@@ -244,7 +245,8 @@ std::vector<std::shared_ptr<Material>> read_materials(Document const& document, 
   }
   // The specification's default is a rough white metal, which is for image-based light; this is what it looks like
   // there.
-  materials.push_back(std::make_shared<Material>(names.unique("default"), Rgb(0.8), Rgb(0.8), Rgb(0), 1));
+  auto pbr = std::make_shared<PbrMaterial const>(matt_pbr(Rgb(0.8)));
+  materials.push_back(std::make_shared<Material>(phong_from_pbr(names.unique("default"), std::move(pbr))));
   return materials;
 }
 

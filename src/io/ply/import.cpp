@@ -38,7 +38,7 @@ std::shared_ptr<Material> material_of(std::string const& texture_file, MeshGeome
                      ? nullptr
                      : read_texture(texture_file, folder, options, diagnostics);
   auto material = default_material(texture || !geometry.colors.empty());
-  if (texture || !geometry.colors.empty()) {  // what vertices and textures change is a base colour's
+  if (texture) {
     auto pbr = std::make_shared<PbrMaterial>();
     pbr->metallic = 0;
     pbr->base_color_texture.texture = std::move(texture);

@@ -33,6 +33,7 @@ struct Options {
   int grid = 4;  ///< sub-samples a side
   std::string json;
   std::string only;
+  std::string layouts = "scalar,wide,packet";
   bool processor_time = false;
 };
 
@@ -252,15 +253,22 @@ int run(Options const& options) {
       if (packets) add_sampled(name, [&, tracer, packets] { tracer->closest(sampled, sampled_hits, packets); });
     }
   }
-  add_primary("scalar", [&] { scalar_tracer.closest(primary, hits); });
-  add_primary("wide", [&] { wide_tracer.closest(primary, hits); });
-  add_primary("packet", [&] { packet_tracer.closest(primary, hits); });
-  add_sampled("packet", [&] { packet_tracer.closest(sampled, sampled_hits); });
-  add_shadow("scalar", [&] { scalar_tracer.any(shadow, occluded); });
-  add_shadow("wide", [&] { wide_tracer.any(shadow, occluded); });
-  add_shadow("packet", [&] { packet_tracer.any(shadow, occluded); });
-  add_bounce("scalar", [&] { scalar_tracer.closest(bounce, bounce_hits); });
-  add_bounce("wide", [&] { wide_tracer.closest(bounce, bounce_hits); });
+  auto const is_asked_for = [&](std::string const& layout) { return options.layouts.find(layout) != std::string::npos; };
+  struct Layout {
+    std::string name;
+    OpenClTracer& tracer;
+  };
+  for (auto& [name, tracer] :
+       {Layout{"scalar", scalar_tracer}, Layout{"wide", wide_tracer}, Layout{"packet", packet_tracer}}) {
+    if (!is_asked_for(name)) continue;
+    add_primary(name, [&] { tracer.closest(primary, hits); });
+    add_shadow(name, [&] { tracer.any(shadow, occluded); });
+    if (name == "packet") {
+      add_sampled(name, [&] { tracer.closest(sampled, sampled_hits); });
+    } else {
+      add_bounce(name, [&] { tracer.closest(bounce, bounce_hits); });
+    }
+  }
 
   std::vector<double> disagreement;
   for (Contestant& contestant : contestants) {
@@ -320,6 +328,7 @@ int main(int argc, char** argv) {
   app.add_option("--reps", options.repetitions, "repetitions of each");
   app.add_option("--threads", options.threads);
   app.add_option("--only", options.only, "some of primary, shadow, bounce, samples");
+  app.add_option("--layouts", options.layouts, "some of scalar, wide, packet");
   app.add_flag("--processor-time", options.processor_time,
                "measure the threads' time on a processor: for machines that others use as well");
   app.add_option("--json", options.json, "write the results there as well");

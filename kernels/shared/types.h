@@ -8,6 +8,8 @@
 #ifdef __OPENCL_C_VERSION__
 
 #define DEVICE_STRUCT_SIZE(type, bytes) typedef char size_of_##type##_is_##bytes[(sizeof(type) == (bytes)) ? 1 : -1]
+/* Between a struct's closing brace and its name. */
+#define DEVICE_ALIGNED(bytes) __attribute__((aligned(bytes)))
 #define DEVICE_NAMESPACE_BEGIN
 #define DEVICE_NAMESPACE_END
 #define SHARED_FUNCTION static inline
@@ -18,6 +20,7 @@
 #include <cstdint>
 
 #define DEVICE_STRUCT_SIZE(type, bytes) static_assert(sizeof(type) == (bytes), "size differs from the device's " #type)
+#define DEVICE_ALIGNED(bytes) __attribute__((aligned(bytes)))
 #define DEVICE_NAMESPACE_BEGIN namespace lichtraum::device {
 #define DEVICE_NAMESPACE_END }
 #define SHARED_FUNCTION inline

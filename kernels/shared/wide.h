@@ -32,8 +32,9 @@ DEVICE_NAMESPACE_BEGIN
 typedef struct {
   float bounds[6][WIDE_CHILDREN];
   uint children[WIDE_CHILDREN];
-} WideNode;
-DEVICE_STRUCT_SIZE(WideNode, 224);
+  uint padding[8];
+} DEVICE_ALIGNED(64) WideNode;
+DEVICE_STRUCT_SIZE(WideNode, 256);
 
 /* Four triangles: vertices[corner][axis] is one float4. Lanes without a triangle have vertices of NaN, which no ray
  * meets. The triangle in lane l of block b has the index BLOCK_LANES * b + l among all. */

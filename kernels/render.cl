@@ -11,6 +11,7 @@
  * An array of the scene without elements may be any buffer, but not null. Compile with -D RAY_STACK_SIZE=n, n >
  * frame->max_depth (8 without), and with the layout (see
  * traversal/traversal.clh), on which the three arrays of the tree depend. */
+#include "camera/generate_packet.clh"
 #include "camera/generate_ray.clh"
 #include "film/tone_map.clh"
 #include "integrators/whitted.clh"
@@ -99,15 +100,7 @@ __kernel void render_tile(__global FrameParameters const* frame, Tile const tile
     sums[i] = has_sum ? (float3)(pixel[0], pixel[1], pixel[2]) : (float3)(0.f);
   }
   for (uint sample = tile.first_sample; sample < end_sample; ++sample) {
-    packet.origin = frame->camera.origin.xyz;
-    for (uint i = 0u; i < PACKET_GROUPS * PACKET_LANES; ++i) {
-      uint const x = corner_x + packet_ray_column(i);
-      uint const y = corner_y + packet_ray_row(i);
-      bool const inside = x >= tile.x && x < tile.x + tile.width && y >= tile.y && y < tile.y + tile.height;
-      float2 const offset = sample_in_pixel(frame, x, y, sample);
-      Ray const ray = generate_camera_ray(frame->camera, (float)x + offset.x, (float)y + offset.y);
-      set_packet_ray(&packet, i, ray.direction, inside ? INFINITY : -1.f);
-    }
+    generate_camera_packet(frame, &tile, corner_x, corner_y, sample, &packet);
     trace_whitted_packet(&scene, frame, &packet, &shading, &counts);
     for (uint i = 0u; i < PACKET_GROUPS * PACKET_LANES; ++i) {
       sums[i] += shading.radiance[i];

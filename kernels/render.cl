@@ -19,6 +19,10 @@
 #include "scene.clh"
 #include "shared/frame.h"
 
+static inline bool is_in_tile(Tile const* tile, uint x, uint y) {
+  return x >= tile->x && x < tile->x + tile->width && y >= tile->y && y < tile->y + tile->height;
+}
+
 /* Adds a sample to a pixel's sum; with the last one the pixel is finished. */
 static inline void finish_pixel(__global FrameParameters const* frame, bool is_last, __global float* pixel,
                                 float3 sum) {
@@ -90,28 +94,28 @@ __kernel void render_tile(__global FrameParameters const* frame, Tile const tile
   }
   Packet packet;
   PacketShading shading;
-  float3 sums[PACKET_GROUPS * PACKET_LANES];
+  Vector16 sums[PACKET_GROUPS];
   for (uint i = 0u; i < PACKET_GROUPS * PACKET_LANES; ++i) {
     uint const x = corner_x + packet_ray_column(i);
     uint const y = corner_y + packet_ray_row(i);
-    bool const inside = x >= tile.x && x < tile.x + tile.width && y >= tile.y && y < tile.y + tile.height;
-    bool const has_sum = inside && tile.first_sample > 0u;
+    bool const has_sum = tile.first_sample > 0u && is_in_tile(&tile, x, y);
     __global float const* pixel = film + (has_sum ? 3 * ((size_t)y * frame->width + x) : 0);
-    sums[i] = has_sum ? (float3)(pixel[0], pixel[1], pixel[2]) : (float3)(0.f);
+    float3 const sum = has_sum ? (float3)(pixel[0], pixel[1], pixel[2]) : (float3)(0.f);
+    store_lane(sum, &sums[i / PACKET_LANES], i % PACKET_LANES);
   }
   for (uint sample = tile.first_sample; sample < end_sample; ++sample) {
     generate_camera_packet(frame, &tile, corner_x, corner_y, sample, &packet);
     trace_whitted_packet(&scene, frame, &packet, &shading, &counts);
-    for (uint i = 0u; i < PACKET_GROUPS * PACKET_LANES; ++i) {
-      sums[i] += shading.radiance[i];
+    for (uint group = 0u; group < PACKET_GROUPS; ++group) {
+      sums[group] = add16(sums[group], shading.radiance[group]);
     }
   }
   for (uint i = 0u; i < PACKET_GROUPS * PACKET_LANES; ++i) {
     uint const x = corner_x + packet_ray_column(i);
     uint const y = corner_y + packet_ray_row(i);
-    if (x >= tile.x && x < tile.x + tile.width && y >= tile.y && y < tile.y + tile.height) {
+    if (is_in_tile(&tile, x, y)) {
       __global float* pixel = film + 3 * ((size_t)y * frame->width + x);
-      finish_pixel(frame, is_last, pixel, sums[i]);
+      finish_pixel(frame, is_last, pixel, load_lane(&sums[i / PACKET_LANES], i % PACKET_LANES));
     }
   }
 #else

@@ -253,7 +253,9 @@ int run(Options const& options) {
       if (packets) add_sampled(name, [&, tracer, packets] { tracer->closest(sampled, sampled_hits, packets); });
     }
   }
-  auto const is_asked_for = [&](std::string const& layout) { return options.layouts.find(layout) != std::string::npos; };
+  auto const is_asked_for = [&](std::string const& layout) {
+    return options.layouts.find(layout) != std::string::npos;
+  };
   struct Layout {
     std::string name;
     OpenClTracer& tracer;

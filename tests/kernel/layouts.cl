@@ -36,21 +36,8 @@ __kernel void probe_hidden(SCENE_PARAMETERS, __global float4 const* origins, __g
 }
 
 #ifdef TRAVERSAL_PACKET
-static inline void load_packet(Packet* packet, __global float4 const* origins, __global float4 const* directions,
-                               float t_max) {
-  size_t const first = get_global_id(0) * PACKET_GROUPS * PACKET_LANES;
-  packet->origin = origins[first].xyz;
-  packet->t_min = 0.f;
-  for (uint i = 0u; i < PACKET_GROUPS * PACKET_LANES; ++i) {
-    float* direction = (float*)packet->direction[i / PACKET_LANES] + i % PACKET_LANES;
-    direction[0] = directions[first + i].x;
-    direction[PACKET_LANES] = directions[first + i].y;
-    direction[2u * PACKET_LANES] = directions[first + i].z;
-    ((float*)packet->limit)[i] = directions[first + i].w > 0.f ? t_max : -1.f;
-  }
-}
+#include "packet_input.clh"
 
-/* Packets of 64 rays that follow each other and share an origin; w of a direction: 1, or 0 for no ray. */
 __kernel void probe_packet_closest(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
                                    __global ProbeHit* hits) {
   MAKE_SCENE;

@@ -2,7 +2,7 @@
 
 _lichtraum() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
-  local commands='render preview check info devices doctor'
+  local commands='render view preview check info devices doctor'
   local general='-q --quiet -v --verbose -h --help'
   local language='--strict --keep-going --transform-order --rotation --material-extras --allow-path --scene --time --animation --max-texture'
   COMPREPLY=()
@@ -49,6 +49,7 @@ _lichtraum() {
         options+=' --camera --root --samples --depth --seed --tonemap --transfer --device --traversal'
         options+=' --frames --fps --turntable --resume'
         ;;
+      view) options+=" $language --watch --size --camera --root --depth --device" ;;
       preview) options+=" $language --size --graphics --camera --root --samples --device" ;;
       check) options+=" $language" ;;
       info) options+=" $language --json" ;;
@@ -59,7 +60,7 @@ _lichtraum() {
   fi
 
   case ${COMP_WORDS[1]} in
-    render | preview | check | info) # scenes, and folders on the way to them
+    render | view | preview | check | info) # scenes, and folders on the way to them
       compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(
         compgen -d -- "$current"

@@ -1,17 +1,19 @@
 # fish completion for lichtraum
 
-set -l commands render preview check info devices doctor
+set -l commands render view preview check info devices doctor
 set -l first "not __fish_seen_subcommand_from $commands"
 set -l any "__fish_seen_subcommand_from $commands"
-set -l scenes '__fish_seen_subcommand_from render preview check info'
+set -l scenes '__fish_seen_subcommand_from render view preview check info'
 set -l render '__fish_seen_subcommand_from render'
-set -l seen '__fish_seen_subcommand_from render preview'
+set -l seen '__fish_seen_subcommand_from render view preview'
+set -l view '__fish_seen_subcommand_from view'
 set -l preview '__fish_seen_subcommand_from preview'
 set -l json '__fish_seen_subcommand_from render info devices'
 
 complete -c lichtraum -f
 complete -c lichtraum -n $first -s V -l version -d 'Print the version'
 complete -c lichtraum -n $first -a render -d 'Draw scenes to pictures'
+complete -c lichtraum -n $first -a view -d 'Open a window on a scene'
 complete -c lichtraum -n $first -a preview -d 'Show a scene in the terminal'
 complete -c lichtraum -n $first -a check -d 'Report what is wrong in scenes'
 complete -c lichtraum -n $first -a info -d 'Tell what is in a scene'
@@ -60,3 +62,7 @@ complete -c lichtraum -n $seen -l device -x -a 'cpu gpu reference' -d 'What draw
 
 complete -c lichtraum -n $preview -l size -x -d 'Columns and rows of characters'
 complete -c lichtraum -n $preview -l graphics -x -a 'auto blocks kitty sixel' -d 'What the terminal shows'
+
+complete -c lichtraum -n $view -l watch -d 'Read the scene again when it is saved'
+complete -c lichtraum -n $view -l size -x -d 'Of the window'
+complete -c lichtraum -n $view -l depth -x -d 'Mirrors and glass in a row'

@@ -20,6 +20,7 @@ struct Command {
 };
 
 int render_command(Arguments const& arguments, Console& console);
+int view_command(Arguments const& arguments, Console& console);
 int preview_command(Arguments const& arguments, Console& console);
 int check_command(Arguments const& arguments, Console& console);
 int info_command(Arguments const& arguments, Console& console);
@@ -28,6 +29,7 @@ int doctor_command(Arguments const& arguments, Console& console);
 
 inline constexpr Command commands[] = {
     {"render", "SCENE...", "draw scenes to pictures", render_command},
+    {"view", "SCENE", "open a window on a scene", view_command},
     {"preview", "SCENE", "show a scene in the terminal", preview_command},
     {"check", "SCENE...", "report what is wrong in scenes, draw nothing", check_command},
     {"info", "FILE", "tell what is in a scene", info_command},

@@ -1,0 +1,86 @@
+#include "view/orbit_camera.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace lichtraum::view {
+namespace {
+
+constexpr Vec3 up_axis(0, 1, 0);
+
+Vec3 position_of(Camera const& camera) { return camera.world_from_camera().point(Vec3(0)); }
+Vec3 forward_of(Camera const& camera) { return glm::normalize(camera.world_from_camera().vector({0, 0, -1})); }
+Vec3 right_of(Camera const& camera) { return glm::normalize(camera.world_from_camera().vector({1, 0, 0})); }
+Vec3 up_of(Camera const& camera) { return glm::normalize(camera.world_from_camera().vector({0, 1, 0})); }
+
+Transform about(Vec3 const& point, double degrees, Vec3 const& axis) {
+  return Transform::translation(point) * Transform::rotation(degrees, axis) * Transform::translation(-point);
+}
+
+}  // namespace
+
+OrbitCamera::OrbitCamera(Camera camera, Vec3 const& center) : camera_(std::move(camera)) {
+  Vec3 const eye = position_of(camera_);
+  double const ahead = glm::dot(center - eye, forward_of(camera_));
+  // What lies beside or behind is as far ahead as it is away.
+  double const distance = ahead > 0 ? ahead : std::max(glm::distance(center, eye), 1e-3);
+  pivot_ = eye + distance * forward_of(camera_);
+}
+
+double OrbitCamera::distance() const { return glm::distance(position_of(camera_), pivot_); }
+
+void OrbitCamera::apply(Transform const& world_from_world) {
+  camera_.set_world_from_camera(world_from_world * camera_.world_from_camera());
+}
+
+void OrbitCamera::orbit(double right_degrees, double up_degrees) {
+  constexpr double highest_degrees = 89;
+  double const elevation = glm::degrees(std::asin(std::clamp(-forward_of(camera_).y, -1.0, 1.0)));
+  double const wanted =
+      std::clamp(elevation + up_degrees, std::min(-highest_degrees, elevation), std::max(highest_degrees, elevation));
+  // The axis is horizontal whatever the camera's roll: then the elevation changes by just this.
+  Vec3 const across = glm::cross(forward_of(camera_), up_axis);
+  if (glm::length(across) > 1e-6) apply(about(pivot_, elevation - wanted, across));
+  apply(about(pivot_, right_degrees, up_axis));
+}
+
+void OrbitCamera::pan(double right, double up) {
+  double const width = 2 * distance() * std::tan(glm::radians(0.5 * camera_.fov_x_degrees()));
+  Vec3 const offset = width * (right * right_of(camera_) + up * up_of(camera_));
+  apply(Transform::translation(offset));
+  pivot_ += offset;
+}
+
+void OrbitCamera::zoom(double factor) { apply(Transform::translation((1 - factor) * (pivot_ - position_of(camera_)))); }
+
+void OrbitCamera::frame(Vec3 const& center, double radius, Resolution const& size) {
+  double const half_width = std::tan(glm::radians(0.5 * camera_.fov_x_degrees()));
+  double const half_height = half_width * size.height / size.width;
+  double const distance = std::max(radius, 1e-6) / std::sin(std::atan(std::min(half_width, half_height)));
+  apply(Transform::translation(center - distance * forward_of(camera_) - position_of(camera_)));
+  pivot_ = center;
+}
+
+std::string camera_as_esdf(Camera const& camera, Resolution const& size) {
+  Vec3 const back = -forward_of(camera);
+  Vec3 const right = glm::normalize(glm::cross(up_of(camera), back));
+  glm::dquat const rotation = glm::normalize(glm::quat_cast(Mat3(right, glm::cross(back, right), back)));
+  Vec3 const axis(rotation.x, rotation.y, rotation.z);
+  double const sine = glm::length(axis);
+  Vec3 const eye = position_of(camera);
+  std::string const name = camera.name().empty() ? "view" : camera.name();
+  std::string text = fmt::format("define camera {} {} {} {}\n", name, camera.fov_x_degrees(), size.width, size.height);
+  if (sine > 1e-12) {
+    double const degrees = glm::degrees(2 * std::atan2(sine, rotation.w));
+    text +=
+        fmt::format("transform {} rotate {} {} {} {}\n", name, degrees, axis.x / sine, axis.y / sine, axis.z / sine);
+  }
+  return text + fmt::format("transform {} translate {} {} {}\n", name, eye.x, eye.y, eye.z);
+}
+
+}  // namespace lichtraum::view

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "lichtraum/camera.hpp"
+
+namespace lichtraum::view {
+
+/// A camera that is moved by hand around a point. It begins as any camera of a scene, whatever its roll.
+class OrbitCamera {
+ public:
+  /// `center`: roughly what is looked at; the camera goes around the point on its axis nearest to it.
+  OrbitCamera(Camera camera, Vec3 const& center);
+
+  Camera const& camera() const { return camera_; }
+  /// In front of the camera, on its axis, unless pan and frame moved it elsewhere with it.
+  Vec3 const& pivot() const { return pivot_; }
+  double distance() const;
+
+  /// Around the vertical line through the pivot (to the right is positive: the scene turns to the left), and up towards
+  /// its zenith, which it does not cross.
+  void orbit(double right_degrees, double up_degrees);
+  /// Camera and pivot, by shares of the picture's width at the pivot.
+  void pan(double right, double up);
+  /// Towards the pivot: 0.5 halves the distance. > 0.
+  void zoom(double factor);
+  /// Moves along its own direction until it sees all of a ball in a picture of that size.
+  void frame(Vec3 const& center, double radius, Resolution const& size);
+
+ private:
+  void apply(Transform const& world_from_world);
+
+  Camera camera_;
+  Vec3 pivot_;
+};
+
+/// Statements that define this camera in eSDF: `define camera`, a rotation and a translation, a line each. A camera
+/// that is not only turned and moved (scaled along one axis, say) loses what is more.
+std::string camera_as_esdf(Camera const& camera, Resolution const& size);
+
+}  // namespace lichtraum::view

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/view_options.hpp"
+#include "view/orbit_camera.hpp"
+#include "view/worker.hpp"
+
+struct GLFWwindow;
+
+namespace lichtraum::view {
+
+/// A window on a scene. Mouse and keys move the camera, a Worker traces what it sees.
+class Window {
+ public:
+  /// Opens it. Throws Error{unavailable} when there is no display, and what the first load of the scene throws.
+  Window(app::SceneSource const& source, app::ViewOptions const& options, app::Console const& console);
+  ~Window();
+  Window(Window const&) = delete;
+  Window& operator=(Window const&) = delete;
+
+  /// Until it is closed.
+  void run();
+
+ private:
+  struct Graphics;  // GLFW's and Dear ImGui's part
+
+  void take_news();
+  void handle_mouse();
+  void handle_keys();
+  void handle_character(char32_t character);
+  void close();
+  void draw();
+  void draw_statistics() const;
+  void draw_help() const;
+
+  void choose_camera(std::size_t number);
+  void frame_everything();
+  void show();
+  void save();
+  void copy_camera() const;
+  Resolution size() const;
+
+  app::SceneSource const& source_;
+  app::ViewOptions const& options_;
+  app::Console const& console_;
+  std::unique_ptr<Graphics> graphics_;
+  SceneView scene_;
+  std::optional<OrbitCamera> camera_;
+  bool is_moved_ = false;  // by hand: then it stays where it is when the scene is read again
+  Resolution shown_size_;
+  std::optional<Frame> frame_;
+  std::string problem_;
+  std::string device_;
+  bool is_help_open_ = false;
+  bool is_panel_open_ = true;
+  std::unique_ptr<Worker> worker_;  // last: it is ended first
+};
+
+}  // namespace lichtraum::view

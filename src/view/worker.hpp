@@ -1,0 +1,84 @@
+#pragma once
+
+#include <condition_variable>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "app/console.hpp"
+#include "app/picture_plan.hpp"
+#include "view/refinement.hpp"
+
+namespace lichtraum::view {
+
+/// A picture for the window.
+struct Frame {
+  Image image;
+  Refinement::Pass pass;
+  RenderStatistics statistics;
+  SceneStatistics scene;
+};
+
+/// What the window has to know of a scene.
+struct SceneView {
+  RenderRequest request;  ///< through the camera that comes first
+  std::vector<Camera> cameras;
+  Vec3 center{0};  ///< of what is looked at
+  Vec3 bounds_min{0};
+  Vec3 bounds_max{0};
+};
+
+/// Traces views in a thread of its own, the newest first, and reads the scene again when its file is saved.
+class Worker {
+ public:
+  /// Both must outlive it. `console`: for what is said about choosing a device.
+  Worker(app::SceneSource const& source, app::RenderOptions const& options, bool is_watching,
+         app::Console const& console);
+  ~Worker();
+  Worker(Worker const&) = delete;
+  Worker& operator=(Worker const&) = delete;
+
+  /// What is looked at from now on. Whatever is traced for an older view is given up.
+  void show(RenderRequest const& view);
+
+  struct News {
+    std::optional<Frame> frame;
+    std::optional<SceneView> scene;      ///< it was read, for the first time or again
+    std::optional<std::string> problem;  ///< why it could not be read again; empty: it could
+    std::string device;
+  };
+  /// What has come since the last call. Throws what made the thread end: an Error of the first load, or of the device.
+  News news();
+
+ private:
+  void work(std::stop_token const& stop);
+  void load(Renderer& renderer);
+  bool file_has_changed();
+  /// Whether there was something to trace.
+  bool trace_next(Renderer& renderer, std::stop_token const& stop);
+
+  app::SceneSource const& source_;
+  app::RenderOptions const& options_;
+  bool is_watching_;
+  app::Console const& console_;
+
+  // Of the thread alone.
+  SceneStatistics scene_statistics_;
+  std::shared_ptr<PreparedScene const> prepared_;
+  std::filesystem::file_time_type file_time_{};
+  std::uintmax_t file_size_ = 0;
+
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable changed_;
+  std::optional<RenderRequest> view_;
+  bool is_new_view_ = false;
+  Refinement refinement_;
+  News news_;
+  std::exception_ptr failure_;
+
+  std::jthread thread_;
+};
+
+}  // namespace lichtraum::view

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lichtraum.hpp"
+#include "pictures.hpp"
+#include "support/catch.hpp"
+#include "support/skip.hpp"
+
+namespace {
+
+/// A ball beside the middle, on a floor.
+constexpr char const* scene_without_camera =
+    "define material red 0 0 0  0.8 0.1 0.1  0 0 0  1\n"
+    "define material grey 0 0 0  0.5 0.5 0.5  0 0 0  1\n"
+    "define shape sphere ball 0.5 0 0  1 red\n"
+    "define shape box floor -60 -2 -60  60 -1 60 grey\n"
+    "define light diffuse sun 3 6 5  1 1 1\n"
+    "define background 0.1 0.2 0.4\n";
+constexpr char const* camera = "define camera eye 50 320 240\ntransform eye translate 0 0.5 6\n";
+
+/// Mean of the differences, of 255, in rows [first, last).
+double difference(DecodedImage const& a, DecodedImage const& b, int first = 0, int last = 240) {
+  double sum = 0;
+  for (int y = first; y < last; ++y) {
+    for (int x = 0; x < 320; ++x) {
+      for (int channel = 0; channel < 3; ++channel) sum += std::abs(double(a.at(x, y, channel) - b.at(x, y, channel)));
+    }
+  }
+  return sum / (3.0 * 320 * (last - first));
+}
+
+bool is_installed(char const* program) {
+  Process process;
+  process.arguments = {"sh", "-c", std::string("command -v ") + program};
+  return run_process(process).exit_code == 0;
+}
+
+}  // namespace
+
+TEST_CASE("without a display or without its program, a window is refused in one line", "[app][view]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("scene.sdf", std::string(scene_without_camera) + camera);
+  Process process = lichtraum.process("view scene.sdf");
+  process.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
+  auto const result = run_process(process);
+  CHECK(result.exit_code == 69);
+  CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+  CHECK(lichtraum("view -").exit_code == 64);
+  CHECK(lichtraum("view scene.sdf --nonsense").exit_code == 64);
+}
+
+#ifdef LICHTRAUM_HAS_WINDOW
+TEST_CASE("a window is opened, turned, saved to, and closed", "[app][view]") {
+  for (char const* const program : {"Xvfb", "xdotool", "ffmpeg"}) {
+    if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
+  }
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("scene.sdf", std::string(scene_without_camera) + camera);
+  Process process;
+  process.arguments = {LICHTRAUM_SOURCE_DIR "/tests/app/view_in_xvfb.sh", LICHTRAUM_PROGRAM, lichtraum.folder.path()};
+  process.timeout_seconds = 150;
+  auto const result = run_process(process);
+  std::filesystem::path const artifacts = LICHTRAUM_ARTIFACT_DIR "/view";
+  std::filesystem::create_directories(artifacts);
+  for (char const* const name : {"opened.png", "turned.png", "saved.png", "faulty.png"}) {
+    std::error_code ignored;
+    std::filesystem::copy_file(lichtraum.folder / name, artifacts / name,
+                               std::filesystem::copy_options::overwrite_existing, ignored);
+  }
+  INFO(result.out + result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(lichtraum.folder.read("exit_code") == "0\n");
+
+  auto const shot = [&](char const* name) { return decode(lichtraum.folder.read(name)); };
+  auto const drawn = [&](std::string const& scene) {
+    lichtraum.folder.write("drawn.sdf", scene);
+    REQUIRE(lichtraum("render -q drawn.sdf --samples 4x4 -o drawn.png").exit_code == 0);
+    return shot("drawn.png");
+  };
+  // What is seen is what is rendered: first through the scene's camera, then through the one that was copied.
+  CHECK(difference(shot("opened.png"), drawn(std::string(scene_without_camera) + camera)) < 0.5);
+  CHECK(difference(shot("turned.png"), shot("opened.png")) > 5);
+  CHECK(difference(shot("turned.png"), drawn(scene_without_camera + lichtraum.folder.read("camera.sdf"))) < 0.5);
+  CHECK(difference(shot("turned.png"), shot("scene_view_0001.png")) < 0.5);
+  // The ball has become green, seen from where it was; the mistake is shown below, over a picture that stays.
+  CHECK(shot("turned.png").at(170, 120, 0) > shot("turned.png").at(170, 120, 1));
+  CHECK(shot("saved.png").at(170, 120, 1) > shot("saved.png").at(170, 120, 0));
+  CHECK(difference(shot("faulty.png"), shot("saved.png"), 0, 150) < 0.5);
+  CHECK(difference(shot("faulty.png"), shot("saved.png"), 180, 240) > 5);
+  CHECK_THAT(lichtraum.folder.read("log.txt"), contains_text("nonsense"));
+}
+#endif

@@ -1,0 +1,120 @@
+#include "view/orbit_camera.hpp"
+
+#include "lichtraum/esdf.hpp"
+#include "support/catch.hpp"
+#include "view/refinement.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::view;
+
+namespace {
+
+constexpr Resolution size{64, 48};
+
+Vec3 eye_of(OrbitCamera const& camera) { return camera.camera().world_from_camera().point(Vec3(0)); }
+
+Camera at(Vec3 const& eye, Vec3 const& target) {
+  return Camera("eye", 50, Transform::look_along(eye, target - eye, {0, 1, 0}));
+}
+
+/// How far apart two cameras' rays are at most, at the picture's corners and middle.
+double difference(Camera const& a, Camera const& b) {
+  double largest = 0;
+  for (auto const& [x, y] :
+       {std::pair(0, 0), std::pair(64, 0), std::pair(0, 48), std::pair(64, 48), std::pair(32, 24)}) {
+    Ray const ray_a = a.generate_ray(x, y, size), ray_b = b.generate_ray(x, y, size);
+    largest =
+        std::max({largest, glm::distance(ray_a.origin, ray_b.origin), glm::distance(ray_a.direction, ray_b.direction)});
+  }
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("a camera written as eSDF sees the same", "[unit][view]") {
+  std::vector<Transform> const places{
+      Transform(),
+      Transform::translation({1e-3, -2.5, 1e4}),
+      Transform::look_along({3, 4, 5}, {-1, -2, -0.5}, {0, 1, 0}),
+      Transform::look_along({0, 9, 0}, {0, -1, 0}, {0, 0, -1}),
+      Transform::rotation(180, {0, 1, 0}),
+      Transform::rotation(180, {1, 1, 0}),
+      Transform::translation({1, 2, 3}) * Transform::rotation(77, {3, -1, 2}),
+      Transform::rotation(30, {0, 0, 1}) * Transform::scaling(Vec3(2.5)),
+  };
+  EsdfOptions strict;
+  strict.strict = true;
+  for (Transform const& place : places) {
+    Camera const camera("my_eye", 41.25, place);
+    std::string const text = camera_as_esdf(camera, size);
+    INFO(text);
+    Scene const scene = EsdfScript::from_text(text, "camera", strict).take_scene();
+    REQUIRE(scene.cameras.size() == 1);
+    CHECK(scene.cameras.front().name() == "my_eye");
+    CHECK(scene.cameras.front().resolution() == size);
+    CHECK(difference(scene.cameras.front(), camera) < 1e-9);
+  }
+}
+
+TEST_CASE("a camera orbits at its distance, and not over the zenith", "[unit][view]") {
+  Camera const start = at({0, 3, 10}, {0, 0, 0});
+  OrbitCamera camera(start, Vec3(0));
+  CHECK(difference(camera.camera(), start) == 0);
+  CHECK(glm::length(camera.pivot()) < 1e-12);
+  camera.orbit(90, 0);
+  CHECK(glm::distance(eye_of(camera), Vec3(10, 3, 0)) < 1e-9);
+  camera.orbit(-90, 0);
+  CHECK(difference(camera.camera(), start) < 1e-9);
+  camera.orbit(0, 20);
+  camera.orbit(0, -20);
+  CHECK(difference(camera.camera(), start) < 1e-9);
+  double const distance = camera.distance();
+  for (int i = 0; i < 50; ++i) camera.orbit(7, 11);
+  CHECK(eye_of(camera).y > 0.999 * distance);
+  CHECK(camera.distance() == Approx(distance));
+  // It is not upside down, and comes down again on its side.
+  CHECK(camera.camera().world_from_camera().vector({0, 1, 0}).y > 0);
+  for (int i = 0; i < 50; ++i) camera.orbit(0, -11);
+  CHECK(eye_of(camera).y < -0.999 * distance);
+  CHECK(glm::length(camera.pivot()) < 1e-9);
+}
+
+TEST_CASE("a camera pans, zooms and frames", "[unit][view]") {
+  OrbitCamera camera(at({0, 0, 10}, {0, 0, 0}), Vec3(0));
+  camera.zoom(0.5);
+  CHECK(glm::distance(eye_of(camera), Vec3(0, 0, 5)) < 1e-12);
+  camera.zoom(2);
+  double const width = 20 * std::tan(25 * 3.14159265358979 / 180);
+  camera.pan(0.5, 0.25);
+  CHECK(glm::distance(eye_of(camera), Vec3(width / 2, width / 4, 10)) < 1e-9);
+  CHECK(glm::distance(camera.pivot(), Vec3(width / 2, width / 4, 0)) < 1e-9);
+  camera.frame({1, 2, 3}, 2, size);
+  CHECK(glm::distance(camera.pivot(), Vec3(1, 2, 3)) < 1e-12);
+  // The ball touches the picture's upper edge: the ray there passes it at its radius.
+  Ray const ray = camera.camera().generate_ray(32, 0, size);
+  double const passes_at = glm::length(glm::cross(Vec3(1, 2, 3) - ray.origin, ray.direction));
+  CHECK(passes_at == Approx(2));
+  // What is behind a camera is no reason to turn it.
+  OrbitCamera const away(at({0, 0, 10}, {0, 0, 20}), Vec3(0));
+  CHECK(difference(away.camera(), at({0, 0, 10}, {0, 0, 20})) == 0);
+  CHECK(glm::distance(away.pivot(), Vec3(0, 0, 20)) < 1e-9);
+}
+
+TEST_CASE("a view is refined from coarse to smooth", "[unit][view]") {
+  RenderRequest view;
+  view.resolution = {101, 50};
+  Refinement refinement;
+  double last_work = 0;
+  int passes = 0;
+  while (auto const pass = refinement.next()) {
+    RenderRequest const request = Refinement::request(view, *pass);
+    double const work = double(request.resolution.width) * request.resolution.height * request.sampling.count;
+    if (passes++ == 0) CHECK(request.resolution == Resolution{13, 7});
+    CHECK(work > last_work);
+    CHECK(request.region.width == request.resolution.width);
+    last_work = work;
+  }
+  CHECK(last_work == 101 * 50 * 16);
+  refinement.restart();
+  CHECK(refinement.next()->pixel_side == 8);
+}

@@ -1,36 +1,56 @@
 #include "mesh_file.hpp"
 
-#include <cstring>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
+#include "lichtraum/gltf.hpp"
 
 namespace lichtraum::bench {
+namespace {
+
+/// Puts every mesh below a shape into one, in the world.
+class Collector final : public ShapeVisitor {
+ public:
+  TriangleMesh mesh;
+
+  void walk(Shape const& root) {
+    open_.push_back({&root, Transform()});
+    while (!open_.empty()) {
+      auto const [shape, world_from_parent] = open_.back();
+      open_.pop_back();
+      world_from_shape_ = world_from_parent * shape->world_from_object();
+      shape->accept(*this);
+    }
+  }
+
+  void visit(Mesh const& shape) override {
+    MeshGeometry const& geometry = *shape.geometry();
+    auto const first = std::uint32_t(mesh.positions.size());
+    for (Float3 const& p : geometry.positions) {
+      Vec3 const q = world_from_shape_.point({p[0], p[1], p[2]});
+      mesh.positions.push_back({float(q.x), float(q.y), float(q.z)});
+    }
+    for (std::size_t i = 0; i + 2 < geometry.indices.size(); i += 3) {
+      mesh.triangles.push_back(
+          {first + geometry.indices[i], first + geometry.indices[i + 1], first + geometry.indices[i + 2]});
+    }
+  }
+  void visit(Composite const& composite) override {
+    for (auto const& child : composite.children()) open_.emplace_back(child.get(), world_from_shape_);
+  }
+  void visit(Sphere const&) override {}
+  void visit(Box const&) override {}
+  void visit(Triangle const&) override {}
+
+ private:
+  std::vector<std::pair<Shape const*, Transform>> open_;
+  Transform world_from_shape_;
+};
+
+}  // namespace
 
 TriangleMesh read_mesh(std::string const& path) {
-  // Positions, then indices, as they are in the binary chunk of the two measured files.
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw std::runtime_error("cannot read " + path);
-  std::stringstream text;
-  text << in.rdbuf();
-  std::string const all = text.str();
-  std::uint32_t json_length;
-  std::memcpy(&json_length, all.data() + 12, 4);
-  std::string const json = all.substr(20, json_length);
-  auto const number_after = [&](std::string const& key, std::size_t from) {
-    return std::stoul(json.substr(json.find(key, from) + key.size()));
-  };
-  std::size_t const accessors = json.find("\"accessors\"");
-  std::size_t const first = json.find("\"count\":", accessors);
-  std::size_t const vertex_count = number_after("\"count\":", accessors);
-  std::size_t const index_count = number_after("\"count\":", first + 8);
-  TriangleMesh mesh;
-  mesh.positions.resize(vertex_count);
-  mesh.triangles.resize(index_count / 3);
-  char const* data = all.data() + 20 + json_length + 8;
-  std::memcpy(mesh.positions.data(), data, vertex_count * 12);
-  std::memcpy(mesh.triangles.data(), data + vertex_count * 12, index_count * 4);
-  return mesh;
+  Scene const scene = load_gltf(path);
+  Collector collector;
+  for (auto const& root : scene.roots()) collector.walk(*root);
+  return std::move(collector.mesh);
 }
 
 }  // namespace lichtraum::bench

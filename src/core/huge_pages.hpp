@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <vector>
 
 namespace lichtraum {
 
-/// vector.reserve for long lists: the system may give memory in large pages, as most of the time that filling tens of
-/// megabytes takes goes into one page fault every four kilobytes. Only advice; without effect where there are none.
-template <class T>
-void reserve_in_huge_pages(std::vector<T>& list, std::size_t size) {
+/// reserve() of a vector or string that becomes long: the system may give memory in large pages, as most of the time
+/// that filling tens of megabytes takes goes into one page fault every four kilobytes. Only advice; without effect
+/// where there are none.
+template <class List>
+void reserve_in_huge_pages(List& list, std::size_t size) {
   if (size <= list.capacity()) return;
   list.reserve(std::max(size, 2 * list.capacity()));  // twice: many small additions stay linear
 #ifdef MADV_HUGEPAGE

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "core/huge_pages.hpp"
 #include "lichtraum/error.hpp"
 
 namespace lichtraum {
@@ -63,7 +64,9 @@ std::string read_file(std::filesystem::path const& path, std::size_t stream_limi
   std::size_t size = 0;
   try {
     // One byte more than the file has, so that its end is seen without growing.
-    bytes.resize(is_regular ? static_cast<std::size_t>(status.st_size) + 1 : stream_block);
+    std::size_t const first_size = is_regular ? static_cast<std::size_t>(status.st_size) + 1 : stream_block;
+    reserve_in_huge_pages(bytes, first_size);
+    bytes.resize(first_size);
     while (std::size_t const count = read_some(file.number(), bytes.data() + size, bytes.size() - size, path)) {
       size += count;
       if (!is_regular && size > stream_limit) {

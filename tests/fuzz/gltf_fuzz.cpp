@@ -7,8 +7,7 @@
 #include "lichtraum/gltf.hpp"
 #include "scene/flatten.hpp"
 
-// libFuzzer's target for the importer. Run it on seeds from tools/make_gltf_seeds:
-//   gltf_fuzz -max_total_time=60 -rss_limit_mb=2048 seeds
+// Any bytes are read as a glTF file, with its animation at a time; tools/fuzz runs this.
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
   static std::filesystem::path const path =
       std::filesystem::temp_directory_path() / ("lichtraum-fuzz-" + std::to_string(::getpid()) + ".gltf");

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <limits>
 
+#include "core/huge_pages.hpp"
+
 namespace lichtraum::gltf {
 namespace {
 
@@ -279,6 +281,7 @@ template <std::size_t N>
 std::optional<std::vector<std::array<float, N>>> Accessors::vectors(int accessor, std::string_view pointer) {
   std::vector<std::array<float, N>> elements;
   auto const allocate = [&](std::size_t count, std::size_t) {
+    reserve_in_huge_pages(elements, count);
     elements.resize(count);
     return elements.data()->data();
   };
@@ -305,6 +308,7 @@ std::optional<std::vector<std::uint32_t>> Accessors::integers(int accessor, std:
   }
   std::vector<std::uint32_t> elements;
   auto const allocate = [&](std::size_t count, std::size_t found) {
+    reserve_in_huge_pages(elements, count * found);
     elements.resize(count * found);
     return elements.data();
   };

@@ -1,0 +1,21 @@
+#include <cstdint>
+#include <string>
+
+#include "io/obj/phong_from_mtl.hpp"
+#include "lichtraum/obj.hpp"
+#include "scene/flatten.hpp"
+
+// Any bytes are read as an OBJ file and as an MTL file; tools/fuzz runs this.
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
+  std::string text(reinterpret_cast<char const*>(data), size);
+  try {
+    lichtraum::Diagnostics diagnostics("fuzz.mtl", 100);
+    lichtraum::normalise_line_breaks(text);
+    for (auto const& material : lichtraum::obj::read_mtl(text, diagnostics)) {
+      lichtraum::obj::phong_from_mtl(material, {});
+    }
+    lichtraum::flatten(lichtraum::import_obj_text(text, "fuzz.obj", "/nonexistent").scene.roots());
+  } catch (lichtraum::Error const&) {  // what a faulty model must end in; anything else is a finding
+  }
+  return 0;
+}

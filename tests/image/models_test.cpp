@@ -59,7 +59,7 @@ TEST_CASE("the models of the gallery look alike on the device and in the referen
     if (name == "tentacle" || name == "flag") options.time_seconds = 1.4;
     Model const model = import_model(folder / (name + ".glb"), options);
     for (auto const& diagnostic : model.diagnostics) UNSCOPED_INFO(diagnostic.message);
-    if (name != "room") CHECK(model.diagnostics.empty());  // its spot lights may be more than the importer can do
+    CHECK(model.diagnostics.empty());
     RenderRequest const request = whole_picture(model.scene.cameras.front(), {64, 48});
     Image const expected = render_reference(model.scene, request);
     check_picture(render_on(opencl_devices().front(), model.scene, request), expected, "model_" + name, textured_share);

@@ -83,6 +83,7 @@ TEST_CASE("OBJ: colours of vertices become linear", "[unit][obj]") {
   CHECK(colors[1][0] == 1);
   CHECK(colors[1][1] == Approx(0.2140411));  // IEC 61966-2-1
   CHECK(colors[1][2] == 0);
+  CHECK(mesh_of(model.scene, "mesh").material()->pbr());  // they change its base colour
 }
 
 TEST_CASE("OBJ: what is wrong is told with its place and left out", "[unit][obj]") {
@@ -157,6 +158,8 @@ TEST_CASE("MTL: Phong's coefficients, mirrors and glass", "[unit][obj]") {
   CHECK(material("glass").transmit() == 0.75);
   CHECK(material("glass").reflect() == 0.25);
   CHECK(material("glass").ior() == 1.5);
+  CHECK(material("glass").pbr()->transmission == 0.75);
+  CHECK(material("thin").pbr()->alpha_mode == AlphaMode::blend);
   CHECK(material("thin").transmit() == 0.5);
   CHECK(material("thin").ior() == 1);
   CHECK(material("matt").ks() == Rgb(0));

@@ -121,7 +121,7 @@ def sponge():
     half = size / 2
     cube = m.mesh("cube", (g.box((-half,) * 3, (half,) * 3), 0))
     m.instances("sponge", cube, cubes)
-    m.camera((4.6, 3.6, 6.8), (0, -0.1, 0))
+    m.camera((5.0, 3.9, 7.5), (0, -0.1, 0))
     return m
 
 

@@ -54,7 +54,7 @@ def chess():
             m.node(mesh=meshes[side, "pawn"], translation=[file - 3.5, 0, z + forward + moved_pawns.get((side, file), 0)])
     m.light("directional", (-3, 6, 2), intensity=3)
     m.light("directional", (5, 3, 5), intensity=1)
-    m.camera((5.4, 7.2, 12.0), (0, 0.1, 0.1))
+    m.camera((5.0, 7.6, 13.0), (-0.2, 0, 0.1))
     return m
 
 
@@ -169,7 +169,7 @@ def flag():
     sheet = g.surface(60, 30, lambda u, v: (3 * u, 1.8 * (1 - v), 0.0))
     sheet["indices"] = sheet["indices"][::-1]
     del sheet["normals"]  # they would have to follow the waves: flat ones do
-    sheet["targets"] = [[(0.0, 0.0, 0.3 * (x / 3) * f(2.2 * x + 0.6 * y)) for x, y, _ in sheet["positions"]]
+    sheet["targets"] = [[(0.0, 0.0, 0.55 * (x / 3) * f(2.2 * x + 0.6 * y)) for x, y, _ in sheet["positions"]]
                         for f in (math.sin, math.cos)]
     node = m.node("flag", mesh=m.mesh("flag", (sheet, cloth)), translation=[0, 1.7, 0])
     times = m.accessor([0.25 * i for i in range(9)], "SCALAR")
@@ -178,7 +178,7 @@ def flag():
                          "channels": [{"sampler": 0, "target": {"node": node, "path": "weights"}}]})
     wood = m.material("pole", (0.5, 0.35, 0.2, 1), roughness=0.6)
     m.node("pole", mesh=m.mesh("pole", (g.tube(lambda t: (-0.05, 3.8 * t, 0.0), 0.06, rows=4, aside=(0.0, 0.0, 1.0)), wood)))
-    m.camera((2.6, 2.6, 7.0), (1.3, 2.0, 0))
+    m.camera((3.4, 2.8, 6.8), (1.3, 2.0, 0))
     return m
 
 

@@ -51,7 +51,13 @@ std::shared_ptr<Material> phong_from_mtl(MtlMaterial const& source, MtlTextures 
   pbr->normal_texture = slot(source.norm, textures.norm);
   pbr->emissive = source.ke.value_or(Rgb(0));
   pbr->emissive_texture = slot(source.map_ke, textures.map_ke);
-  pbr->alpha_mode = opacity < 1 ? AlphaMode::blend : AlphaMode::opaque;
+  if (refracts) {  // a body, not a film
+    pbr->base_color.a = 1;
+    pbr->transmission = transmit;
+    pbr->thickness = 1;
+  } else if (opacity < 1) {
+    pbr->alpha_mode = AlphaMode::blend;
+  }
   pbr->ior = ior >= 1 ? ior : 1.5;
   pbr->specular = ks == Rgb(0) ? 0 : 1;
   material->set_pbr(std::move(pbr));

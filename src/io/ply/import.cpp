@@ -39,8 +39,7 @@ std::shared_ptr<Material> material_of(std::string const& texture_file, MeshGeome
                      : read_texture(texture_file, folder, options, diagnostics);
   auto material = default_material(texture || !geometry.colors.empty());
   if (texture) {
-    auto pbr = std::make_shared<PbrMaterial>();
-    pbr->metallic = 0;
+    auto pbr = std::make_shared<PbrMaterial>(matt_pbr(Rgb(1)));
     pbr->base_color_texture.texture = std::move(texture);
     material->set_pbr(std::move(pbr));
   }

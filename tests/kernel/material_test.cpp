@@ -1,6 +1,5 @@
-/// What a material and a light are at one point: textures, Phong's coefficients, fall-off, terminator.
+/// What a material is at one point: textures, Phong's coefficients.
 
-#include "compile/light_table.hpp"
 #include "compile/material_table.hpp"
 #include "reference.hpp"
 #include "scene/pbr_evaluation.hpp"
@@ -266,72 +265,5 @@ TEST_CASE("Phong's coefficients follow the documented mapping, in either languag
         max_abs(to_vec3(found[i].emission) - alpha * emission) < 1e-6 &&
         found[i].ior == (p.is_unlit ? 1 : p.refraction_ior);
     if (!agrees) FAIL("the mapping");
-  }
-}
-
-TEST_CASE("Lights fall off, have cones and directions as KHR_lights_punctual says", "[kernel]") {
-  NEEDS_OPENCL_DEVICE();
-  Random random(73);
-  std::size_t const count = scaled_count(4000);
-  std::vector<Light> lights;
-  std::vector<device::PunctualLight> table;
-  std::vector<float4> positions, to_lights(count), arriving(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    Vec3 const place = random.in_cube(3), direction = random.direction();
-    Rgb const ld(random.uniform(0, 5), 1, 2);
-    double const range = i % 3 == 0 ? infinity : random.uniform(1, 8);
-    double const inner = i % 5 == 0 ? 0 : random.uniform(0, 60);
-    Light const kinds[] = {Light::point("", place, ld), Light::falling_off("", place, ld, range),
-                           Light::spot("", place, direction, ld, {inner, inner + random.uniform(5, 30)}, range),
-                           Light::directional("", direction, ld)};
-    Registry<Light> one;
-    one.insert(kinds[i % 4]);
-    lights.push_back(kinds[i % 4]);
-    table.push_back(make_light_table(one, Bounds()).front());
-    positions.push_back(to_float4(random.in_cube(4)));
-  }
-  ProbeProgram("material.cl")
-      .run("probe_sample_light", count, {in(table), in(positions), out(to_lights), out(arriving)});
-  std::size_t dark = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    Vec3 const position = to_vec3(positions[i]);
-    Rgb const expected = lights[i].arriving_at(position);
-    Vec3 const to_light =
-        lights[i].has_position() ? glm::normalize(lights[i].position() - position) : -lights[i].direction();
-    dark += expected == Rgb(0);
-    INFO("light " << i << ", " << lights[i]);
-    // A narrow cone's edge takes a cosine's last digits a hundredfold.
-    if (max_abs(to_vec3(arriving[i]) - expected) > 1e-4 * (1 + max_abs(expected))) FAIL("what arrives");
-    if (max_abs(to_vec3(to_lights[i]) - to_light) > 1e-5) FAIL("where from");
-  }
-  if (count >= 1000) {
-    CHECK(dark > count / 20);
-    CHECK(dark < count / 2);
-  }
-}
-
-TEST_CASE("The terminator is dark behind the triangle, and changes nothing where the normals agree", "[kernel]") {
-  NEEDS_OPENCL_DEVICE();
-  Random random(74);
-  std::size_t const count = scaled_count(10000);
-  std::vector<float4> geometric, normals, to_lights;
-  for (std::size_t i = 0; i < count; ++i) {
-    Vec3 const g = random.direction(), l = random.direction();
-    geometric.push_back(to_float4(g));
-    normals.push_back(to_float4(i % 4 == 0 ? g : glm::normalize(g + random.in_cube(0.8))));
-    to_lights.push_back(to_float4(l));
-  }
-  std::vector<float> shares(count);
-  ProbeProgram("material.cl").run("probe_terminator", count, {in(geometric), in(normals), in(to_lights), out(shares)});
-  for (std::size_t i = 0; i < count; ++i) {
-    double const g_l = glm::dot(to_vec3(geometric[i]), to_vec3(to_lights[i]));
-    double const n_l = glm::dot(to_vec3(normals[i]), to_vec3(to_lights[i]));
-    double const g_n = glm::dot(to_vec3(geometric[i]), to_vec3(normals[i]));
-    if (std::min({std::abs(g_l), std::abs(n_l), std::abs(g_n)}) < 1e-3) continue;  // the sign is rounding's
-    double const g = std::min(1.0, g_l / (n_l * g_n));
-    double const expected = g_l > 0 && n_l > 0 && g_n > 0 ? -g * g * g + g * g + g : 0;
-    INFO("case " << i);
-    if (std::abs(shares[i] - expected) > 1e-4) FAIL("share " << shares[i] << ", expected " << expected);
-    if (i % 4 == 0 && g_l > 0 && std::abs(shares[i] - 1) > 1e-5) FAIL("same normals");
   }
 }

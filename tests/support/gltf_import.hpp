@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lichtraum/gltf.hpp"
+#include "support/gltf_writer.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace lichtraum::testing {
+
+/// What a writer's model is imported as.
+inline Model import_model(GltfWriter const& writer, ModelOptions const& options = {}, char const* name = "model.gltf") {
+  TemporaryFolder const folder;
+  return import_gltf(folder.write(name, std::string_view(name).ends_with(".glb") ? writer.glb() : writer.text()),
+                     options);
+}
+
+/// Its warnings, a line each.
+inline std::string messages(Model const& model) {
+  std::string all;
+  for (auto const& d : model.diagnostics) all += d.message + '\n';
+  return all;
+}
+
+}  // namespace lichtraum::testing

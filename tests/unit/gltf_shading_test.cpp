@@ -1,0 +1,114 @@
+/// Cameras, lights and materials of glTF models.
+
+#include "support/catch.hpp"
+#include "support/gltf_import.hpp"
+
+using namespace lichtraum;
+using testing::GltfWriter;
+using testing::import_model;
+using testing::messages;
+
+namespace {
+
+std::vector<float> const triangle_positions = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+
+}  // namespace
+
+TEST_CASE("cameras and lights stand where their nodes do", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  writer.json["cameras"] = {
+      {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"aspectRatio", 2}, {"znear", 1}}}}};
+  writer.json["nodes"].push_back({{"name", "eye"}, {"camera", 0}, {"translation", {0, 0, 5}}});
+  writer.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+      {{"type", "directional"}, {"intensity", 3}, {"color", {1, 0.5, 0}}}, {{"type", "point"}, {"intensity", 0}}};
+  writer.json["nodes"].push_back({{"name", "sun"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  Model const model = import_model(writer);
+  CHECK(messages(model) == "");
+  REQUIRE(model.scene.cameras.size() == 1);
+  Camera const& camera = model.scene.cameras.front();
+  CHECK(camera.name() == "eye");
+  CHECK(std::tan(camera.fov_x_degrees() * 3.14159265358979 / 360) == Approx(2 * std::tan(0.5)));
+  CHECK(camera.generate_ray(720, 360, {1440, 720}).origin == Vec3(0, 0, 5));
+  Light const* sun = model.scene.lights.find("sun");
+  REQUIRE(sun);
+  CHECK(sun->kind() == LightKind::directional);
+  CHECK(sun->ld() == Rgb(1, 0.5, 0));
+  CHECK(sun->direction() == Vec3(0, 0, -1));
+}
+
+TEST_CASE("lights keep their fall-off, cones and proportions under one exposure", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh({-1, 0, 0, 1, 0, 0, 0, 0, 0});  // its middle is the origin; half its size is 1
+  auto const add = [&](char const* name, nlohmann::json light, Vec3 const& place) {
+    auto& lights = writer.json["extensions"]["KHR_lights_punctual"]["lights"];
+    lights.push_back(std::move(light));
+    writer.json["nodes"].push_back({{"name", name},
+                                    {"translation", {place.x, place.y, place.z}},
+                                    {"extensions", {{"KHR_lights_punctual", {{"light", lights.size() - 1}}}}}});
+  };
+  add("lamp", {{"type", "point"}, {"intensity", 40}, {"range", 7.0}}, {0, 0, 2});  // 10 at the middle
+  add("torch", {{"type", "spot"}, {"intensity", 500}, {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.3}}}},
+      {0, 5, 0});                                                       // 20
+  add("inside", {{"type", "point"}, {"intensity", 10}}, {0, 0, 0});     // 10: half the size counts
+  add("sky", {{"type", "directional"}, {"intensity", 10}}, {0, 0, 0});  // 10
+  Model const model = import_model(writer);
+  CHECK(messages(model) == "");
+  auto const light = [&](char const* name) { return *model.scene.lights.find(name); };
+  CHECK(glm::distance(light("lamp").arriving_at(Vec3(0)), Rgb(0.2 * (1 - std::pow(2.0 / 7, 4)))) < 1e-6);
+  CHECK(light("lamp").falls_off());
+  CHECK(light("lamp").range() == 7);
+  CHECK(light("torch").kind() == LightKind::spot);
+  CHECK(light("torch").cone().outer_degrees == Approx(0.3 * 180 / 3.14159265358979));
+  CHECK(light("torch").arriving_at(Vec3(0)) == Rgb(0));  // it shines along -z
+  CHECK(glm::distance(light("torch").arriving_at({0, 5, -5}), Rgb(0.4)) < 1e-6);
+  CHECK(glm::distance(light("inside").arriving_at({1, 0, 0}), Rgb(0.2)) < 1e-6);
+  CHECK(glm::distance(light("sky").arriving_at({9, 9, 9}), Rgb(0.2)) < 1e-6);
+}
+
+TEST_CASE("a spot light without a cone is named, and shines all around", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  writer.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+      {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}}}}};
+  writer.json["nodes"].push_back({{"name", "lamp"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  Model const model = import_model(writer);
+  CHECK(messages(model).find("/extensions/KHR_lights_punctual/lights/0/spot: ") == 0);
+  CHECK(model.scene.lights.find("lamp")->kind() == LightKind::point);
+}
+
+TEST_CASE("a primitive without a material is light grey, and takes its vertices' colours", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  Model const model = import_model(writer);
+  Material const& material = **model.scene.materials.find("default");
+  CHECK(glm::distance(material.kd(), Rgb(0.8)) < 1e-6);
+  CHECK(material.ks() == Rgb(0));
+  REQUIRE(material.pbr());  // which colours multiply
+  CHECK(material.pbr()->metallic == 0);
+}
+
+TEST_CASE("materials are kept whole and mapped to Phong", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions)["material"] = 0;
+  writer.json["materials"] = {
+      {{"name", "paint"},
+       {"pbrMetallicRoughness",
+        {{"baseColorFactor", {1, 0.5, 0, 0.25}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}},
+       {"alphaMode", "BLEND"},
+       {"emissiveFactor", {0, 0, 0.5}},
+       {"extensions",
+        {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}},
+         {"KHR_materials_clearcoat", {{"clearcoatFactor", 0.75}}}}}}};
+  Model const model = import_model(writer);
+  Material const& paint = **model.scene.materials.find("paint");
+  CHECK(paint.kd() == Rgb(1, 0.5, 0));
+  CHECK(paint.m() == 0);
+  CHECK(paint.transmit() == 0.75);
+  CHECK(paint.ior() == 1);
+  CHECK(paint.emission() == Rgb(0, 0, 0.5));  // a quarter of it is there
+  REQUIRE(paint.pbr());
+  CHECK(paint.pbr()->clearcoat == 0.75);
+  CHECK(paint.pbr()->base_color == glm::dvec4(1, 0.5, 0, 0.25));
+  CHECK(paint.pbr()->alpha_mode == AlphaMode::blend);
+}

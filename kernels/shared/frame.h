@@ -34,6 +34,9 @@ DEVICE_STRUCT_SIZE(PinholeCamera, 64);
 #define SCENE_CUTOUTS 2u      /* a material is there, or lets light through, in some points only */
 #define SCENE_ATTRIBUTES 4u   /* triangles have vertices with normals, colours or texture coordinates */
 #define SCENE_PBR 8u          /* a material is derived from a physically based one */
+#define SCENE_LIGHT_KINDS 16u /* a light is not LIGHT_CONSTANT */
+/* What eSDF's own shapes, materials and lights can have. */
+#define SCENE_PLAIN SCENE_TRANSPARENCY
 
 /* Everything about the picture that is the same for each of its pixels. */
 typedef struct {

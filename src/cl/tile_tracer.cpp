@@ -172,6 +172,7 @@ struct TileTracer::State {
     if (scene->traversal != Traversal::scalar) {
       options += fmt::format(" -D TRAVERSAL_STACK_SIZE={}", traversal_stack_size(scene->stack_size));
     }
+    if ((scene->features & ~SCENE_PLAIN) == 0) options += fmt::format(" -D POSSIBLE_FEATURES={}", SCENE_PLAIN);
     auto found = kernels.find(options);
     if (found == kernels.end()) {
       auto const program = build_program(context, device, "render", options);

@@ -270,6 +270,9 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tra
   buffers.texels = std::move(table.texels);
   buffers.features |= table.features;
   buffers.lights = make_light_table(lights, buffers.world_bounds);
+  for (device::PunctualLight const& light : buffers.lights) {
+    if (light.kind != LIGHT_CONSTANT) buffers.features |= SCENE_LIGHT_KINDS;
+  }
   buffers.unrepresentable += scene.unrepresentable;
   compiler.scene_content().add(buffers.vertex_data);
   compiler.scene_content().add(buffers.materials);

@@ -1,15 +1,21 @@
 #!/bin/sh
-# run_under_oclgrind.sh PROGRAM [ARGUMENT...]: fails when the program does, and when Oclgrind finds an access out of bounds,
-# a data race, a use of an uninitialised value or a wrong API call. Oclgrind's exit status says nothing of these: its log
+# run_under_oclgrind.sh [--ignore-uninitialized] PROGRAM [ARGUMENT...]: fails when the program does, and when Oclgrind finds an
+# access out of bounds, a data race, a use of an uninitialised value (unless that is ignored) or a wrong API call. Oclgrind's exit status says nothing of these: its log
 # does. Kernels are compiled without optimisation and inlining, because Oclgrind 21.10 does not know all that clang makes of
 # them.
+uninitialized=--uninitialized
+if [ "$1" = --ignore-uninitialized ]; then
+  uninitialized=
+  shift
+fi
 if ! command -v oclgrind >/dev/null; then
   echo "SKIPPED: kernel tests under Oclgrind: oclgrind is not installed"
   exit 0
 fi
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-oclgrind --check-api --data-races --uninitialized --build-options "-O0 -D ALWAYS_INLINE=" --log "$log" "$@"
+# shellcheck disable=SC2086 # nothing, or one word
+oclgrind --check-api --data-races $uninitialized --build-options "-O0 -D ALWAYS_INLINE=" --log "$log" "$@"
 status=$?
 if [ -s "$log" ]; then
   echo "Oclgrind found:"

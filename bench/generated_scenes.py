@@ -122,7 +122,6 @@ def write_surroundings(out, light_count):
 def write_terrain(path, triangle_count):
     """A .glb of a wavy sheet of about that many triangles before the camera; returns how many there are."""
     side = max(2, round(math.sqrt(triangle_count / 2)))
-    row = array.array("f")
     positions = array.array("f")
     for j in range(side + 1):
         v = j / side

@@ -113,24 +113,6 @@ class Summariser final : public ShapeVisitor {
   Below result_;
 };
 
-constexpr TextureSlot PbrMaterial::*texture_slots[] = {&PbrMaterial::base_color_texture,
-                                                       &PbrMaterial::metallic_roughness_texture,
-                                                       &PbrMaterial::normal_texture,
-                                                       &PbrMaterial::occlusion_texture,
-                                                       &PbrMaterial::emissive_texture,
-                                                       &PbrMaterial::specular_texture,
-                                                       &PbrMaterial::specular_color_texture,
-                                                       &PbrMaterial::transmission_texture,
-                                                       &PbrMaterial::thickness_texture,
-                                                       &PbrMaterial::clearcoat_texture,
-                                                       &PbrMaterial::clearcoat_roughness_texture,
-                                                       &PbrMaterial::clearcoat_normal_texture,
-                                                       &PbrMaterial::sheen_color_texture,
-                                                       &PbrMaterial::sheen_roughness_texture,
-                                                       &PbrMaterial::anisotropy_texture,
-                                                       &PbrMaterial::iridescence_texture,
-                                                       &PbrMaterial::iridescence_thickness_texture};
-
 std::vector<TextureImage const*> textures_of(Scene const& scene) {
   std::vector<TextureImage const*> images;
   std::unordered_set<TextureImage const*> known;

@@ -8,7 +8,7 @@
 #include "scene/device_conversion.hpp"
 #include "scene/pbr_evaluation.hpp"
 #include "scene/texture_lookup.hpp"
-#include "scene/texture_slots.hpp"
+#include "scene/used_texcoords.hpp"
 #include "shared/frame.h"
 
 namespace lichtraum {

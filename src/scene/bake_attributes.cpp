@@ -7,7 +7,7 @@
 #include "core/huge_pages.hpp"
 #include "core/parallel_ranges.hpp"
 #include "lichtraum/error.hpp"
-#include "scene/texture_slots.hpp"
+#include "scene/used_texcoords.hpp"
 
 namespace lichtraum {
 namespace {

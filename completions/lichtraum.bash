@@ -17,6 +17,7 @@ _lichtraum() {
     --format) values='png ppm jpg exr pfm' ;;
     --graphics) values='auto blocks kitty sixel' ;;
     --bits) values='8 16' ;;
+    --aov) values='picture depth normal id' ;;
     --tonemap) values='auto none reinhard' ;;
     --transfer) values='linear srgb' ;;
     --traversal) values='auto scalar wide packet' ;;
@@ -46,7 +47,7 @@ _lichtraum() {
     case ${COMP_WORDS[1]} in
       render)
         options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
-        options+=' --camera --root --samples --depth --seed --tonemap --transfer --device --traversal'
+        options+=' --camera --root --aov --samples --depth --seed --tonemap --transfer --device --traversal'
         options+=' --frames --fps --turntable --resume'
         ;;
       view) options+=" $language --watch --size --camera --root --depth --device" ;;

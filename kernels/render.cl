@@ -8,6 +8,8 @@
  *
  * `rays` says how many rays this launch traced: one entry a work-item, row by row.
  *
+ * With -D FIRST_SURFACE it is a program that writes what frame->aov says instead, of one sample; not for packets.
+ *
  * An array of the scene without elements may be any buffer, but not null. Compile with -D RAY_STACK_SIZE=n, n >
  * frame->max_depth (8 without), and with the layout (see
  * traversal/traversal.clh), on which the three arrays of the tree depend. */
@@ -18,6 +20,9 @@
 #include "integrators/whitted_packet.clh"
 #include "scene.clh"
 #include "shared/frame.h"
+#ifdef FIRST_SURFACE
+#include "integrators/first_surface.clh"
+#endif
 
 static inline bool is_in_tile(Tile const* tile, uint x, uint y) {
   return x >= tile->x && x < tile->x + tile->width && y >= tile->y && y < tile->y + tile->height;
@@ -132,7 +137,11 @@ __kernel void render_tile(__global FrameParameters const* frame, Tile const tile
   for (uint sample = tile.first_sample; sample < end_sample; ++sample) {
     float2 const offset = sample_in_pixel(frame, x, y, sample);
     Ray const ray = generate_camera_ray(frame->camera, (float)x + offset.x, (float)y + offset.y);
+#ifdef FIRST_SURFACE
+    sum = trace_first_surface(&scene, frame, ray, &counts);
+#else
     sum += trace_whitted(&scene, frame, ray, &counts);
+#endif
   }
   finish_pixel(frame, is_last, pixel, sum);
 #endif

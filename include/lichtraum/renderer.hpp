@@ -39,6 +39,16 @@ struct Sampling {
   int count = 1;  ///< per pixel; a square number for a grid
 };
 
+/// What a pixel holds. All but the picture are about the first surface that the ray through the pixel's middle meets,
+/// as it is: samples, depth, tone map and transfer play no role. (Renderers call these AOVs, arbitrary output
+/// variables.)
+enum class Aov {
+  picture,    ///< radiance
+  depth,      ///< in all three channels: the surface's distance from the camera, in units of the world; else infinity
+  normal,     ///< x, y and z in the world, unit length, on the camera's side, as shaded (smooth, bumpy); else 0, 0, 0
+  object_id,  ///< in all three channels: the object's number (see DrawnObjects), exact up to 2^24; else 0
+};
+
 /// Which picture of a scene to compute: a region of pixels times a range of samples.
 struct RenderRequest {
   Camera camera;
@@ -50,6 +60,7 @@ struct RenderRequest {
   /// Applied to each finished pixel. These two leave linear radiance; `automatic` is the scene's.
   ToneMap tone_map = ToneMap::none;
   Transfer transfer = Transfer::linear;
+  Aov aov = Aov::picture;
 };
 
 struct RayCounts {
@@ -140,7 +151,7 @@ class Renderer {
 
   /// Traces request.region of the picture into `image` (size: request.resolution; other pixels are left alone). The
   /// same request gives the same bytes, however the work is cut. When stopped early, finished tiles are in `image`, the
-  /// others are black and `result.complete` is false.
+  /// others are black (of an Aov: all may be) and `result.complete` is false.
   virtual RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress = {}) = 0;
 };
 

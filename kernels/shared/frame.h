@@ -23,6 +23,11 @@ DEVICE_STRUCT_SIZE(PinholeCamera, 64);
 #define TRANSFER_LINEAR 0u
 #define TRANSFER_SRGB 1u
 
+/* FrameParameters.aov: what a program for first surfaces writes. */
+#define AOV_DEPTH 1u
+#define AOV_NORMAL 2u
+#define AOV_OBJECT_ID 3u
+
 /* Mirrored and refracted rays that can change a pixel by less than this share of what they see are not followed. */
 #define MIN_RAY_WEIGHT 0.0009765625f
 
@@ -56,7 +61,8 @@ typedef struct {
   float ray_epsilon; /* how far, relative to its coordinates, a computed hit point may lie off its surface */
   uint root_node;    /* of the world's hierarchy */
   uint features;     /* SCENE_... */
-  uint padding[3];
+  uint aov;          /* AOV_..., in programs for first surfaces */
+  uint padding[2];
 } FrameParameters;
 DEVICE_STRUCT_SIZE(FrameParameters, 160);
 

@@ -28,6 +28,7 @@ constexpr char const* examples =
     "  lichtraum render film.sdf -o frames/%04d.png --resume\n"
     "  lichtraum render 'frames/*.sdf' -o film.mp4 --fps 30\n"
     "  lichtraum render model.glb --turntable 90 -o around.webm\n"
+    "  lichtraum render hello.sdf --aov depth -o depth.exr\n"
     "  lichtraum render old.sdf --rotation left --transform-order local\n"
     "  lichtraum render - -o - --format ppm < hello.sdf > hello.ppm\n"
     "  lichtraum render a.sdf b.sdf --output-dir pictures --json -q\n";
@@ -80,6 +81,8 @@ void add_picture_options(CLI::App& parser, RenderOptions& options) {
   add_value(parser, "--region", options.region, parse_region, "X,Y,W,H", "Draw and write this part of it only", group);
   add_value(parser, "--camera", options.camera, parse_name, "NAME", "Look through this camera: name or number", group);
   add_value(parser, "--root", options.root, parse_name, "NAME", "Draw this shape and what is below it only", group);
+  add_value(parser, "--aov", options.aov, parse_aov, "NAME",
+            "Instead of the picture: depth, normal or id (of\nthe object), as numbers in .exr and .pfm", group);
 }
 
 void add_quality_options(CLI::App& parser, RenderOptions& options) {

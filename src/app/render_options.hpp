@@ -26,6 +26,7 @@ struct RenderOptions {
   std::optional<Region> region;
   std::string camera;
   std::string root;
+  Aov aov = Aov::picture;
 
   std::optional<Sampling> sampling;
   std::optional<int> depth;

@@ -27,6 +27,7 @@ RenderRequest make_request(Scene const& scene, std::string const& source, bool i
   request.sampling = plan.sampling;
   request.max_depth = plan.depth;
   request.seed = options.seed;
+  request.aov = options.aov;
   if (!plan.output.format->is_linear_float) {
     request.tone_map = options.tone_map == ToneMap::automatic ? scene.tone_map : options.tone_map;
     request.transfer = options.transfer.value_or(is_model ? Transfer::srgb : Transfer::linear);

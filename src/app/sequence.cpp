@@ -16,6 +16,7 @@
 #include "app/progress_bar.hpp"
 #include "app/scene_loader.hpp"
 #include "app/stopwatch.hpp"
+#include "lichtraum/aov.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -139,7 +140,10 @@ class Sequence {
       has_no_effect(options_.has_bits, !format.is_linear_float && format.max_bits > 8 && !is_film, "--bits");
       has_no_effect(options_.has_quality, format.name == "jpg", "--quality");
       has_no_effect(options_.encoding.ppm_ascii, format.name == "ppm" && !is_film, "--ppm-ascii");
-      has_no_effect(options_.has_development, !format.is_linear_float, "--tonemap and --transfer");
+      bool const is_picture = options_.aov == Aov::picture;
+      has_no_effect(options_.has_development, !format.is_linear_float && is_picture, "--tonemap and --transfer");
+      has_no_effect(options_.sampling.has_value(), is_picture, "--samples");
+      has_no_effect(options_.depth.has_value(), is_picture, "--depth");
       has_no_effect(options_.resume, format.read_fingerprint != nullptr, "--resume");
     }
   }
@@ -201,6 +205,7 @@ class Sequence {
     finish_writing();
     writing_ =
         std::async(std::launch::async, [this, picture, part = crop(std::move(image), picture.plan.region)]() mutable {
+          if (!picture.plan.output.format->is_linear_float) part = aov_as_picture(std::move(part), options_.aov);
           writer_.write(part, picture);
           return picture;
         });

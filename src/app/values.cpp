@@ -132,6 +132,11 @@ int parse_bits(std::string_view text) { return word<int>(text, {{"8", 8}, {"16",
 
 int parse_quality(std::string_view text) { return number_in_range(text, 1, 100); }
 
+Aov parse_aov(std::string_view text) {
+  return word<Aov>(text,
+                   {{"picture", Aov::picture}, {"depth", Aov::depth}, {"normal", Aov::normal}, {"id", Aov::object_id}});
+}
+
 Traversal parse_traversal(std::string_view text) {
   return word<Traversal>(text, {{"auto", Traversal::automatic},
                                 {"scalar", Traversal::scalar},

@@ -34,6 +34,7 @@ int parse_turntable(std::string_view text);                               ///< 1
 int parse_texture_size(std::string_view text);                            ///< 1..65536
 int parse_bits(std::string_view text);                                    ///< 8 or 16
 int parse_quality(std::string_view text);                                 ///< 1..100
+Aov parse_aov(std::string_view text);                                     ///< picture, depth, normal, id
 Traversal parse_traversal(std::string_view text);                         ///< auto, scalar, wide, packet
 ToneMap parse_tone_map(std::string_view text);                            ///< auto, none, reinhard
 Transfer parse_transfer(std::string_view text);                           ///< linear, srgb

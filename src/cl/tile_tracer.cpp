@@ -166,9 +166,15 @@ struct TileTracer::State {
                     device_bytes, largest, info.name, info.global_memory_bytes, info.max_allocation_bytes));
   }
 
-  cl::Kernel& kernel_for(device::uint max_depth) {
-    std::string options = fmt::format("-cl-std=CL1.2 -D RAY_STACK_SIZE={} -D {}", ray_stack_size(max_depth),
-                                      layout_name(scene->traversal));
+  /// How the frame is traced: the first surface is looked for ray by ray.
+  Traversal frame_traversal() const {
+    return frame[0].aov != 0 && scene->traversal == Traversal::packet ? Traversal::wide : scene->traversal;
+  }
+
+  cl::Kernel& kernel_for(device::FrameParameters const& parameters) {
+    std::string options = fmt::format("-cl-std=CL1.2 -D RAY_STACK_SIZE={} -D {}", ray_stack_size(parameters.max_depth),
+                                      layout_name(frame_traversal()));
+    if (parameters.aov != 0) options += " -D FIRST_SURFACE";
     if (scene->traversal != Traversal::scalar) {
       options += fmt::format(" -D TRAVERSAL_STACK_SIZE={}", traversal_stack_size(scene->stack_size));
     }
@@ -219,7 +225,7 @@ void TileTracer::begin_frame(device::FrameParameters const& frame, Image& image)
   state.frame.assign(1, frame);
   state.image = &image;
   checked([&] {
-    state.kernel = state.kernel_for(frame.max_depth);
+    state.kernel = state.kernel_for(frame);
     state.frame_buffer.create(state.context, CL_MEM_READ_ONLY, state.frame);
     state.film = cl::Buffer(state.context, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, film_bytes, image.data().data());
     cl_uint argument = 0;
@@ -233,7 +239,7 @@ void TileTracer::begin_frame(device::FrameParameters const& frame, Image& image)
 RayCounts TileTracer::trace(device::Tile const& tile) {
   State& state = *state_;
   constexpr cl_uint tile_argument = 1, rays_argument = 17;
-  LaunchSize const size = launch_size(tile, state.scene->traversal);
+  LaunchSize const size = launch_size(tile, state.frame_traversal());
   std::size_t const work_items = size.width * size.height;
   RayCounts counts;
   checked([&] {

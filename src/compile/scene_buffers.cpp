@@ -84,8 +84,10 @@ class Compiler {
     return buffers_.objects.back();
   }
 
-  void add_instance(FlatInstance const& instance, CompiledObject const& object, Pending& world) {
+  void add_instance(FlatInstance const& instance, FlatObject const& flat, CompiledObject const& object,
+                    Pending& world) {
     Bounds const bounds = map_bounds(instance.world_from_object, object.bounds);
+    buffers_.object_numbers.add_instance(instance, flat, !bounds.is_empty());
     if (bounds.is_empty()) return;
     refer(bounds, {PRIMITIVE_INSTANCE, device::uint(buffers_.instances.size())}, world.primitives);
     device::Instance const placed{device_transform(instance.world_from_object.inverse()), object.root_node, {}};
@@ -251,7 +253,7 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tra
     objects.push_back(compiler.build(compiler.take(std::move(scene.objects[i]))));
   }
   for (FlatInstance const& instance : scene.instances) {
-    compiler.add_instance(instance, objects[instance.object], *world);
+    compiler.add_instance(instance, scene.objects[instance.object], objects[instance.object], *world);
   }
   CompiledObject const built = compiler.build(std::move(world));
   SceneBuffers& buffers = compiler.buffers();

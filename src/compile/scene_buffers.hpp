@@ -6,6 +6,7 @@
 #include "core/content_hash.hpp"
 #include "lichtraum/renderer.hpp"
 #include "scene/flat_scene.hpp"
+#include "scene/object_numbers.hpp"
 #include "shared/bvh.h"
 #include "shared/geometry.h"
 #include "shared/pbr_material.h"
@@ -51,6 +52,8 @@ struct SceneBuffers {
   std::vector<device::uint> texels;
   std::vector<device::TriangleAttributes> triangle_attributes;  ///< one a triangle, as the layout counts them
   std::vector<float> vertex_data;
+
+  ObjectNumbers object_numbers;  ///< stays on the host
 
   device::uint root_node = 0;  ///< of the world's hierarchy
   Bounds world_bounds;         ///< empty when nothing is drawn

@@ -28,6 +28,7 @@ std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const&
   hasher.add(is_random ? request.seed : std::uint64_t(0));
   hasher.add(int(request.tone_map));
   hasher.add(int(request.transfer));
+  if (request.aov != Aov::picture) hasher.add(int(request.aov));
   return hasher.finish().text();
 }
 

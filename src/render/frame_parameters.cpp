@@ -23,6 +23,8 @@ device::uint device_tone_map(ToneMap tone_map) {
   return tone_map == ToneMap::reinhard ? TONE_MAP_REINHARD : TONE_MAP_NONE;
 }
 
+static_assert(int(Aov::depth) == AOV_DEPTH && int(Aov::normal) == AOV_NORMAL && int(Aov::object_id) == AOV_OBJECT_ID);
+
 }  // namespace
 
 device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene,
@@ -44,6 +46,14 @@ device::FrameParameters frame_parameters(RenderRequest const& request, SceneShad
   frame.transfer = request.transfer == Transfer::srgb ? TRANSFER_SRGB : TRANSFER_LINEAR;
   frame.ray_epsilon = DEFAULT_RAY_EPSILON;
   frame.root_node = root_node;
+  frame.aov = device::uint(request.aov);
+  if (request.aov != Aov::picture) {
+    frame.sampling = SAMPLING_GRID;
+    frame.sample_count = 1;
+    frame.max_depth = 0;
+    frame.tone_map = TONE_MAP_NONE;
+    frame.transfer = TRANSFER_LINEAR;
+  }
   return frame;
 }
 

@@ -36,6 +36,25 @@ void clear(Image& image, Region const& region) {
   }
 }
 
+/// From the two numbers that the device has put into each pixel (see kernels/integrators/first_surface.clh) to the
+/// object's own.
+void number_objects(Image& image, Region const& region, ObjectNumbers const& numbers) {
+  auto const number_of = [&](float const* pixel) {
+    if (pixel[2] < 0) return std::uint64_t(0);
+    auto const high = device::uint(pixel[2]);
+    device::uint const shape = device::uint(pixel[0]) | high << 24;
+    device::uint const instance = device::uint(pixel[1]) | high >> 8 << 24;
+    constexpr device::uint no_instance = 0xffffffffu;
+    return instance == no_instance ? numbers.in_world(shape) : numbers.in_instance(instance, shape);
+  };
+  for (int y = region.y; y < region.y + region.height; ++y) {
+    for (int x = region.x; x < region.x + region.width; ++x) {
+      float* const pixel = image.pixel(x, y);
+      std::fill_n(pixel, 3, float(number_of(pixel)));
+    }
+  }
+}
+
 struct CompiledScene final : PreparedScene {
   std::shared_ptr<SceneBuffers const> buffers;
   SceneShading shading;
@@ -97,11 +116,11 @@ class OpenClRenderer final : public Renderer {
 
     RenderResult result;
     RayCounts& rays = result.statistics.rays;
-    double const all_rays =
-        double(request.region.width) * double(request.region.height) * double(request.sampling.count);
+    int const sample_count = int(frame.sample_count);
+    double const all_rays = double(request.region.width) * double(request.region.height) * double(sample_count);
     auto const start = Clock::now();
     tracer_.begin_frame(frame, image);
-    TilePlan plan(request.region, request.sampling.count);
+    TilePlan plan(request.region, sample_count);
     double budget = first_budget;
     while (!plan.is_done() && result.complete) {
       auto const tile_start = Clock::now();
@@ -112,6 +131,10 @@ class OpenClRenderer final : public Renderer {
     tracer_.end_frame();
     result.complete = result.complete || plan.is_done();
     if (!plan.is_between_pixels()) clear(image, plan.current_pixels());
+    if (!result.complete && request.aov != Aov::picture) clear(image, request.region);
+    if (result.complete && request.aov == Aov::object_id) {
+      number_objects(image, request.region, tracer_.scene().object_numbers);
+    }
     result.statistics.trace_ms = 1e3 * seconds_since(start);
     return result;
   }

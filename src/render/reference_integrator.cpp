@@ -10,9 +10,8 @@
 #include "shared/frame.h"
 
 namespace lichtraum {
-namespace {
 
-/// The nearest surface with t_min < t < hit.t. Where nothing is in a surface, the ray goes on.
+// Where nothing is in a surface, the ray goes on.
 bool find_closest(ReferenceScene const& scene, Ray const& ray, double t_min, Hit& hit) {
   for (;;) {
     Hit nearest;
@@ -27,6 +26,8 @@ bool find_closest(ReferenceScene const& scene, Ray const& ray, double t_min, Hit
     t_min = nearest.t;
   }
 }
+
+namespace {
 
 /// The share of a light that arrives: the product of what the surfaces strictly between the point and it let through.
 /// Surfaces at the same place count as one, as they do for camera rays.

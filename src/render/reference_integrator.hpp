@@ -5,6 +5,9 @@
 
 namespace lichtraum {
 
+/// The nearest surface with t_min < t < hit.t; `hit` is only changed when the result is true.
+bool find_closest(ReferenceScene const& scene, Ray const& ray, double t_min, Hit& hit);
+
 /// The radiance that arrives along a camera ray of unit direction: Whitted's algorithm (Whitted 1980) with Phong's
 /// reflection, as material.hpp says it. At most `max_depth` mirrored or refracted rays follow one another. The rays
 /// traced are added to `counts`.

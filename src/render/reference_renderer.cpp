@@ -15,6 +15,7 @@
 #include "lichtraum/error.hpp"
 #include "render/check_request.hpp"
 #include "render/fingerprint.hpp"
+#include "render/reference_aov.hpp"
 #include "render/reference_integrator.hpp"
 #include "render/reference_scene.hpp"
 #include "scene/copy_graph.hpp"
@@ -42,7 +43,11 @@ glm::dvec2 sample_offset(RenderRequest const& request, int x, int y, int index) 
   return {offset.x, offset.y};
 }
 
-Rgb trace_pixel(ReferenceScene const& scene, RenderRequest const& request, int x, int y, RayCounts& counts) {
+Rgb trace_pixel(ReferenceScene const& scene, ReferenceAov const& aov, RenderRequest const& request, int x, int y,
+                RayCounts& counts) {
+  if (request.aov != Aov::picture) {
+    return aov.trace(request.camera.generate_ray(x + 0.5, y + 0.5, request.resolution), counts);
+  }
   Rgb sum(0);
   for (int i = 0; i < request.sampling.count; ++i) {
     auto const offset = sample_offset(request, x, y, i);
@@ -56,8 +61,12 @@ Rgb trace_pixel(ReferenceScene const& scene, RenderRequest const& request, int x
 class RowQueue {
  public:
   RowQueue(ReferenceScene const& scene, RenderRequest const& request, Image& image)
-      : scene_(scene), request_(request), image_(image) {
+      : scene_(scene), aov_(scene, request.aov), request_(request), image_(image) {
     if (request_.tone_map == ToneMap::automatic) request_.tone_map = scene.tone_map;
+    if (request_.aov != Aov::picture) {
+      request_.tone_map = ToneMap::none;
+      request_.transfer = Transfer::linear;
+    }
     for (int y = 0; y < request.region.height; ++y) {
       float* const row = image_.pixel(request.region.x, request.region.y + y);
       std::fill(row, row + 3 * request.region.width, 0.0f);
@@ -107,7 +116,8 @@ class RowQueue {
     pixels.reserve(3 * static_cast<std::size_t>(region.width));
     for (int x = region.x; x < region.x + region.width; ++x) {
       if (stop.stop_requested()) return false;
-      Rgb const color = develop(trace_pixel(scene_, request_, x, y, counts), request_.tone_map, request_.transfer);
+      Rgb const color =
+          develop(trace_pixel(scene_, aov_, request_, x, y, counts), request_.tone_map, request_.transfer);
       for (int channel = 0; channel < 3; ++channel) pixels.push_back(static_cast<float>(color[channel]));
     }
     std::copy(pixels.begin(), pixels.end(), image_.pixel(region.x, y));
@@ -118,6 +128,7 @@ class RowQueue {
   }
 
   ReferenceScene const& scene_;
+  ReferenceAov aov_;
   RenderRequest request_;
   Image& image_;
   std::atomic<int> next_row_{0};

@@ -20,6 +20,9 @@ struct FlatObject {
   /// What shading interpolates. One entry a triangle; those that are missing at the end have nothing.
   std::vector<device::TriangleAttributes> triangle_attributes;
   std::vector<float> vertex_data;  ///< what they count in
+  /// Its part of FlatScene::shapes.
+  std::size_t first_shape = 0;
+  std::size_t shape_count = 0;
 
   std::size_t primitive_count() const { return triangles.size() + spheres.size() + ellipsoids.size() + boxes.size(); }
 };
@@ -28,6 +31,7 @@ struct FlatObject {
 struct FlatInstance {
   std::uint32_t object = 0;
   Transform world_from_object;
+  std::size_t world_shapes_before = 0;  ///< how many of the world's own shapes the walk down from the roots met before
 };
 
 /// The scene graph without the graph: what is drawn, as two levels of plain lists.
@@ -36,6 +40,7 @@ struct FlatScene {
   std::vector<FlatObject> objects;
   std::vector<FlatInstance> instances;
   /// What PrimitiveTag::material and PrimitiveTag::shape count in. A shape is listed once for each time it was baked.
+  /// The world's come first, then those of the other objects.
   std::vector<std::shared_ptr<Material const>> materials;
   std::vector<Shape const*> shapes;
   /// Primitives left out because their coordinates do not fit a float.

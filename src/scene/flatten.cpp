@@ -77,10 +77,14 @@ class Flattener {
     check_size(count_unfolded(order_, roots));
     scene_.objects.emplace_back();
     for (auto const& root : roots) unfold(*root, Transform(), 0);
+    scene_.objects[0].shape_count = scene_.shapes.size();
     // Objects are found while the world is unfolded; inside them nothing is an instance.
     for (std::size_t i = 0; i < object_roots_.size(); ++i) {
       scene_.objects.emplace_back();
+      std::size_t const first_shape = scene_.shapes.size();
       unfold_object(*object_roots_[i], i + 1);
+      scene_.objects.back().first_shape = first_shape;
+      scene_.objects.back().shape_count = scene_.shapes.size() - first_shape;
     }
   }
 
@@ -120,7 +124,7 @@ class Flattener {
   void arrive(Shape const& shape, Transform const& object_from_parent, std::size_t object) {
     Transform const object_from_shape = object_from_parent * shape.world_from_object();
     if (object == 0 && is_graph_node(shape) && becomes_object(order_[&shape])) {
-      scene_.instances.push_back({object_of(shape), object_from_shape});
+      scene_.instances.push_back({object_of(shape), object_from_shape, scene_.shapes.size()});
     } else if (auto const* composite = as_composite(shape)) {
       open_.push_back({composite, 0, object_from_shape});
     } else {

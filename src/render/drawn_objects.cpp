@@ -1,0 +1,57 @@
+#include "lichtraum/drawn_objects.hpp"
+
+#include "render/drawn_roots.hpp"
+#include "scene/graph_order.hpp"
+
+namespace lichtraum {
+
+DrawnObjects::DrawnObjects(Scene const& scene, std::string_view root) : roots_(drawn_roots(scene, root)) {
+  for (GraphNode const& node : order_graph(roots_).nodes) {  // children first
+    if (!node.composite) continue;
+    std::uint64_t count = 0;
+    for (auto const& child : node.composite->children()) count = saturating_add(count, count_below(*child));
+    counts_.emplace(node.shape, count);
+  }
+  for (auto const& shape : roots_) count_ = saturating_add(count_, count_below(*shape));
+}
+
+std::uint64_t DrawnObjects::count_below(Shape const& shape) const {
+  return as_composite(shape) ? counts_.at(&shape) : 1;
+}
+
+std::vector<std::uint32_t> DrawnObjects::path_of(std::uint64_t number) const {
+  std::vector<std::uint32_t> path;
+  if (number == 0 || number > count_) return path;
+  std::uint64_t before = number - 1;  // objects of the current level that come first
+  auto const descend = [&](auto const& shapes) -> Shape const* {
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      std::uint64_t const count = count_below(*shapes[i]);
+      if (before < count) {
+        path.push_back(std::uint32_t(i));
+        return shapes[i].get();
+      }
+      before -= count;
+    }
+    return nullptr;
+  };
+  Shape const* shape = descend(roots_);
+  while (Composite const* const composite = shape ? as_composite(*shape) : nullptr)
+    shape = descend(composite->children());
+  return path;
+}
+
+std::vector<std::shared_ptr<Shape const>> DrawnObjects::shapes_on(std::vector<std::uint32_t> const& path) const {
+  std::vector<std::shared_ptr<Shape const>> shapes;
+  for (std::uint32_t const number : path) {
+    if (shapes.empty()) {
+      shapes.push_back(roots_.at(number));
+      continue;
+    }
+    Composite const* const composite = as_composite(*shapes.back());
+    if (!composite) throw std::out_of_range("a shape that is no composite has no children");
+    shapes.push_back(composite->children().at(number));
+  }
+  return shapes;
+}
+
+}  // namespace lichtraum

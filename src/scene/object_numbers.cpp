@@ -1,0 +1,31 @@
+#include "scene/object_numbers.hpp"
+
+#include <algorithm>
+
+namespace lichtraum {
+
+void ObjectNumbers::add_instance(FlatInstance const& instance, FlatObject const& object, bool is_on_device) {
+  std::uint64_t in_instances = 0;
+  if (!instances_.empty()) {
+    Instance const& last = instances_.back();
+    in_instances = last.numbers_before - last.world_shapes_before + last.shape_count;
+  }
+  if (is_on_device) on_device_.push_back(std::uint32_t(instances_.size()));
+  instances_.push_back({instance.world_shapes_before, instance.world_shapes_before + in_instances, object.first_shape,
+                        object.shape_count});
+}
+
+std::uint64_t ObjectNumbers::in_world(std::uint64_t shape) const {
+  auto const next = std::upper_bound(instances_.begin(), instances_.end(), shape,
+                                     [](std::uint64_t s, Instance const& i) { return s < i.world_shapes_before; });
+  if (next == instances_.begin()) return shape + 1;
+  Instance const& last = *std::prev(next);
+  return shape + 1 + last.numbers_before - last.world_shapes_before + last.shape_count;
+}
+
+std::uint64_t ObjectNumbers::in_instance(std::uint64_t instance, std::uint64_t shape) const {
+  Instance const& placed = instances_[on_device_[instance]];
+  return placed.numbers_before + shape - placed.first_shape + 1;
+}
+
+}  // namespace lichtraum

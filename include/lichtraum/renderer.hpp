@@ -105,6 +105,12 @@ struct RenderProgress {
 /// Returns false to stop: render then returns with `complete` false.
 using ProgressFunction = std::function<bool(RenderProgress const&)>;
 
+/// The samples that a picture has so far, for Renderer::refine.
+struct Accumulation {
+  int count = 0;  ///< of each pixel
+  Image sums;     ///< of their radiance, linear
+};
+
 struct RenderResult {
   bool complete = true;
   RenderStatistics statistics;
@@ -153,6 +159,16 @@ class Renderer {
   /// same request gives the same bytes, however the work is cut. When stopped early, finished tiles are in `image`, the
   /// others are black (of an Aov: all may be) and `result.complete` is false.
   virtual RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress = {}) = 0;
+
+  /// The same picture, to the byte, with what was traced before: `sums` has the first samples of a request that differs
+  /// from this one in sampling.count only, and gets the others. Only seeded samples can go on like this; for a grid, or
+  /// one sample, `sums` is emptied. A renderer may also trace all anew. When stopped early, `sums` is emptied and
+  /// `image` holds nothing of use.
+  virtual RenderResult refine(RenderRequest const& request, Accumulation& sums, Image& image,
+                              ProgressFunction const& progress = {}) {
+    sums = {};
+    return render(request, image, progress);
+  }
 };
 
 /// For a device of `list` (see select_device). The reference tracer has one way to trace only.

@@ -1,6 +1,7 @@
 #include "render/opencl_renderer.hpp"
 
 #include <chrono>
+#include <limits>
 
 #include "cl/tile_tracer.hpp"
 #include "render/drawn_roots.hpp"
@@ -108,19 +109,63 @@ class OpenClRenderer final : public Renderer {
   }
 
   RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress) override {
+    auto const frame = parameters(request);
+    if (image.size() != request.resolution) image = Image(request.resolution);
+    clear(image, request.region);
+    return trace(request, frame, 0, int(frame.sample_count), image, progress);
+  }
+
+  RenderResult refine(RenderRequest const& request, Accumulation& sums, Image& image,
+                      ProgressFunction const& progress) override {
+    bool const is_sum = request.aov == Aov::picture && request.sampling.pattern == Sampling::Pattern::seeded &&
+                        request.sampling.count > 1;
+    if (!is_sum || sums.count > request.sampling.count || sums.sums.size() != request.resolution) sums = {};
+    if (!is_sum) return render(request, image, progress);
+    if (sums.count == 0) sums.sums = Image(request.resolution);
+    // A picture of more samples than are ever traced stays a sum.
+    auto frame = parameters(request);
+    frame.sample_count = std::numeric_limits<device::uint>::max();
+    RenderResult const result = trace(request, frame, sums.count, request.sampling.count, sums.sums, progress);
+    if (!result.complete) {
+      sums = {};
+      return result;
+    }
+    sums.count = request.sampling.count;
+    image = sums.sums;
+    develop(request, image);
+    return result;
+  }
+
+ private:
+  device::FrameParameters parameters(RenderRequest const& request) const {
     auto frame = frame_parameters(request, scene_->shading, tracer_.scene().root_node,
                                   device::uint(tracer_.scene().lights.size()));
     frame.features = tracer_.scene().features;
-    if (image.size() != request.resolution) image = Image(request.resolution);
-    clear(image, request.region);
+    return frame;
+  }
 
+  /// Sums of all samples to a picture, by tiles without any more samples: so their arithmetic is that of `render`.
+  void develop(RenderRequest const& request, Image& image) {
+    tracer_.begin_frame(parameters(request), image);
+    TilePlan plan(request.region, 1, request.sampling.count);
+    while (!plan.is_done()) {
+      device::Tile tile = plan.next(max_budget);
+      tile.sample_count = 0;
+      tracer_.trace(tile);
+    }
+    tracer_.end_frame();
+  }
+
+  /// Adds the samples [first_sample, end_sample).
+  RenderResult trace(RenderRequest const& request, device::FrameParameters const& frame, int first_sample,
+                     int end_sample, Image& image, ProgressFunction const& progress) {
+    int const sample_count = end_sample - first_sample;
     RenderResult result;
     RayCounts& rays = result.statistics.rays;
-    int const sample_count = int(frame.sample_count);
     double const all_rays = double(request.region.width) * double(request.region.height) * double(sample_count);
     auto const start = Clock::now();
     tracer_.begin_frame(frame, image);
-    TilePlan plan(request.region, sample_count);
+    TilePlan plan(request.region, sample_count, first_sample);
     double budget = first_budget;
     while (!plan.is_done() && result.complete) {
       auto const tile_start = Clock::now();
@@ -139,7 +184,6 @@ class OpenClRenderer final : public Renderer {
     return result;
   }
 
- private:
   static Traversal resolve(Traversal traversal, DeviceKind kind) {
     if (traversal != Traversal::automatic) return traversal;
     return kind == DeviceKind::cpu ? Traversal::packet : Traversal::scalar;

@@ -15,7 +15,9 @@ class TilePlan {
   /// Tiles start and end at multiples of this (counted from the region's corner), except at the region's border.
   static constexpr int granularity = 8;
 
-  TilePlan(Region const& region, int sample_count) : region_(region), sample_count_(sample_count) {}
+  /// Of the samples [first_sample, first_sample + sample_count).
+  TilePlan(Region const& region, int sample_count, int first_sample = 0)
+      : region_(region), sample_count_(sample_count), first_sample_(first_sample) {}
 
   bool is_done() const { return band_y_ >= region_.height; }
   /// Whether all samples of the pixels traced so far are in.
@@ -32,7 +34,7 @@ class TilePlan {
                             device::uint(region_.y + band_y_),
                             device::uint(width_),
                             device::uint(height_),
-                            device::uint(sample_),
+                            device::uint(first_sample_ + sample_),
                             device::uint(samples),
                             {0, 0}};
     advance(samples);
@@ -62,6 +64,7 @@ class TilePlan {
 
   Region region_;
   int sample_count_;
+  int first_sample_;
   int band_y_ = 0;
   int x_ = 0;
   int width_ = 0;

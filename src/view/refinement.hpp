@@ -1,38 +1,71 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "lichtraum/renderer.hpp"
 
 namespace lichtraum::view {
 
-/// The order in which a view gets its pictures: coarse ones at once, then every pixel, then smooth edges.
+/// The order in which a view gets its pictures: coarse ones at once, then every pixel, then more and more samples.
 class Refinement {
  public:
+  static constexpr int coarsest_side = 16;
+  /// What a view ends with when nothing else is asked for.
+  static constexpr Sampling finest_by_default{Sampling::Pattern::seeded, 256};
+
   struct Pass {
+    bool is_first = false;
     int pixel_side = 1;  ///< one ray for so many pixels along each axis
-    int grid_side = 1;   ///< samples of a pixel along each axis
+    Sampling sampling;   ///< of all samples since the first; seeded ones go on from those of the pass before
   };
 
   /// The next pass; nothing when the picture is as good as it gets.
   std::optional<Pass> next() {
-    constexpr Pass passes[] = {{8, 1}, {4, 1}, {2, 1}, {1, 1}, {1, 2}, {1, 4}};
-    if (done_ == std::size(passes)) return std::nullopt;
-    return passes[done_++];
+    if (is_new_) {
+      last_ = {true, first_side_, {}};
+    } else if (last_.pixel_side > 1) {
+      last_ = {false, last_.pixel_side / 2, {}};
+    } else if (last_.sampling.count < finest_.count) {
+      // Each of them takes as long as all before, so that looking at them in between costs little.
+      bool const grows = finest_.pattern == Sampling::Pattern::seeded;
+      last_ = {false, 1, {finest_.pattern, grows ? std::min(2 * last_.sampling.count, finest_.count) : finest_.count}};
+    } else {
+      return std::nullopt;
+    }
+    is_new_ = false;
+    return last_;
   }
-  void restart() { done_ = 0; }
 
-  /// The request for a pass of a view of `size`.
+  /// With a view that was moved. `first_side`: of the coarsest pass. `finest`: of the last one.
+  void restart(int first_side, Sampling const& finest = finest_by_default) {
+    first_side_ = first_side;
+    finest_ = finest;
+    is_new_ = true;
+  }
+
+  /// The smallest first side whose pass takes no longer than wanted, when a pixel takes so long.
+  static int first_side_for(Resolution const& view, double seconds_per_pixel, double wanted_seconds) {
+    double const pixels = double(view.width) * double(view.height);
+    double const side = std::ceil(std::sqrt(pixels * seconds_per_pixel / wanted_seconds));
+    return int(std::clamp(side, 1.0, double(coarsest_side)));
+  }
+
+  /// The request for a pass of a view.
   static RenderRequest request(RenderRequest view, Pass const& pass) {
     auto const coarse = [&](int length) { return (length + pass.pixel_side - 1) / pass.pixel_side; };
     view.resolution = {coarse(view.resolution.width), coarse(view.resolution.height)};
     view.region = {0, 0, view.resolution.width, view.resolution.height};
-    view.sampling = {Sampling::Pattern::grid, pass.grid_side * pass.grid_side};
+    view.sampling = pass.sampling;
     return view;
   }
 
  private:
-  std::size_t done_ = 0;
+  int first_side_ = 8;
+  Sampling finest_ = finest_by_default;
+  Pass last_;
+  bool is_new_ = true;
 };
 
 }  // namespace lichtraum::view

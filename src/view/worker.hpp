@@ -1,7 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -16,6 +18,7 @@ namespace lichtraum::view {
 /// A picture for the window.
 struct Frame {
   Image image;
+  std::vector<unsigned char> pixels;  ///< the image's, see display_pixels
   Refinement::Pass pass;
   RenderStatistics statistics;
   SceneStatistics scene;
@@ -33,9 +36,10 @@ struct SceneView {
 /// Traces views in a thread of its own, the newest first, and reads the scene again when its file is saved.
 class Worker {
  public:
-  /// Both must outlive it. `console`: for what is said about choosing a device.
+  /// All must outlive it. `console`: for what is said about the device and the scene. `wake`: called from the thread
+  /// whenever there is news.
   Worker(app::SceneSource const& source, app::RenderOptions const& options, bool is_watching,
-         app::Console const& console);
+         app::Console const& console, std::function<void()> wake);
   ~Worker();
   Worker(Worker const&) = delete;
   Worker& operator=(Worker const&) = delete;
@@ -55,18 +59,24 @@ class Worker {
  private:
   void work(std::stop_token const& stop);
   void load(Renderer& renderer);
-  bool file_has_changed();
+  /// Whether the file was saved; not more often than makes sense.
+  void look_at_file();
   /// Whether there was something to trace.
   bool trace_next(Renderer& renderer, std::stop_token const& stop);
+  void restart_refinement();
 
   app::SceneSource const& source_;
   app::RenderOptions const& options_;
   bool is_watching_;
   app::Console const& console_;
+  std::function<void()> wake_;
 
   // Of the thread alone.
   SceneStatistics scene_statistics_;
   std::shared_ptr<PreparedScene const> prepared_;
+  Accumulation sums_;
+  std::chrono::steady_clock::time_point looked_at_;
+  bool file_has_changed_ = false;
   std::filesystem::file_time_type file_time_{};
   std::uintmax_t file_size_ = 0;
 
@@ -74,6 +84,7 @@ class Worker {
   std::condition_variable changed_;
   std::optional<RenderRequest> view_;
   bool is_new_view_ = false;
+  std::optional<double> seconds_per_pixel_;  // of the last passes with one sample a pixel
   Refinement refinement_;
   News news_;
   std::exception_ptr failure_;

@@ -74,7 +74,7 @@ TEST_CASE("a window is opened, turned, saved to, and closed", "[app][view]") {
   auto const shot = [&](char const* name) { return decode(lichtraum.folder.read(name)); };
   auto const drawn = [&](std::string const& scene) {
     lichtraum.folder.write("drawn.sdf", scene);
-    REQUIRE(lichtraum("render -q drawn.sdf --samples 4x4 -o drawn.png").exit_code == 0);
+    REQUIRE(lichtraum("render -q drawn.sdf --samples 256 -o drawn.png").exit_code == 0);
     return shot("drawn.png");
   };
   // What is seen is what is rendered: first through the scene's camera, then through the one that was copied.

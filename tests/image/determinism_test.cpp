@@ -89,6 +89,46 @@ TEST_CASE("rendering again gives the same bytes, another seed others", "[image]"
   }
 }
 
+TEST_CASE("samples added to those before give the bytes of all at once", "[image]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene const scene = mixed_scene();
+  std::vector<DeviceInfo> devices = opencl_devices();
+  devices.push_back(reference_device());
+  for (DeviceInfo const& device : devices) {
+    for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
+      INFO(device.name);
+      auto const renderer = make_renderer(device, traversal);
+      renderer->set_scene(scene);
+      RenderRequest request = seeded_request(scene);
+      Accumulation sums;
+      std::uint64_t rays = 0;
+      for (int const count : {1, 2, 3, 8, 8}) {
+        request.sampling.count = count;
+        Image all, added;
+        renderer->render(request, all);
+        rays = renderer->refine(request, sums, added).statistics.rays.camera;
+        CHECK(bytes_of(added) == bytes_of(all));
+      }
+      if (device.kind != DeviceKind::reference) CHECK(rays == 0);  // it had them all
+
+      // Stopped, or of another size, nothing is left to go on from.
+      Image image;
+      request.sampling.count = 64;
+      CHECK(!renderer->refine(request, sums, image, [](RenderProgress const&) { return false; }).complete);
+      CHECK(sums.count == 0);
+      request.sampling.count = 2;
+      renderer->refine(request, sums, image);
+      request.resolution = {40, 30};
+      request.region = {0, 0, 40, 30};
+      Image all;
+      renderer->render(request, all);
+      renderer->refine(request, sums, image);
+      CHECK(bytes_of(image) == bytes_of(all));
+      if (device.kind == DeviceKind::reference) break;  // it has one way to trace
+    }
+  }
+}
+
 // Not a test of its own: what the next one runs in processes with another number of threads.
 TEST_CASE("write the picture to the file that LICHTRAUM_TEST_PICTURE names", "[.][thread-count-child]") {
   char const* const path = std::getenv(picture_variable);

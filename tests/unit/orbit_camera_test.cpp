@@ -2,7 +2,6 @@
 
 #include "lichtraum/esdf.hpp"
 #include "support/catch.hpp"
-#include "view/refinement.hpp"
 
 using namespace lichtraum;
 using namespace lichtraum::view;
@@ -98,23 +97,4 @@ TEST_CASE("a camera pans, zooms and frames", "[unit][view]") {
   OrbitCamera const away(at({0, 0, 10}, {0, 0, 20}), Vec3(0));
   CHECK(difference(away.camera(), at({0, 0, 10}, {0, 0, 20})) == 0);
   CHECK(glm::distance(away.pivot(), Vec3(0, 0, 20)) < 1e-9);
-}
-
-TEST_CASE("a view is refined from coarse to smooth", "[unit][view]") {
-  RenderRequest view;
-  view.resolution = {101, 50};
-  Refinement refinement;
-  double last_work = 0;
-  int passes = 0;
-  while (auto const pass = refinement.next()) {
-    RenderRequest const request = Refinement::request(view, *pass);
-    double const work = double(request.resolution.width) * request.resolution.height * request.sampling.count;
-    if (passes++ == 0) CHECK(request.resolution == Resolution{13, 7});
-    CHECK(work > last_work);
-    CHECK(request.region.width == request.resolution.width);
-    last_work = work;
-  }
-  CHECK(last_work == 101 * 50 * 16);
-  refinement.restart();
-  CHECK(refinement.next()->pixel_side == 8);
 }

@@ -57,3 +57,14 @@ TEST_CASE("a large budget takes the whole picture at once", "[unit][tile]") {
   CHECK(tile.height == 480);
   CHECK(tile.sample_count == 4);
 }
+
+TEST_CASE("a plan may go on with later samples", "[unit][tile]") {
+  TilePlan plan({0, 0, 8, 8}, 4, 3);
+  device::uint next = 3;
+  while (!plan.is_done()) {
+    device::Tile const tile = plan.next(100);
+    CHECK(tile.first_sample == next);
+    next += tile.sample_count;
+  }
+  CHECK(next == 7);
+}

@@ -16,40 +16,35 @@ namespace lichtraum::view {
 namespace {
 
 constexpr Resolution default_size{960, 640};
-constexpr double seconds_between_looks = 0.03;
+/// At most so often, unless there is a new picture: drawing takes time from tracing.
+constexpr double seconds_between_draws = 0.03;
+/// When nothing happens.
+constexpr double seconds_between_looks = 1;
 constexpr ImGuiWindowFlags overlay = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove;
-
-std::vector<unsigned char> bytes_of(Image const& image) {
-  std::vector<unsigned char> bytes;
-  bytes.reserve(image.data().size());
-  for (float const value : image.data()) {
-    bytes.push_back(static_cast<unsigned char>(value > 0 ? std::min(value, 1.0f) * 255 + 0.5f : 0));
-  }
-  return bytes;
-}
 
 }  // namespace
 
 struct Window::Graphics {
   GLFWwindow* window = nullptr;
   GLuint texture = 0;
+  Resolution texture_size;
   /// Since they were handled last. Characters rather than keys, so that a keyboard's layout plays no role.
   std::vector<char32_t> characters;
   std::vector<int> keys;
 
-  Graphics(std::string const& title, Resolution const& size) {
+  Graphics() {
     glfwSetErrorCallback([](int, char const*) {});
     if (glfwInit() != GLFW_TRUE) no_display();
+  }
+
+  void open(std::string const& title, Resolution const& size) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
-    if (!window) {
-      glfwTerminate();
-      no_display();
-    }
+    if (!window) no_display();
     glfwMakeContextCurrent(window);
     glfwSwapInterval(0);
     glfwSetWindowUserPointer(window, this);
@@ -69,9 +64,11 @@ struct Window::Graphics {
   }
 
   ~Graphics() {
-    ImGui_ImplOpenGL3_Shutdown();
-    ImGui_ImplGlfw_Shutdown();
-    ImGui::DestroyContext();
+    if (window) {
+      ImGui_ImplOpenGL3_Shutdown();
+      ImGui_ImplGlfw_Shutdown();
+      ImGui::DestroyContext();
+    }
     glfwTerminate();
   }
 
@@ -83,20 +80,27 @@ struct Window::Graphics {
                 "terminal)");
   }
 
-  void upload(Image const& image) const {
-    std::vector<unsigned char> const bytes = bytes_of(image);
+  void upload(Frame const& frame) {
+    Resolution const size = frame.image.size();
     glBindTexture(GL_TEXTURE_2D, texture);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, image.width(), image.height(), 0, GL_RGB, GL_UNSIGNED_BYTE, bytes.data());
+    if (size != texture_size) {
+      glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                   frame.pixels.data());
+    } else {
+      glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, frame.pixels.data());
+    }
+    texture_size = size;
   }
 };
 
 Window::Window(app::SceneSource const& source, app::ViewOptions const& options, app::Console const& console)
     : source_(source), options_(options), console_(console) {
-  graphics_ = std::make_unique<Graphics>("lichtraum - " + source.name(), options.render.size.value_or(default_size));
-  worker_ = std::make_unique<Worker>(source, options.render, options.watch, console);
+  graphics_ = std::make_unique<Graphics>();
+  // The device and the scene are looked for while the window is opened.
+  worker_ = std::make_unique<Worker>(source, options.render, options.watch, console, glfwPostEmptyEvent);
+  graphics_->open("lichtraum - " + source.name(), options.render.size.value_or(default_size));
 }
 
 Window::~Window() { worker_.reset(); }
@@ -108,9 +112,15 @@ Resolution Window::size() const {
 }
 
 void Window::run() {
+  int draws_due = 1;
+  double drawn_at = 0;
   while (glfwWindowShouldClose(graphics_->window) == GLFW_FALSE) {
-    glfwWaitEventsTimeout(seconds_between_looks);
-    take_news();
+    double const patience = draws_due > 0 ? seconds_between_draws : seconds_between_looks;
+    double const start = glfwGetTime();
+    glfwWaitEventsTimeout(patience);
+    // What an event does to Dear ImGui's widgets is seen in the drawing after the next one.
+    if (glfwGetTime() - start < patience) draws_due = 2;
+    bool const has_news = take_news();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
@@ -119,6 +129,9 @@ void Window::run() {
     if (camera_ && size() != shown_size_) show();
     draw();
     ImGui::Render();
+    if (!has_news && glfwGetTime() - drawn_at < seconds_between_draws) continue;
+    --draws_due;
+    drawn_at = glfwGetTime();
     Resolution const framebuffer = size();
     glViewport(0, 0, framebuffer.width, framebuffer.height);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -127,7 +140,7 @@ void Window::run() {
   }
 }
 
-void Window::take_news() {
+bool Window::take_news() {
   Worker::News news = worker_->news();
   if (!news.device.empty()) device_ = news.device;
   if (news.problem) {
@@ -145,8 +158,9 @@ void Window::take_news() {
   }
   if (news.frame) {
     frame_ = std::move(*news.frame);
-    graphics_->upload(frame_->image);
+    graphics_->upload(*frame_);
   }
+  return news.frame || news.problem || news.scene;
 }
 
 void Window::show() {
@@ -280,7 +294,7 @@ void Window::draw_statistics() const {
   ImGui::Begin("statistics", nullptr, overlay | ImGuiWindowFlags_NoInputs);
   if (frame_) {
     RenderStatistics const& render = frame_->statistics;
-    int const samples = frame_->pass.grid_side * frame_->pass.grid_side;
+    int const samples = frame_->pass.sampling.count;
     ImGui::Text("%s", device_.c_str());
     ImGui::Text("%dx%d, %d sample%s a pixel, %.1f ms, %.1f Mrays/s", frame_->image.width(), frame_->image.height(),
                 samples, samples == 1 ? "" : "s", render.trace_ms,

@@ -27,7 +27,8 @@ class Window {
  private:
   struct Graphics;  // GLFW's and Dear ImGui's part
 
-  void take_news();
+  /// Whether there was something to be seen.
+  bool take_news();
   void handle_mouse();
   void handle_keys();
   void handle_character(char32_t character);

@@ -48,9 +48,12 @@ _lichtraum() {
       render)
         options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
         options+=' --camera --root --aov --samples --depth --seed --tonemap --transfer --device --traversal'
-        options+=' --frames --fps --turntable --resume'
+        options+=' --frames --fps --turntable --resume --show'
         ;;
-      view) options+=" $language --watch --size --camera --root --depth --device" ;;
+      view)
+        options+=" $language --watch --size --camera --root --samples --depth --seed --tonemap --transfer --device"
+        options+=' --traversal'
+        ;;
       preview) options+=" $language --size --graphics --camera --root --samples --device" ;;
       check) options+=" $language" ;;
       info) options+=" $language --json" ;;

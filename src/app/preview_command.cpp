@@ -52,11 +52,9 @@ bool parse_preview(Arguments const& arguments, PreviewOptions& options, Console&
             "Columns and rows of characters at most\n(default: the terminal's)", group);
   add_value(*parser, "--graphics", options.graphics, parse_graphics, "NAME",
             "auto (default: ask the terminal), blocks, kitty\nor sixel", group);
-  add_value(*parser, "--camera", render.camera, parse_name, "NAME", "Look through this camera: name or number", group);
-  add_value(*parser, "--root", render.root, parse_name, "NAME", "Draw this shape and what is below it only", group);
+  add_viewpoint_options(*parser, render, group);
   add_value(*parser, "--samples", render.sampling, parse_samples, "N|NxN", "Samples a pixel (default: 3x3)", group);
-  add_value(*parser, "--device", render.device, parse_name, "NAME",
-            "Index, part of a name, cpu, gpu or reference\n(default: the best)", group);
+  add_device_option(*parser, render, group);
   add_language_options(*parser, render.load.language);
   add_model_options(*parser, render.load.model);
   add_verbosity(*parser, console);

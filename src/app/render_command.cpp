@@ -11,6 +11,7 @@
 #include "app/sequence.hpp"
 #include "app/stopwatch.hpp"
 #include "app/values.hpp"
+#include "app/view_options.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -30,6 +31,7 @@ constexpr char const* examples =
     "  lichtraum render model.glb --turntable 90 -o around.webm\n"
     "  lichtraum render hello.sdf --aov depth -o depth.exr\n"
     "  lichtraum render old.sdf --rotation left --transform-order local\n"
+    "  lichtraum render hello.sdf --samples 64 --show\n"
     "  lichtraum render - -o - --format ppm < hello.sdf > hello.ppm\n"
     "  lichtraum render a.sdf b.sdf --output-dir pictures --json -q\n";
 
@@ -55,6 +57,7 @@ void add_output_options(CLI::App& parser, RenderOptions& options) {
   };
   add_value(parser, "--quality", options.encoding.jpeg_quality, quality, "1-100", "Of .jpg (default: 92)", group);
   parser.add_flag("--ppm-ascii", options.encoding.ppm_ascii, "Write .ppm as text")->group(group);
+  parser.add_flag("--show", options.show, "Then open a window on the scene")->group(group);
   parser
       .add_flag("--json", options.json, "Print statistics as JSON, to standard output\n(to standard error with -o -)")
       ->group(group);
@@ -79,53 +82,41 @@ void add_picture_options(CLI::App& parser, RenderOptions& options) {
   add_value(parser, "--size", options.size, parse_size, "WxH",
             "Pixels, such as 1280x720 (default: the scene's,\nelse 640x480)", group);
   add_value(parser, "--region", options.region, parse_region, "X,Y,W,H", "Draw and write this part of it only", group);
-  add_value(parser, "--camera", options.camera, parse_name, "NAME", "Look through this camera: name or number", group);
-  add_value(parser, "--root", options.root, parse_name, "NAME", "Draw this shape and what is below it only", group);
+  add_viewpoint_options(parser, options, group);
   add_value(parser, "--aov", options.aov, parse_aov, "NAME",
             "Instead of the picture: depth, normal or id (of\nthe object), as numbers in .exr and .pfm", group);
 }
 
-void add_quality_options(CLI::App& parser, RenderOptions& options) {
-  std::string const group = "Quality";
-  add_value(parser, "--samples", options.sampling, parse_samples, "N|NxN",
-            "Samples a pixel: 16 random ones, or a grid such\nas 4x4 (default: 1, the pixel's centre)", group);
-  add_value(parser, "--depth", options.depth, parse_depth, "N", "Mirrors and glass in a row (default: 5)", group);
-  add_value(parser, "--seed", options.seed, parse_seed, "N", "Of random samples (default: 0)", group);
-  auto const tone_map = [&options](std::string const& text) {
-    options.has_development = true;
-    return parse_tone_map(text);
-  };
-  auto const transfer = [&options](std::string const& text) {
-    options.has_development = true;
-    return parse_transfer(text);
-  };
-  add_value(parser, "--tonemap", options.tone_map, tone_map, "NAME",
-            "auto (default: what the scene's lights need),\nnone or reinhard", group);
-  add_value(parser, "--transfer", options.transfer, transfer, "NAME",
-            "linear (default for scenes) or srgb (for models)", group);
-  add_value(parser, "--device", options.device, parse_name, "NAME",
-            "Index, part of a name, cpu, gpu or reference\n(default: the best)", group);
-  add_value(parser, "--traversal", options.traversal, parse_traversal, "NAME",
-            "How rays find what they hit: auto (default),\nscalar, wide or packet. The picture is the same", group);
-}
-
-bool parse_render(Arguments const& arguments, RenderOptions& options, Console& console) {
+/// `window_arguments`: with --show, what `lichtraum view` is told besides the scene.
+bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments& window_arguments, Console& console) {
   auto const parser = make_parser("render", description, examples);
   parser->add_option("scene", options.scenes, "eSDF files, models")->required()->type_name("SCENE...");
   add_output_options(*parser, options);
   add_picture_options(*parser, options);
   add_sequence_options(*parser, options);
-  add_quality_options(*parser, options);
+  add_quality_options(*parser, options, "1, the pixel's centre");
   add_language_options(*parser, options.load.language);
   add_model_options(*parser, options.load.model);
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return false;
+  if (options.show) window_arguments = arguments_for_view(*parser);
 
   options.output.allowed_paths = options.load.language.allowed_paths;
   if (std::count(options.scenes.begin(), options.scenes.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input (-) is named more than once");
   }
   return true;
+}
+
+/// Throws Error{usage} for what a window cannot show.
+void check_show(RenderOptions const& options, std::vector<std::string> const& inputs, OutputNames const& names) {
+  auto const refuse = [](std::string const& why) { throw Error(ErrorKind::usage, "--show: " + why); };
+  if (inputs.size() != 1) refuse("a window shows one scene");
+  if (inputs.front() == "-") refuse("a window needs a file, not standard input");
+  if (names.is_film() || options.frames || options.turntable > 0)
+    refuse("a window shows no films, --frames, --turntable");
+  if (options.region) refuse("a window shows whole pictures, not a --region");
+  if (options.aov != Aov::picture) refuse("a window begins with the picture, not with another --aov");
 }
 
 /// What the options say together; throws Error{usage} where they contradict each other.
@@ -162,10 +153,12 @@ void combine(RenderOptions& options, std::vector<std::string> const& inputs, Out
 
 int render_command(Arguments const& arguments, Console& console) {
   RenderOptions options;
-  if (!parse_render(arguments, options, console)) return 0;
+  Arguments window_arguments;
+  if (!parse_render(arguments, options, window_arguments, console)) return 0;
   OutputNames names(options.output);
   std::vector<std::string> const inputs = expand_patterns(options.scenes);
   combine(options, inputs, names);
+  if (options.show) check_show(options, inputs, names);
   if (options.size) check_memory(*options.size, ErrorKind::usage);
 
   Stopwatch const stopwatch;
@@ -178,6 +171,10 @@ int render_command(Arguments const& arguments, Console& console) {
   if (options.json) {
     std::string const json = to_json(report);
     options.output.file == "-" ? console.data(json) : write_standard_output(json);
+  }
+  if (options.show && code == 0) {
+    window_arguments.push_back(inputs.front());
+    become_window(window_arguments);
   }
   return code;
 }

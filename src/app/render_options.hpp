@@ -1,5 +1,6 @@
 #pragma once
 
+#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,10 +42,18 @@ struct RenderOptions {
   int turntable = 0;  // pictures around the scene; 0: as the camera stands
   bool resume = false;
 
+  bool show = false;  // in a window, afterwards
   bool json = false;
 
   double frame_rate() const { return frames_per_second.value_or(default_frame_rate); }
   static constexpr double default_frame_rate = 25;
 };
+
+/// --camera and --root.
+void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string const& group);
+/// --device.
+void add_device_option(CLI::App& parser, RenderOptions& options, std::string const& group);
+/// --samples, --depth, --seed, --tonemap, --transfer, --device and --traversal. `default_samples`: for the help.
+void add_quality_options(CLI::App& parser, RenderOptions& options, std::string const& default_samples);
 
 }  // namespace lichtraum::app

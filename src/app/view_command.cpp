@@ -27,24 +27,41 @@ std::filesystem::path window_program() {
   return std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "lichtraum-view";
 }
 
-}  // namespace
-
-bool parse_view(Arguments const& arguments, ViewOptions& options, Console& console) {
+std::unique_ptr<CLI::App> view_parser(ViewOptions& options, Console& console) {
   RenderOptions& render = options.render;
-  auto const parser = make_parser("view", description, examples);
+  auto parser = make_parser("view", description, examples);
   parser->add_option("scene", options.scene, "an eSDF file, a glTF model")->required()->type_name("SCENE");
   std::string const group = "Window";
   parser->add_flag("--watch", options.watch, "Read the scene again when its file is saved")->group(group);
   add_value(*parser, "--size", render.size, parse_size, "WxH", "Of the window, in pixels (default: the scene's)",
             group);
-  add_value(*parser, "--camera", render.camera, parse_name, "NAME", "Begin with this camera: name or number", group);
-  add_value(*parser, "--root", render.root, parse_name, "NAME", "Show this shape and what is below it only", group);
-  add_value(*parser, "--depth", render.depth, parse_depth, "N", "Mirrors and glass in a row (default: 5)", group);
-  add_value(*parser, "--device", render.device, parse_name, "NAME",
-            "Index, part of a name, cpu, gpu or reference\n(default: the best)", group);
+  add_viewpoint_options(*parser, render, group);
+  add_quality_options(*parser, render, "256");
   add_language_options(*parser, render.load.language);
   add_model_options(*parser, render.load.model);
   add_verbosity(*parser, console);
+  return parser;
+}
+
+}  // namespace
+
+Arguments arguments_for_view(CLI::App const& parser) {
+  ViewOptions options;
+  Console console;
+  auto const known = view_parser(options, console);
+  Arguments arguments;
+  for (CLI::Option const* const option : parser.get_options()) {
+    if (option->empty() || option->get_lnames().empty()) continue;
+    std::string const name = "--" + option->get_lnames().front();
+    if (!known->get_option_no_throw(name)) continue;
+    bool const is_flag = option->get_type_size() == 0;
+    for (std::string const& value : option->results()) arguments.push_back(is_flag ? name : name + "=" + value);
+  }
+  return arguments;
+}
+
+bool parse_view(Arguments const& arguments, ViewOptions& options, Console& console) {
+  auto const parser = view_parser(options, console);
   if (!parse(*parser, arguments)) return false;
   if (options.scene == "-") throw Error(ErrorKind::usage, "a window needs a file, not standard input");
   return true;
@@ -53,6 +70,10 @@ bool parse_view(Arguments const& arguments, ViewOptions& options, Console& conso
 int view_command(Arguments const& arguments, Console& console) {
   ViewOptions options;
   if (!parse_view(arguments, options, console)) return 0;
+  become_window(arguments);
+}
+
+void become_window(Arguments const& arguments) {
   std::string const program = window_program().string();
   std::vector<char*> words{const_cast<char*>(program.c_str())};
   for (std::string const& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));

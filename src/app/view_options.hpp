@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <CLI/App.hpp>
+
 #include "app/commands.hpp"
 #include "app/render_options.hpp"
 
@@ -16,5 +18,11 @@ struct ViewOptions {
 
 /// Returns false when only the help was wanted. Throws Error{usage}.
 bool parse_view(Arguments const& arguments, ViewOptions& options, Console& console);
+
+/// Of what was given to another command's parser, what `lichtraum view` knows as well.
+Arguments arguments_for_view(CLI::App const& parser);
+
+/// Makes this process the window's program. Throws Error{unavailable} when there is none.
+[[noreturn]] void become_window(Arguments const& arguments);
 
 }  // namespace lichtraum::app

@@ -41,10 +41,11 @@ void Worker::show(RenderRequest const& view) {
 }
 
 void Worker::restart_refinement() {
-  constexpr int side_when_unknown = 8;
-  refinement_.restart(view_ && seconds_per_pixel_
-                          ? Refinement::first_side_for(view_->resolution, *seconds_per_pixel_, moving_pass_seconds)
-                          : side_when_unknown);
+  int first_side = 8;
+  if (view_ && seconds_per_pixel_) {
+    first_side = Refinement::first_side_for(view_->resolution, *seconds_per_pixel_, moving_pass_seconds);
+  }
+  refinement_.restart(first_side, options_.sampling.value_or(Refinement::finest_by_default));
 }
 
 Worker::News Worker::news() {

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # view_in_xvfb.sh PROGRAM FOLDER: opens scene.sdf of the folder in a window on a display of its own, and does what a user
-# would. Leaves there: opened.png, turned.png, saved.png, faulty.png, camera.sdf, log.txt, and exit_code.
+# would; then draws it with --show. Leaves there: opened.png, turned.png, saved.png, faulty.png, camera.sdf, exit_code,
+# then written.png, shown.png, exit_code_shown, and log.txt.
 set -u
 program=$1
 cd "$2" || exit 1
@@ -36,15 +37,18 @@ settled() {
 changed() { settled "$1" && ! cmp -s "$1" "$2"; }
 press() { xdotool key --window "$id" "$@"; }
 
+is_open() { id=$(xdotool search --name '^lichtraum - scene.sdf$' 2>/dev/null | head -n 1) && [[ -n $id ]]; }
+await_window() {
+  until_true is_open || exit 1
+  xdotool windowfocus "$id"
+  eval "$(xdotool getwindowgeometry --shell "$id")" # sets X and Y
+  position=$X,$Y
+  shot empty.png
+}
+
 "$program" view scene.sdf --watch --size 320x240 >camera.sdf 2>log.txt &
 window=$!
-is_open() { id=$(xdotool search --name '^lichtraum - scene.sdf$' 2>/dev/null | head -n 1) && [[ -n $id ]]; }
-until_true is_open || exit 1
-xdotool windowfocus "$id"
-eval "$(xdotool getwindowgeometry --shell "$id")" # sets X and Y
-position=$X,$Y
-
-shot empty.png
+await_window
 press Tab # the numbers change all the time
 until_true changed opened.png empty.png || exit 1
 press Right Right Right Up
@@ -62,3 +66,13 @@ until_true changed faulty.png saved.png || exit 1
 press q
 wait $window
 echo $? >exit_code
+
+sed -i '$d' scene.sdf
+"$program" render -q scene.sdf -o written.png --samples 2x2 --size 320x240 --show 2>>log.txt &
+window=$!
+await_window
+press Tab
+until_true changed shown.png empty.png || exit 1
+press q
+wait $window
+echo $? >exit_code_shown

@@ -49,6 +49,32 @@ TEST_CASE("without a display or without its program, a window is refused in one 
   CHECK(lichtraum("view scene.sdf --nonsense").exit_code == 64);
 }
 
+TEST_CASE("what a window cannot show is refused before anything is drawn", "[app][view]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("scene.sdf", std::string(scene_without_camera) + camera);
+  for (char const* const words :
+       {"scene.sdf scene.sdf --show --output-dir .", "- --show", "scene.sdf --show --turntable 3",
+        "scene.sdf --show --region 0,0,8,8", "scene.sdf --show --aov depth"}) {
+    INFO(words);
+    auto const result = lichtraum(std::string("render ") + words);
+    CHECK(result.exit_code == 64);
+    CHECK_THAT(result.err, contains_text("--show: "));
+    CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+  }
+  CHECK(!std::filesystem::exists(lichtraum.folder / "scene.png"));
+}
+
+TEST_CASE("without a display, --show draws the picture and then says what is missing", "[app][view]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("scene.sdf", std::string(scene_without_camera) + camera);
+  Process process = lichtraum.process("render -q scene.sdf --show");
+  process.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
+  auto const result = run_process(process);
+  CHECK(result.exit_code == 69);
+  CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+  CHECK(decode(lichtraum.folder.read("scene.png")).width == 320);
+}
+
 #ifdef LICHTRAUM_HAS_WINDOW
 TEST_CASE("a window is opened, turned, saved to, and closed", "[app][view]") {
   for (char const* const program : {"Xvfb", "xdotool", "ffmpeg"}) {
@@ -62,7 +88,7 @@ TEST_CASE("a window is opened, turned, saved to, and closed", "[app][view]") {
   auto const result = run_process(process);
   std::filesystem::path const artifacts = LICHTRAUM_ARTIFACT_DIR "/view";
   std::filesystem::create_directories(artifacts);
-  for (char const* const name : {"opened.png", "turned.png", "saved.png", "faulty.png"}) {
+  for (char const* const name : {"opened.png", "turned.png", "saved.png", "faulty.png", "shown.png"}) {
     std::error_code ignored;
     std::filesystem::copy_file(lichtraum.folder / name, artifacts / name,
                                std::filesystem::copy_options::overwrite_existing, ignored);
@@ -87,6 +113,9 @@ TEST_CASE("a window is opened, turned, saved to, and closed", "[app][view]") {
   CHECK(shot("saved.png").at(170, 120, 1) > shot("saved.png").at(170, 120, 0));
   CHECK(difference(shot("faulty.png"), shot("saved.png"), 0, 150) < 0.5);
   CHECK(difference(shot("faulty.png"), shot("saved.png"), 180, 240) > 5);
+  CHECK(lichtraum.folder.read("exit_code_shown") == "0\n");
+  CHECK(difference(shot("shown.png"), shot("written.png")) < 0.5);
+  CHECK(shot("shown.png").at(170, 120, 1) > shot("shown.png").at(170, 120, 0));
   CHECK_THAT(lichtraum.folder.read("log.txt"), contains_text("nonsense"));
 }
 #endif

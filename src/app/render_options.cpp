@@ -1,0 +1,42 @@
+#include "app/render_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "app/arguments.hpp"
+
+namespace lichtraum::app {
+
+void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string const& group) {
+  add_value(parser, "--camera", options.camera, parse_name, "NAME", "Look through this camera: name or number", group);
+  add_value(parser, "--root", options.root, parse_name, "NAME", "Draw this shape and what is below it only", group);
+}
+
+void add_device_option(CLI::App& parser, RenderOptions& options, std::string const& group) {
+  add_value(parser, "--device", options.device, parse_name, "NAME",
+            "Index, part of a name, cpu, gpu or reference\n(default: the best)", group);
+}
+
+void add_quality_options(CLI::App& parser, RenderOptions& options, std::string const& default_samples) {
+  std::string const group = "Quality";
+  add_value(parser, "--samples", options.sampling, parse_samples, "N|NxN",
+            "Samples a pixel: 16 random ones, or a grid such\nas 4x4 (default: " + default_samples + ")", group);
+  add_value(parser, "--depth", options.depth, parse_depth, "N", "Mirrors and glass in a row (default: 5)", group);
+  add_value(parser, "--seed", options.seed, parse_seed, "N", "Of random samples (default: 0)", group);
+  auto const tone_map = [&options](std::string const& text) {
+    options.has_development = true;
+    return parse_tone_map(text);
+  };
+  auto const transfer = [&options](std::string const& text) {
+    options.has_development = true;
+    return parse_transfer(text);
+  };
+  add_value(parser, "--tonemap", options.tone_map, tone_map, "NAME",
+            "auto (default: what the scene's lights need),\nnone or reinhard", group);
+  add_value(parser, "--transfer", options.transfer, transfer, "NAME",
+            "linear (default for scenes) or srgb (for models)", group);
+  add_device_option(parser, options, group);
+  add_value(parser, "--traversal", options.traversal, parse_traversal, "NAME",
+            "How rays find what they hit: auto (default),\nscalar, wide or packet. The picture is the same", group);
+}
+
+}  // namespace lichtraum::app

@@ -10,6 +10,7 @@
 #include "lichtraum/device.hpp"
 #include "lichtraum/image.hpp"
 #include "lichtraum/scene.hpp"
+#include "lichtraum/scene_edits.hpp"
 
 namespace lichtraum {
 
@@ -148,6 +149,11 @@ class Renderer {
   virtual std::shared_ptr<PreparedScene const> prepare(
       Scene const& scene, std::string_view root = {},
       std::shared_ptr<PreparedScene const> const& previous = {}) const = 0;
+
+  /// The same shapes in another light: nothing but tables of materials and lights is made, so this takes no time
+  /// however large the scene is. `prepared` comes from prepare. May be called from any thread.
+  virtual std::shared_ptr<PreparedScene const> edit(std::shared_ptr<PreparedScene const> const& prepared,
+                                                    SceneEdits const& edits) const = 0;
 
   /// Makes a scene that this renderer prepared the one to draw. Throws Error{no_device} with the numbers when it does
   /// not fit the device.

@@ -97,6 +97,7 @@ struct TileTracer::State {
   std::map<std::string, cl::Kernel> kernels;  // by their programs' options
 
   std::shared_ptr<SceneBuffers const> scene = std::make_shared<SceneBuffers>();
+  std::shared_ptr<ShadingTables const> tables = scene;
   bool is_uploaded = false;
   std::uint64_t device_bytes = 0;
   HostBuffer<device::BvhNode> nodes;
@@ -141,13 +142,18 @@ struct TileTracer::State {
     f(scene->ellipsoids, ellipsoids);
     f(scene->boxes, boxes);
     f(scene->instances, instances);
-    f(scene->materials, materials);
-    f(scene->lights, lights);
-    f(scene->pbr_materials, pbr_materials);
+    for_each_table(f);
     f(scene->textures, textures);
     f(scene->texels, texels);
     f(scene->triangle_attributes, triangle_attributes);
     f(scene->vertex_data, vertex_data);
+  }
+
+  template <class F>
+  void for_each_table(F&& f) {
+    f(tables->materials, materials);
+    f(tables->lights, lights);
+    f(tables->pbr_materials, pbr_materials);
   }
 
   void check_size() {
@@ -178,7 +184,7 @@ struct TileTracer::State {
     if (scene->traversal != Traversal::scalar) {
       options += fmt::format(" -D TRAVERSAL_STACK_SIZE={}", traversal_stack_size(scene->stack_size));
     }
-    if ((scene->features & ~SCENE_PLAIN) == 0) options += fmt::format(" -D POSSIBLE_FEATURES={}", SCENE_PLAIN);
+    if ((tables->features & ~SCENE_PLAIN) == 0) options += fmt::format(" -D POSSIBLE_FEATURES={}", SCENE_PLAIN);
     auto found = kernels.find(options);
     if (found == kernels.end()) {
       auto const program = build_program(context, device, "render", options);
@@ -199,19 +205,20 @@ TileTracer::TileTracer(DeviceInfo const& device) : state_(std::make_unique<State
 
 TileTracer::~TileTracer() = default;
 
-void TileTracer::upload(std::shared_ptr<SceneBuffers const> scene) {
-  if (state_->is_uploaded && scene == state_->scene) return;
+void TileTracer::upload(std::shared_ptr<SceneBuffers const> scene, std::shared_ptr<ShadingTables const> tables) {
+  bool const has_scene = state_->is_uploaded && scene == state_->scene;
+  if (has_scene && tables == state_->tables) return;
+  auto const create = [&](auto const& data, auto& buffer) { buffer.create(state_->context, CL_MEM_READ_ONLY, data); };
   state_->is_uploaded = false;
   state_->scene = std::move(scene);
+  state_->tables.swap(tables);  // the old ones go when no buffer is over them any more
   state_->check_size();
-  checked([&] {
-    state_->for_each_array(
-        [&](auto const& data, auto& buffer) { buffer.create(state_->context, CL_MEM_READ_ONLY, data); });
-  });
+  checked([&] { has_scene ? state_->for_each_table(create) : state_->for_each_array(create); });
   state_->is_uploaded = true;
 }
 
 SceneBuffers const& TileTracer::scene() const { return *state_->scene; }
+ShadingTables const& TileTracer::tables() const { return *state_->tables; }
 std::uint64_t TileTracer::device_bytes() const { return state_->device_bytes; }
 
 void TileTracer::begin_frame(device::FrameParameters const& frame, Image& image) {

@@ -41,7 +41,7 @@ device::PunctualLight punctual_light(Light const& light, Bounds const& world_bou
 
 }  // namespace
 
-std::vector<device::PunctualLight> make_light_table(Registry<Light> const& lights, Bounds const& world_bounds) {
+std::vector<device::PunctualLight> make_light_table(std::vector<Light> const& lights, Bounds const& world_bounds) {
   std::vector<device::PunctualLight> table;
   for (Light const& light : lights) {
     if (light.kind() != LightKind::ambient) table.push_back(punctual_light(light, world_bounds));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <unordered_map>
 
 #include "lichtraum/error.hpp"
@@ -13,16 +14,6 @@
 
 namespace lichtraum {
 namespace {
-
-device::PhongMaterial phong_material(Material const& material) {
-  device::PhongMaterial out{};
-  out.ka = device_float4(material.ka(), material.m());
-  out.kd = device_float4(material.kd(), material.reflect());
-  out.ks = device_float4(material.ks(), material.transmit());
-  out.ior = float(material.ior());
-  store(material.emission(), out.emission);
-  return out;
-}
 
 /// Collects textures, each once, and their pictures, each once.
 class Textures {
@@ -86,9 +77,8 @@ device::uint flags_of(PbrMaterial const& m) {
          (m.attenuation_distance ? PBR_HAS_ATTENUATION : 0u);
 }
 
-device::PbrMaterial pbr_material(PbrMaterial const& m, Textures& textures) {
-  std::vector<int> const sets = used_texcoords(m);
-  auto const slot = [&](TextureSlot const& source) { return textures.slot(source, sets); };
+/// All but its textures.
+device::PbrMaterial pbr_factors(PbrMaterial const& m) {
   device::PbrMaterial out{};
   out.flags = flags_of(m);
   out.alpha_mode = device::uint(m.alpha_mode);
@@ -103,55 +93,95 @@ device::PbrMaterial pbr_material(PbrMaterial const& m, Textures& textures) {
   out.transmission = float(m.transmission);
   out.specular = float(m.specular);
   store(m.specular_color, out.specular_color);
-  out.base_color_texture = slot(m.base_color_texture);
-  out.metallic_roughness_texture = slot(m.metallic_roughness_texture);
-  out.normal_texture = slot(m.normal_texture);
-  out.occlusion_texture = slot(m.occlusion_texture);
-  out.emissive_texture = slot(m.emissive_texture);
-  out.transmission_texture = slot(m.transmission_texture);
-  out.specular_texture = slot(m.specular_texture);
-  out.specular_color_texture = slot(m.specular_color_texture);
   out.thickness = float(m.thickness);
   out.dispersion = float(m.dispersion);
   out.attenuation_distance = float(m.attenuation_distance.value_or(0));
   store(m.attenuation_color, out.attenuation_color);
-  out.thickness_texture = slot(m.thickness_texture);
   out.clearcoat = float(m.clearcoat);
   out.clearcoat_roughness = float(m.clearcoat_roughness);
-  out.clearcoat_texture = slot(m.clearcoat_texture);
-  out.clearcoat_roughness_texture = slot(m.clearcoat_roughness_texture);
-  out.clearcoat_normal_texture = slot(m.clearcoat_normal_texture);
   store(m.sheen_color, out.sheen_color);
   out.sheen_roughness = float(m.sheen_roughness);
-  out.sheen_color_texture = slot(m.sheen_color_texture);
-  out.sheen_roughness_texture = slot(m.sheen_roughness_texture);
   out.anisotropy = float(m.anisotropy);
   out.anisotropy_rotation = float(m.anisotropy_rotation_radians);
-  out.anisotropy_texture = slot(m.anisotropy_texture);
   out.iridescence = float(m.iridescence);
   out.iridescence_ior = float(m.iridescence_ior);
   out.iridescence_thickness_minimum = float(m.iridescence_thickness_minimum_nm);
   out.iridescence_thickness_maximum = float(m.iridescence_thickness_maximum_nm);
-  out.iridescence_texture = slot(m.iridescence_texture);
-  out.iridescence_thickness_texture = slot(m.iridescence_thickness_texture);
+  return out;
+}
+
+/// A slot of a material, and its place on the device.
+struct SlotPlace {
+  TextureSlot PbrMaterial::*host;
+  device::TextureSlot device::PbrMaterial::*device;
+};
+using HostMaterial = PbrMaterial;
+using DeviceMaterial = device::PbrMaterial;
+constexpr SlotPlace slot_places[] = {
+    {&HostMaterial::base_color_texture, &DeviceMaterial::base_color_texture},
+    {&HostMaterial::metallic_roughness_texture, &DeviceMaterial::metallic_roughness_texture},
+    {&HostMaterial::normal_texture, &DeviceMaterial::normal_texture},
+    {&HostMaterial::occlusion_texture, &DeviceMaterial::occlusion_texture},
+    {&HostMaterial::emissive_texture, &DeviceMaterial::emissive_texture},
+    {&HostMaterial::transmission_texture, &DeviceMaterial::transmission_texture},
+    {&HostMaterial::specular_texture, &DeviceMaterial::specular_texture},
+    {&HostMaterial::specular_color_texture, &DeviceMaterial::specular_color_texture},
+    {&HostMaterial::thickness_texture, &DeviceMaterial::thickness_texture},
+    {&HostMaterial::clearcoat_texture, &DeviceMaterial::clearcoat_texture},
+    {&HostMaterial::clearcoat_roughness_texture, &DeviceMaterial::clearcoat_roughness_texture},
+    {&HostMaterial::clearcoat_normal_texture, &DeviceMaterial::clearcoat_normal_texture},
+    {&HostMaterial::sheen_color_texture, &DeviceMaterial::sheen_color_texture},
+    {&HostMaterial::sheen_roughness_texture, &DeviceMaterial::sheen_roughness_texture},
+    {&HostMaterial::anisotropy_texture, &DeviceMaterial::anisotropy_texture},
+    {&HostMaterial::iridescence_texture, &DeviceMaterial::iridescence_texture},
+    {&HostMaterial::iridescence_thickness_texture, &DeviceMaterial::iridescence_thickness_texture},
+};
+static_assert(std::size(slot_places) == std::size(texture_slots));
+
+device::PbrMaterial pbr_material(PbrMaterial const& m, Textures& textures) {
+  std::vector<int> const sets = used_texcoords(m);
+  device::PbrMaterial out = pbr_factors(m);
+  for (SlotPlace const& place : slot_places) out.*place.device = textures.slot(m.*place.host, sets);
   return out;
 }
 
 }  // namespace
 
+device::PhongMaterial phong_material(Material const& material) {
+  device::PhongMaterial out{};
+  out.ka = device_float4(material.ka(), material.m());
+  out.kd = device_float4(material.kd(), material.reflect());
+  out.ks = device_float4(material.ks(), material.transmit());
+  out.ior = float(material.ior());
+  store(material.emission(), out.emission);
+  return out;
+}
+
+device::PbrMaterial pbr_material(PbrMaterial const& material, device::PbrMaterial const& before) {
+  device::PbrMaterial out = pbr_factors(material);
+  for (SlotPlace const& place : slot_places) out.*place.device = before.*place.device;
+  return out;
+}
+
+device::uint features_of(Material const& material) {
+  device::uint features = float(material.transmit()) > 0 ? SCENE_TRANSPARENCY : 0;
+  if (!material.pbr()) return features;
+  features |= SCENE_PBR;
+  if (has_cutouts(*material.pbr()) || filters(*material.pbr())) features |= SCENE_CUTOUTS;
+  if (filters(*material.pbr())) features |= SCENE_TRANSPARENCY;
+  return features;
+}
+
 MaterialTable make_material_table(std::vector<std::shared_ptr<Material const>> const& materials) {
   MaterialTable table;
   Textures textures(table);
   for (auto const& material : materials) {
-    table.phong.push_back(phong_material(material ? *material : Material()));
-    if (table.phong.back().ks.w > 0) table.features |= SCENE_TRANSPARENCY;
-    if (!material || !material->pbr()) continue;
-    PbrMaterial const& pbr = *material->pbr();
-    table.features |= SCENE_PBR;
-    if (has_cutouts(pbr) || filters(pbr)) table.features |= SCENE_CUTOUTS;
-    if (filters(pbr)) table.features |= SCENE_TRANSPARENCY;
+    Material const shown = material ? *material : Material();
+    table.phong.push_back(phong_material(shown));
+    table.features |= features_of(shown);
+    if (!shown.pbr()) continue;
     table.pbr.resize(table.phong.size());  // what comes between has none
-    table.pbr.back() = pbr_material(pbr, textures);
+    table.pbr.back() = pbr_material(*shown.pbr(), textures);
   }
   if (!table.pbr.empty()) table.pbr.resize(table.phong.size());
   return table;

@@ -18,6 +18,12 @@ struct MaterialTable {
   device::uint features = 0;         ///< SCENE_...
 };
 
+device::PhongMaterial phong_material(Material const& material);
+/// With the textures of the entry that it had before.
+device::PbrMaterial pbr_material(PbrMaterial const& material, device::PbrMaterial const& before);
+/// The SCENE_... that a scene has for a material's sake.
+device::uint features_of(Material const& material);
+
 /// A null material is the default one. Throws Error{scene} for more than 2^32 texels.
 MaterialTable make_material_table(std::vector<std::shared_ptr<Material const>> const& materials);
 

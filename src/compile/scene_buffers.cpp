@@ -40,6 +40,11 @@ void hash_primitives(FlatObject const& object, ContentHasher& hasher) {
   hasher.add(object.boxes);
 }
 
+device::uint features_of(std::vector<device::PunctualLight> const& lights) {
+  auto const is_plain = [](device::PunctualLight const& light) { return light.kind == LIGHT_CONSTANT; };
+  return std::all_of(lights.begin(), lights.end(), is_plain) ? 0 : SCENE_LIGHT_KINDS;
+}
+
 class Compiler {
  public:
   Compiler(Traversal traversal, SceneBuffers const* previous) : previous_(previous) { buffers_.traversal = traversal; }
@@ -271,10 +276,8 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tra
   buffers.textures = std::move(table.textures);
   buffers.texels = std::move(table.texels);
   buffers.features |= table.features;
-  buffers.lights = make_light_table(lights, buffers.world_bounds);
-  for (device::PunctualLight const& light : buffers.lights) {
-    if (light.kind != LIGHT_CONSTANT) buffers.features |= SCENE_LIGHT_KINDS;
-  }
+  buffers.lights = make_light_table({lights.begin(), lights.end()}, buffers.world_bounds);
+  buffers.features |= features_of(buffers.lights);
   buffers.unrepresentable += scene.unrepresentable;
   compiler.scene_content().add(buffers.vertex_data);
   compiler.scene_content().add(buffers.materials);
@@ -284,6 +287,23 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tra
   compiler.scene_content().add(buffers.lights);
   buffers.content = compiler.scene_content().finish();
   return std::move(buffers);
+}
+
+ShadingTables edit_tables(SceneBuffers const& scene, std::vector<Material const*> const& materials,
+                          SceneEdits const& edits) {
+  ShadingTables tables = scene;  // and nothing but these
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    auto const edited = edits.materials.find(materials[i]);
+    if (edited == edits.materials.end()) continue;
+    tables.materials[i] = phong_material(edited->second);
+    if (i < tables.pbr_materials.size() && edited->second.pbr()) {
+      tables.pbr_materials[i] = pbr_material(*edited->second.pbr(), scene.pbr_materials[i]);
+    }
+    tables.features |= features_of(edited->second);
+  }
+  tables.lights = make_light_table(edits.lights, scene.world_bounds);
+  tables.features |= features_of(tables.lights);
+  return tables;
 }
 
 }  // namespace lichtraum

@@ -5,6 +5,7 @@
 
 #include "core/content_hash.hpp"
 #include "lichtraum/renderer.hpp"
+#include "lichtraum/scene_edits.hpp"
 #include "scene/flat_scene.hpp"
 #include "scene/object_numbers.hpp"
 #include "shared/bvh.h"
@@ -27,8 +28,16 @@ struct CompiledObject {
   std::size_t stack_size = 0;  ///< that a traversal of it needs; for the wide layout
 };
 
+/// What surfaces and lights are like: all of a scene that can change without a look at its shapes.
+struct ShadingTables {
+  std::vector<device::PhongMaterial> materials;
+  std::vector<device::PbrMaterial> pbr_materials;  ///< as many as materials; empty unless the scene needs them
+  std::vector<device::PunctualLight> lights;
+  device::uint features = 0;  ///< SCENE_...
+};
+
 /// A scene as the kernels read it: plain arrays, the hierarchies of all objects in one.
-struct SceneBuffers {
+struct SceneBuffers : ShadingTables {
   Traversal traversal = Traversal::scalar;  ///< which arrays are filled
   /// Only for the scalar layout.
   std::vector<device::BvhNode> nodes;
@@ -44,10 +53,7 @@ struct SceneBuffers {
   std::vector<device::EllipsoidPrimitive> ellipsoids;
   std::vector<device::BoxPrimitive> boxes;
   std::vector<device::Instance> instances;
-  std::vector<device::PhongMaterial> materials;
-  std::vector<device::PunctualLight> lights;
   /// Empty unless the scene needs them.
-  std::vector<device::PbrMaterial> pbr_materials;  ///< as many as materials
   std::vector<device::Texture> textures;
   std::vector<device::uint> texels;
   std::vector<device::TriangleAttributes> triangle_attributes;  ///< one a triangle, as the layout counts them
@@ -61,12 +67,15 @@ struct SceneBuffers {
   ContentHash content;                ///< of all that decides what rays see, whatever the layout
   std::uint64_t unrepresentable = 0;  ///< primitives left out, see FlatScene
   std::uint64_t triangle_count = 0;
-  device::uint features = 0;  ///< SCENE_...
 };
 
 /// Builds a hierarchy per object and puts everything into the device's arrays. `traversal` is not `automatic`. Objects
 /// that are the same in `previous` (a scene compiled for the same traversal; null: none) get theirs from there.
 SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Traversal traversal,
                            SceneBuffers const* previous = nullptr);
+
+/// The tables of a compiled scene after edits. `materials`: whose entries its materials are, as FlatScene lists them.
+ShadingTables edit_tables(SceneBuffers const& scene, std::vector<Material const*> const& materials,
+                          SceneEdits const& edits);
 
 }  // namespace lichtraum

@@ -58,7 +58,9 @@ void number_objects(Image& image, Region const& region, ObjectNumbers const& num
 
 struct CompiledScene final : PreparedScene {
   std::shared_ptr<SceneBuffers const> buffers;
+  std::shared_ptr<ShadingTables const> tables;  // the buffers' own, unless it is edited
   SceneShading shading;
+  std::vector<Material const*> materials;  // as the tables list them; only compared with, as they may be gone
 };
 
 class OpenClRenderer final : public Renderer {
@@ -76,12 +78,14 @@ class OpenClRenderer final : public Renderer {
     SceneStatistics& statistics = prepared->statistics;
     auto start = Clock::now();
     FlatScene flat = flatten(drawn_roots(scene, root));
+    for (auto const& material : flat.materials) prepared->materials.push_back(material.get());
     statistics.flatten_ms = 1e3 * seconds_since(start);
 
     start = Clock::now();
     prepared->buffers = std::make_shared<SceneBuffers>(
         compile_scene(std::move(flat), scene.lights, traversal_, old ? old->buffers.get() : nullptr));
     if (old && old->buffers->content == prepared->buffers->content) prepared->buffers = old->buffers;
+    prepared->tables = prepared->buffers;
     SceneBuffers const& buffers = *prepared->buffers;
     statistics.build_ms = 1e3 * seconds_since(start);
     statistics.triangles = buffers.triangle_count;
@@ -97,12 +101,22 @@ class OpenClRenderer final : public Renderer {
     return prepared;
   }
 
+  std::shared_ptr<PreparedScene const> edit(std::shared_ptr<PreparedScene const> const& prepared,
+                                            SceneEdits const& edits) const override {
+    auto const edited = std::make_shared<CompiledScene>(compiled(prepared));
+    auto const tables = std::make_shared<ShadingTables>(edit_tables(*edited->buffers, edited->materials, edits));
+    edited->shading.ambient = ambient(edits.lights);
+    edited->fingerprint = edited_fingerprint(*edited, *tables);
+    edited->tables = tables;
+    return edited;
+  }
+
   SceneStatistics set_scene(std::shared_ptr<PreparedScene const> scene) override {
-    scene_ = std::dynamic_pointer_cast<CompiledScene const>(std::move(scene));
-    if (!scene_) throw Error(ErrorKind::internal, "the scene was not prepared by this renderer");
+    compiled(scene);
+    scene_ = std::static_pointer_cast<CompiledScene const>(std::move(scene));
     SceneStatistics statistics = scene_->statistics;
     auto const start = Clock::now();
-    tracer_.upload(scene_->buffers);
+    tracer_.upload(scene_->buffers, scene_->tables);
     statistics.upload_ms = 1e3 * seconds_since(start);
     statistics.device_bytes = tracer_.device_bytes();
     return statistics;
@@ -139,8 +153,8 @@ class OpenClRenderer final : public Renderer {
  private:
   device::FrameParameters parameters(RenderRequest const& request) const {
     auto frame = frame_parameters(request, scene_->shading, tracer_.scene().root_node,
-                                  device::uint(tracer_.scene().lights.size()));
-    frame.features = tracer_.scene().features;
+                                  device::uint(tracer_.tables().lights.size()));
+    frame.features = tracer_.tables().features;
     return frame;
   }
 
@@ -182,6 +196,20 @@ class OpenClRenderer final : public Renderer {
     }
     result.statistics.trace_ms = 1e3 * seconds_since(start);
     return result;
+  }
+
+  static CompiledScene const& compiled(std::shared_ptr<PreparedScene const> const& scene) {
+    if (auto const* const known = dynamic_cast<CompiledScene const*>(scene.get())) return *known;
+    throw Error(ErrorKind::internal, "the scene was not prepared by this renderer");
+  }
+
+  static std::string edited_fingerprint(CompiledScene const& scene, ShadingTables const& tables) {
+    ContentHasher hasher;
+    hasher.add(scene.buffers->content.words);
+    hasher.add(tables.materials);
+    hasher.add(tables.pbr_materials);
+    hasher.add(tables.lights);
+    return scene_fingerprint(hasher.finish(), scene.shading);
   }
 
   static Traversal resolve(Traversal traversal, DeviceKind kind) {

@@ -169,6 +169,21 @@ class ReferenceRenderer final : public Renderer {
     return prepared;
   }
 
+  std::shared_ptr<PreparedScene const> edit(std::shared_ptr<PreparedScene const> const& prepared,
+                                            SceneEdits const& edits) const override {
+    auto const* const graph = dynamic_cast<PreparedGraph const*>(prepared.get());
+    if (!graph) throw Error(ErrorKind::internal, "the scene was not prepared by this renderer");
+    auto edited = std::make_shared<PreparedGraph>(*graph);
+    edited->graph.ambient = ambient(edits.lights);
+    edited->graph.lights = casting_shadows(edits.lights);
+    edited->graph.roots = copy_graph(graph->graph.roots, edits.materials);
+    Registry<Light> lights;
+    for (Light const& light : edits.lights) lights.insert(light);
+    SceneBuffers const compiled = compile_scene(flatten(edited->graph.roots), lights, Traversal::scalar);
+    edited->fingerprint = scene_fingerprint(compiled.content, edited->graph);
+    return edited;
+  }
+
   SceneStatistics set_scene(std::shared_ptr<PreparedScene const> scene) override {
     scene_ = std::dynamic_pointer_cast<PreparedGraph const>(std::move(scene));
     if (!scene_) throw Error(ErrorKind::internal, "the scene was not prepared by this renderer");

@@ -85,12 +85,18 @@ class LeafVisitor final : private ShapeVisitor {
 
 }  // namespace
 
+std::vector<Light> casting_shadows(std::vector<Light> const& lights) {
+  std::vector<Light> result;
+  for (Light const& light : lights) {
+    if (light.kind() != LightKind::ambient) result.push_back(light);
+  }
+  return result;
+}
+
 ReferenceScene make_reference_scene(Scene const& scene, std::string_view root) {
   ReferenceScene result{shading_of(scene), {}, {}};
   result.roots = drawn_roots(scene, root);
-  for (Light const& light : scene.lights) {
-    if (light.kind() != LightKind::ambient) result.lights.push_back(light);
-  }
+  result.lights = casting_shadows({scene.lights.begin(), scene.lights.end()});
   return result;
 }
 

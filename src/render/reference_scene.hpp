@@ -15,6 +15,9 @@ struct ReferenceScene : SceneShading {
   std::vector<Light> lights;  ///< all but ambient ones
 };
 
+/// All but ambient ones.
+std::vector<Light> casting_shadows(std::vector<Light> const& lights);
+
 /// All roots, or the shape called `root`, as they are: nothing is copied. Throws Error{usage} for an unknown root.
 ReferenceScene make_reference_scene(Scene const& scene, std::string_view root);
 

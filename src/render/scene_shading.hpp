@@ -11,6 +11,12 @@ struct SceneShading {
   ToneMap tone_map = ToneMap::none;  ///< what `automatic` means
 };
 
+inline Rgb ambient(std::vector<Light> const& lights) {
+  Rgb sum(0);
+  for (Light const& light : lights) sum += light.la();
+  return sum;
+}
+
 inline SceneShading shading_of(Scene const& scene) { return {scene.ambient(), scene.background, scene.tone_map}; }
 
 }  // namespace lichtraum

@@ -10,6 +10,10 @@ namespace {
 /// Copies a node; a composite's children must have been copied before.
 class NodeCopier final : private ShapeVisitor {
  public:
+  explicit NodeCopier(std::unordered_map<Material const*, Material> const& replaced) {
+    for (auto const& [old, material] : replaced) replaced_.emplace(old, std::make_shared<Material const>(material));
+  }
+
   std::shared_ptr<Shape> copy_of(Shape const& shape) {
     std::shared_ptr<Shape>& copy = copies_[&shape];
     if (copy) return copy;
@@ -21,14 +25,14 @@ class NodeCopier final : private ShapeVisitor {
 
  private:
   void visit(Sphere const& s) override {
-    made_ = std::make_shared<Sphere>(s.name(), s.center(), s.radius(), s.material());
+    made_ = std::make_shared<Sphere>(s.name(), s.center(), s.radius(), material_of(s));
   }
-  void visit(Box const& b) override { made_ = std::make_shared<Box>(b.name(), b.min(), b.max(), b.material()); }
+  void visit(Box const& b) override { made_ = std::make_shared<Box>(b.name(), b.min(), b.max(), material_of(b)); }
   void visit(Triangle const& t) override {
     auto const& [a, b, c] = t.vertices();
-    made_ = std::make_shared<Triangle>(t.name(), a, b, c, t.material());
+    made_ = std::make_shared<Triangle>(t.name(), a, b, c, material_of(t));
   }
-  void visit(Mesh const& m) override { made_ = std::make_shared<Mesh>(m.name(), m.geometry(), m.material()); }
+  void visit(Mesh const& m) override { made_ = std::make_shared<Mesh>(m.name(), m.geometry(), material_of(m)); }
   void visit(Composite const& composite) override {
     Composite::Children children;
     children.reserve(composite.children().size());
@@ -36,14 +40,22 @@ class NodeCopier final : private ShapeVisitor {
     made_ = std::make_shared<Composite>(composite.name(), std::move(children));
   }
 
+  std::shared_ptr<Material const> const& material_of(Shape const& shape) const {
+    auto const found = replaced_.find(shape.material().get());
+    return found == replaced_.end() ? shape.material() : found->second;
+  }
+
+  std::unordered_map<Material const*, std::shared_ptr<Material const>> replaced_;
   std::unordered_map<Shape const*, std::shared_ptr<Shape>> copies_;
   std::shared_ptr<Shape> made_;
 };
 
 }  // namespace
 
-std::vector<std::shared_ptr<Shape const>> copy_graph(std::vector<std::shared_ptr<Shape const>> const& roots) {
-  NodeCopier copier;
+std::vector<std::shared_ptr<Shape const>> copy_graph(
+    std::vector<std::shared_ptr<Shape const>> const& roots,
+    std::unordered_map<Material const*, Material> const& replaced_materials) {
+  NodeCopier copier(replaced_materials);
   for (GraphNode const& node : order_graph(roots).nodes) copier.copy_of(*node.shape);  // children before parents
   std::vector<std::shared_ptr<Shape const>> copies;
   for (auto const& root : roots) copies.push_back(copier.copy_of(*root));

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 
-#include "io/gltf/phong_from_pbr.hpp"
 #include "io/gltf/textures.hpp"
 #include "io/gltf/values.hpp"
 #include "io/model_scene.hpp"

@@ -1,8 +1,7 @@
-#include "io/gltf/phong_from_pbr.hpp"
-
+#include "lichtraum/material.hpp"
 #include "scene/pbr_evaluation.hpp"
 
-namespace lichtraum::gltf {
+namespace lichtraum {
 
 Material phong_from_pbr(std::string name, std::shared_ptr<PbrMaterial const> pbr) {
   device::PbrPoint const point = evaluate(*pbr, MeshPoint());
@@ -15,4 +14,4 @@ Material phong_from_pbr(std::string name, std::shared_ptr<PbrMaterial const> pbr
   return material;
 }
 
-}  // namespace lichtraum::gltf
+}  // namespace lichtraum

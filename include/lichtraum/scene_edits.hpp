@@ -1,0 +1,18 @@
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "lichtraum/light.hpp"
+#include "lichtraum/material.hpp"
+
+namespace lichtraum {
+
+/// Other lights and materials for the shapes of a scene, as values beside it: the scene stays as it was read.
+struct SceneEdits {
+  std::vector<Light> lights;  ///< instead of all of the scene's
+  /// Instead of some of those that its shapes have. Textures, and which of them, stay the material's own.
+  std::unordered_map<Material const*, Material> materials;
+};
+
+}  // namespace lichtraum

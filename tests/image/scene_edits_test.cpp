@@ -1,0 +1,120 @@
+#include "lichtraum/scene_edits.hpp"
+
+#include "lichtraum/device.hpp"
+#include "support/catch.hpp"
+#include "support/esdf.hpp"
+#include "support/picture_check.hpp"
+#include "support/skip.hpp"
+#include "support/textured_meshes.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+namespace {
+
+Resolution const size{80, 60};
+
+/// Two balls of one material each, an instance of many, lights of eSDF; `red`, `green` and `sun` are what is edited.
+std::string scene_text(std::string const& red, std::string const& sun) {
+  std::string text = "define material red " + red +
+                     "\ndefine material green 0.1 0.5 0.1  0.1 0.5 0.1  0 0 0  1\n"
+                     "define light ambient sky 0.2 0.2 0.3\ndefine light diffuse sun " +
+                     sun +
+                     "\ndefine shape sphere a -1 0 0  0.8 red\ndefine shape sphere b 1 0 0  0.8 green\n"
+                     "define shape box floor -9 -2 -9  9 -1 9 green\n";
+  std::string names;
+  for (int i = 0; i < 10; ++i) {
+    std::string const number = std::to_string(i);
+    text += "define shape sphere s" + number + " " + number + " 0 0 0.4 red\n";
+    names += " s" + number;
+  }
+  return text + "define shape composite row" + names +
+         "\ndefine shape composite left row\ntransform left translate -4 1.5 -2\n"
+         "define shape composite right row\ntransform right translate -4 2.5 -3\n"
+         "define camera eye 50\ntransform eye translate 0 1 6\n";
+}
+
+std::string const plain_red = "0.8 0.1 0.1  0.8 0.1 0.1  0 0 0  1", plain_sun = "3 5 6  1 1 1";
+
+template <class Check>
+void for_each_renderer(Check const& check) {
+  for (DeviceInfo const& device : opencl_devices()) {
+    for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
+      INFO("device " << device.index << ", traversal " << int(traversal));
+      check(*make_renderer(device, traversal));
+    }
+  }
+  INFO("reference");
+  check(*make_renderer(reference_device()));
+}
+
+Image draw(Renderer& renderer, std::shared_ptr<PreparedScene const> const& prepared, Scene const& scene) {
+  renderer.set_scene(prepared);
+  Image image;
+  renderer.render(whole_picture(scene.cameras.front(), size), image);
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("an edited scene looks as if it had been written so", "[image][edits]") {
+  REQUIRE_OPENCL_DEVICE();
+  // Matt becomes glass and mirror: shadows let light through, rays go on.
+  std::string const glass = "0.1 0.1 0.9  0 0 0.3  0.5 0.5 0.5  40 reflect=0.2 transmit=0.7 ior=1.4";
+  Scene const scene = scene_of(scene_text(plain_red, plain_sun));
+  Scene const wanted = scene_of(scene_text(glass, "-4 6 5  1.2 0.9 0.4"));
+  SceneEdits edits;
+  edits.lights.assign(wanted.lights.begin(), wanted.lights.end());
+  edits.materials.emplace(scene.materials.find("red")->get(), **wanted.materials.find("red"));
+  for_each_renderer([&](Renderer& renderer) {
+    auto const prepared = renderer.prepare(scene);
+    Image const before = draw(renderer, prepared, scene);
+    Image const expected = draw(renderer, renderer.prepare(wanted), wanted);
+    REQUIRE(expected.data() != before.data());
+    auto const edited = renderer.edit(prepared, edits);
+    CHECK(draw(renderer, edited, scene).data() == expected.data());
+    CHECK(edited->fingerprint != prepared->fingerprint);
+    // And back.
+    CHECK(draw(renderer, prepared, scene).data() == before.data());
+    edits.lights.assign(scene.lights.begin(), scene.lights.end());
+    SceneEdits const none{edits.lights, {}};
+    CHECK(draw(renderer, renderer.edit(prepared, none), scene).data() == before.data());
+    edits.lights.assign(wanted.lights.begin(), wanted.lights.end());
+  });
+}
+
+TEST_CASE("an edited material keeps its textures", "[image][edits]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene const scene = make_textured_scene();
+  Scene wanted = make_textured_scene();
+  SceneEdits edits;
+  edits.lights.assign(scene.lights.begin(), scene.lights.end());
+  for (auto const& material : scene.materials) {
+    if (!material->pbr()) continue;
+    auto pbr = *material->pbr();
+    pbr.base_color.g *= 0.4;
+    pbr.roughness = 0.3;
+    pbr.emissive += Rgb(0, 0, 0.2);
+    Material const changed = phong_from_pbr(material->name(), std::make_shared<PbrMaterial const>(pbr));
+    edits.materials.emplace(material.get(), changed);
+    **wanted.materials.find(material->name()) = changed;
+  }
+  REQUIRE(!edits.materials.empty());
+  for_each_renderer([&](Renderer& renderer) {
+    auto const prepared = renderer.prepare(scene);
+    Image const expected = draw(renderer, renderer.prepare(wanted), scene);
+    CHECK(draw(renderer, prepared, scene).data() != expected.data());
+    CHECK(draw(renderer, renderer.edit(prepared, edits), scene).data() == expected.data());
+  });
+}
+
+TEST_CASE("after a scene was read again, its own materials are edited", "[image][edits]") {
+  REQUIRE_OPENCL_DEVICE();
+  auto const renderer = make_renderer(opencl_devices().front());
+  Scene const first = scene_of(scene_text(plain_red, plain_sun)), again = scene_of(scene_text(plain_red, plain_sun));
+  auto const prepared = renderer->prepare(again, {}, renderer->prepare(first));
+  SceneEdits edits;
+  edits.lights.assign(again.lights.begin(), again.lights.end());
+  edits.materials.emplace(again.materials.find("red")->get(), Material("red", Rgb(0), Rgb(0), Rgb(0), 1));
+  CHECK(draw(*renderer, renderer->edit(prepared, edits), again).data() != draw(*renderer, prepared, again).data());
+}

@@ -6,6 +6,7 @@
 #include "app/stopwatch.hpp"
 #include "lichtraum/turntable.hpp"
 #include "view/display_pixels.hpp"
+#include "view/marking.hpp"
 
 namespace lichtraum::view {
 namespace {
@@ -36,16 +37,41 @@ void Worker::show(RenderRequest const& view) {
   std::lock_guard const lock(mutex_);
   view_ = view;
   is_new_view_ = true;
+  is_marking_due_ = marked_.count > 0;
   restart_refinement();
   changed_.notify_all();
 }
 
+void Worker::edit(unsigned number, SceneEdits edits) {
+  std::lock_guard const lock(mutex_);
+  edits_ = Edits{number, std::move(edits)};
+  is_new_view_ = true;
+  restart_refinement();
+  changed_.notify_all();
+}
+
+void Worker::look_at(int x, int y) {
+  std::lock_guard const lock(mutex_);
+  looked_at_ = Pixel{x, y};
+  has_question_ = true;
+  changed_.notify_all();
+}
+
+void Worker::mark(ObjectTree::Objects const& objects) {
+  std::lock_guard const lock(mutex_);
+  marked_ = objects;
+  is_marking_due_ = objects.count > 0;
+  has_question_ = true;
+  changed_.notify_all();
+}
+
 void Worker::restart_refinement() {
-  int first_side = 8;
-  if (view_ && seconds_per_pixel_) {
-    first_side = Refinement::first_side_for(view_->resolution, *seconds_per_pixel_, moving_pass_seconds);
-  }
-  refinement_.restart(first_side, options_.sampling.value_or(Refinement::finest_by_default));
+  constexpr int side_when_unknown = 8;
+  int const first_side = view_ && seconds_per_pixel_
+                             ? Refinement::first_side_for(view_->resolution, *seconds_per_pixel_, moving_pass_seconds)
+                             : side_when_unknown;
+  bool const is_picture = !view_ || view_->aov == Aov::picture;
+  refinement_.restart(first_side, is_picture ? Refinement::finest_by_default : Sampling());
 }
 
 Worker::News Worker::news() {
@@ -69,9 +95,13 @@ void Worker::work(std::stop_token const& stop) {
     while (!stop.stop_requested()) {
       look_at_file();
       if (file_has_changed_) load(*renderer);
+      apply_edits(*renderer);
+      look_at_pixel(*renderer);
+      if (is_fine_) trace_marking(*renderer);
       if (trace_next(*renderer, stop)) continue;
       std::unique_lock lock(mutex_);
-      changed_.wait_for(lock, time_between_looks, [&] { return is_new_view_ || stop.stop_requested(); });
+      changed_.wait_for(lock, time_between_looks,
+                        [&] { return is_new_view_ || has_question_ || stop.stop_requested(); });
     }
   } catch (...) {
     std::lock_guard const lock(mutex_);
@@ -82,8 +112,8 @@ void Worker::work(std::stop_token const& stop) {
 
 void Worker::look_at_file() {
   auto const now = std::chrono::steady_clock::now();
-  if (!is_watching_ || now - looked_at_ < time_between_looks) return;
-  looked_at_ = now;
+  if (!is_watching_ || now - file_looked_at_ < time_between_looks) return;
+  file_looked_at_ = now;
   std::error_code error;
   auto const time = std::filesystem::last_write_time(source_.name(), error);
   auto const size = error ? 0 : std::filesystem::file_size(source_.name(), error);
@@ -97,8 +127,13 @@ void Worker::load(Renderer& renderer) {
   file_has_changed_ = false;
   try {
     app::Stopwatch const stopwatch;
-    app::LoadedScene const loaded = source_.load(options_.load);
+    auto const loaded_scene = std::make_shared<app::LoadedScene const>(source_.load(options_.load));
+    app::LoadedScene const& loaded = *loaded_scene;
     SceneView scene;
+    scene.loaded = loaded_scene;
+    scene.objects = std::make_shared<DrawnObjects const>(loaded.scene(), options_.root);
+    scene.values = SceneValues(loaded.scene(), *scene.objects);
+    scene.number = ++scene_number_;
     scene.request = app::first_view(loaded, source_, options_);
     scene.cameras.assign(loaded.scene().cameras.begin(), loaded.scene().cameras.end());
     scene.center = center_of_interest(loaded.scene(), options_.root, scene.request.camera);
@@ -111,6 +146,8 @@ void Worker::load(Renderer& renderer) {
     std::lock_guard const lock(mutex_);
     if (!view_) view_ = scene.request;  // what the window will ask for, once it is open
     news_.scene = std::move(scene);
+    marked_ = {};
+    is_marking_due_ = false;
     news_.problem = "";
     seconds_per_pixel_.reset();
     restart_refinement();
@@ -122,12 +159,69 @@ void Worker::load(Renderer& renderer) {
   wake_();
 }
 
+void Worker::apply_edits(Renderer& renderer) {
+  std::optional<Edits> edits;
+  {
+    std::lock_guard const lock(mutex_);
+    edits.swap(edits_);
+  }
+  if (!edits || edits->scene_number != scene_number_) return;
+  renderer.set_scene(renderer.edit(prepared_, edits->edits));
+  sums_ = {};
+}
+
+void Worker::look_at_pixel(Renderer& renderer) {
+  std::optional<Pixel> pixel;
+  RenderRequest view;
+  {
+    std::lock_guard const lock(mutex_);
+    has_question_ = false;
+    pixel.swap(looked_at_);
+    if (!pixel || !view_) return;
+    view = *view_;
+  }
+  Look look{scene_number_, {}};
+  Resolution const& size = view.resolution;
+  if (pixel->x >= 0 && pixel->y >= 0 && pixel->x < size.width && pixel->y < size.height) {
+    look.seen = lichtraum::look_at_pixel(renderer, view, pixel->x, pixel->y);
+  }
+  {
+    std::lock_guard const lock(mutex_);
+    news_.look = look;
+  }
+  wake_();
+}
+
+void Worker::trace_marking(Renderer& renderer) {
+  RenderRequest request;
+  ObjectTree::Objects marked;
+  {
+    std::lock_guard const lock(mutex_);
+    if (!is_marking_due_ || is_new_view_) return;
+    is_marking_due_ = false;
+    marked = marked_;
+    request = Refinement::request(*view_, {});
+  }
+  request.aov = Aov::object_id;
+  Image ids;
+  renderer.render(request, ids);
+  Marking marking{request.resolution, outline_pixels(ids, marked)};
+  {
+    std::lock_guard const lock(mutex_);
+    if (is_new_view_) return;
+    news_.marking = std::move(marking);
+  }
+  wake_();
+}
+
 bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
   RenderRequest request;
   Refinement::Pass pass;
+  Refinement before;
   {
     std::lock_guard const lock(mutex_);
     if (!view_) return false;
+    before = refinement_;
     auto const next = refinement_.next();
     if (!next) return false;
     pass = *next;
@@ -144,10 +238,16 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
     if (pass.is_first) return true;
     look_at_file();
     std::lock_guard const lock(mutex_);
-    return !is_new_view_ && !file_has_changed_;
+    return !is_new_view_ && !has_question_ && !file_has_changed_;
   });
-  if (!result.complete) return true;
+  if (!result.complete) {
+    std::lock_guard const lock(mutex_);
+    if (!is_new_view_) refinement_ = before;  // it is traced again when the question is answered
+    return true;
+  }
+  is_fine_ = pass.pixel_side == 1;
   frame.statistics = result.statistics;
+  frame.image = aov_as_picture(std::move(frame.image), request.aov);
   frame.pixels = display_pixels(frame.image);
   {
     std::lock_guard const lock(mutex_);
@@ -159,6 +259,7 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
     news_.frame = std::move(frame);
   }
   wake_();
+  if (pass.pixel_side == 1) trace_marking(renderer);
   return true;
 }
 

@@ -11,7 +11,10 @@
 
 #include "app/console.hpp"
 #include "app/picture_plan.hpp"
+#include "lichtraum/aov.hpp"
+#include "view/object_tree.hpp"
 #include "view/refinement.hpp"
+#include "view/scene_values.hpp"
 
 namespace lichtraum::view {
 
@@ -31,6 +34,22 @@ struct SceneView {
   Vec3 center{0};  ///< of what is looked at
   Vec3 bounds_min{0};
   Vec3 bounds_max{0};
+  std::shared_ptr<DrawnObjects const> objects;
+  SceneValues values;
+  std::shared_ptr<app::LoadedScene const> loaded;  ///< keeps what both of them point to
+  unsigned number = 0;                             ///< one more each time it is read
+};
+
+/// The outline of the selected objects in a picture.
+struct Marking {
+  Resolution size;
+  std::vector<unsigned char> pixels;  ///< see outline_pixels
+};
+
+/// What was found under a pixel.
+struct Look {
+  unsigned scene_number = 0;
+  std::optional<SeenPoint> seen;
 };
 
 /// Traces views in a thread of its own, the newest first, and reads the scene again when its file is saved.
@@ -47,8 +66,17 @@ class Worker {
   /// What is looked at from now on. Whatever is traced for an older view is given up.
   void show(RenderRequest const& view);
 
+  /// From now on scene `number` has other lights and materials; nothing happens when it was read again meanwhile.
+  void edit(unsigned number, SceneEdits edits);
+  /// Finds out what is under a pixel of the view.
+  void look_at(int x, int y);
+  /// Outlines these objects in each view that stays; none when there are none.
+  void mark(ObjectTree::Objects const& objects);
+
   struct News {
     std::optional<Frame> frame;
+    std::optional<Look> look;
+    std::optional<Marking> marking;
     std::optional<SceneView> scene;      ///< it was read, for the first time or again
     std::optional<std::string> problem;  ///< why it could not be read again; empty: it could
     std::string device;
@@ -59,6 +87,9 @@ class Worker {
  private:
   void work(std::stop_token const& stop);
   void load(Renderer& renderer);
+  void apply_edits(Renderer& renderer);
+  void look_at_pixel(Renderer& renderer);
+  void trace_marking(Renderer& renderer);
   /// Whether the file was saved; not more often than makes sense.
   void look_at_file();
   /// Whether there was something to trace.
@@ -73,9 +104,11 @@ class Worker {
 
   // Of the thread alone.
   SceneStatistics scene_statistics_;
-  std::shared_ptr<PreparedScene const> prepared_;
+  std::shared_ptr<PreparedScene const> prepared_;  // as it was read
+  unsigned scene_number_ = 0;
+  bool is_fine_ = false;  // the picture that is shown has a ray for each pixel
   Accumulation sums_;
-  std::chrono::steady_clock::time_point looked_at_;
+  std::chrono::steady_clock::time_point file_looked_at_;
   bool file_has_changed_ = false;
   std::filesystem::file_time_type file_time_{};
   std::uintmax_t file_size_ = 0;
@@ -84,8 +117,20 @@ class Worker {
   std::condition_variable changed_;
   std::optional<RenderRequest> view_;
   bool is_new_view_ = false;
+  bool has_question_ = false;                // what is being traced waits for the answer
   std::optional<double> seconds_per_pixel_;  // of the last passes with one sample a pixel
   Refinement refinement_;
+  struct Edits {
+    unsigned scene_number;
+    SceneEdits edits;
+  };
+  std::optional<Edits> edits_;  // to be applied
+  struct Pixel {
+    int x, y;
+  };
+  std::optional<Pixel> looked_at_;  // to be looked at
+  ObjectTree::Objects marked_;
+  bool is_marking_due_ = false;
   News news_;
   std::exception_ptr failure_;
 

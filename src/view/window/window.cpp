@@ -1,8 +1,6 @@
 #include "view/window/window.hpp"
 
 #include <GLFW/glfw3.h>
-#include <backends/imgui_impl_glfw.h>
-#include <backends/imgui_impl_opengl3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -26,75 +24,6 @@ constexpr ImGuiWindowFlags overlay = ImGuiWindowFlags_NoDecoration | ImGuiWindow
 
 }  // namespace
 
-struct Window::Graphics {
-  GLFWwindow* window = nullptr;
-  GLuint texture = 0;
-  Resolution texture_size;
-  /// Since they were handled last. Characters rather than keys, so that a keyboard's layout plays no role.
-  std::vector<char32_t> characters;
-  std::vector<int> keys;
-
-  Graphics() {
-    glfwSetErrorCallback([](int, char const*) {});
-    if (glfwInit() != GLFW_TRUE) no_display();
-  }
-
-  void open(std::string const& title, Resolution const& size) {
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
-    if (!window) no_display();
-    glfwMakeContextCurrent(window);
-    glfwSwapInterval(0);
-    glfwSetWindowUserPointer(window, this);
-    // Dear ImGui, below, hands on what it gets to these.
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
-      bool const is_capital = character >= 'A' && character <= 'Z';
-      of(w).characters.push_back(is_capital ? character - 'A' + 'a' : character);
-    });
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
-      if (action != GLFW_RELEASE) of(w).keys.push_back(key);
-    });
-    ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;
-    ImGui_ImplGlfw_InitForOpenGL(window, true);
-    ImGui_ImplOpenGL3_Init("#version 330");
-    glGenTextures(1, &texture);
-  }
-
-  ~Graphics() {
-    if (window) {
-      ImGui_ImplOpenGL3_Shutdown();
-      ImGui_ImplGlfw_Shutdown();
-      ImGui::DestroyContext();
-    }
-    glfwTerminate();
-  }
-
-  static Graphics& of(GLFWwindow* window) { return *static_cast<Graphics*>(glfwGetWindowUserPointer(window)); }
-
-  [[noreturn]] static void no_display() {
-    throw Error(ErrorKind::unavailable,
-                "there is no display with OpenGL 3.3 to open a window on (lichtraum preview shows a scene in the "
-                "terminal)");
-  }
-
-  void upload(Frame const& frame) {
-    Resolution const size = frame.image.size();
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    if (size != texture_size) {
-      glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                   frame.pixels.data());
-    } else {
-      glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, frame.pixels.data());
-    }
-    texture_size = size;
-  }
-};
-
 Window::Window(app::SceneSource const& source, app::ViewOptions const& options, app::Console const& console)
     : source_(source), options_(options), console_(console) {
   graphics_ = std::make_unique<Graphics>();
@@ -104,12 +33,6 @@ Window::Window(app::SceneSource const& source, app::ViewOptions const& options, 
 }
 
 Window::~Window() { worker_.reset(); }
-
-Resolution Window::size() const {
-  int width = 0, height = 0;
-  glfwGetFramebufferSize(graphics_->window, &width, &height);
-  return {std::max(1, width), std::max(1, height)};
-}
 
 void Window::run() {
   int draws_due = 1;
@@ -121,22 +44,16 @@ void Window::run() {
     // What an event does to Dear ImGui's widgets is seen in the drawing after the next one.
     if (glfwGetTime() - start < patience) draws_due = 2;
     bool const has_news = take_news();
-    ImGui_ImplOpenGL3_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
-    ImGui::NewFrame();
+    graphics_->begin_drawing();
     handle_mouse();
     handle_keys();
-    if (camera_ && size() != shown_size_) show();
+    if (camera_ && graphics_->framebuffer_size() != shown_size_) show();
     draw();
     ImGui::Render();
     if (!has_news && glfwGetTime() - drawn_at < seconds_between_draws) continue;
     --draws_due;
     drawn_at = glfwGetTime();
-    Resolution const framebuffer = size();
-    glViewport(0, 0, framebuffer.width, framebuffer.height);
-    glClear(GL_COLOR_BUFFER_BIT);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    glfwSwapBuffers(graphics_->window);
+    graphics_->show_drawing();
   }
 }
 
@@ -153,28 +70,56 @@ bool Window::take_news() {
     if (is_first && !options_.render.size) {
       glfwSetWindowSize(graphics_->window, scene_.request.resolution.width, scene_.request.resolution.height);
     }
+    panel_.set_scene(scene_);
     if (!is_moved_) camera_.emplace(scene_.request.camera, scene_.center);
     show();
   }
   if (news.frame) {
     frame_ = std::move(*news.frame);
-    graphics_->upload(*frame_);
+    graphics_->picture.upload(frame_->image.size(), frame_->pixels);
   }
-  return news.frame || news.problem || news.scene;
+  if (news.marking) {
+    has_marking_ = true;
+    graphics_->marking.upload(news.marking->size, news.marking->pixels);
+  }
+  if (news.look && news.look->scene_number == scene_.number && panel_.select(news.look->seen)) mark_selection();
+  return news.look || news.marking || news.frame || news.problem || news.scene;
 }
 
 void Window::show() {
-  shown_size_ = size();
+  shown_size_ = graphics_->framebuffer_size();
   RenderRequest view = scene_.request;
   view.camera = camera_->camera();
   view.resolution = shown_size_;
+  view.aov = panel_.aov;
+  has_marking_ = false;
   worker_->show(view);
+}
+
+void Window::show(Aov aov) {
+  panel_.aov = aov;
+  show();
+}
+
+void Window::mark_selection() {
+  has_marking_ = false;
+  worker_->mark(panel_.selected_objects());
 }
 
 void Window::handle_mouse() {
   ImGuiIO const& io = ImGui::GetIO();
-  if (!camera_ || io.WantCaptureMouse) return;
+  if (!camera_ || io.WantCaptureMouse) {
+    dragged_ = -1;
+    return;
+  }
+  constexpr double most_of_a_click = 3;  // a hand is not quite still
   bool const is_left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) dragged_ = 0;
+  if (is_left && dragged_ >= 0) dragged_ += double(std::abs(io.MouseDelta.x) + std::abs(io.MouseDelta.y));
+  if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && dragged_ >= 0 && dragged_ <= most_of_a_click && !io.KeyShift) {
+    worker_->look_at(int(io.MousePos.x / io.DisplaySize.x * float(shown_size_.width)),
+                     int(io.MousePos.y / io.DisplaySize.y * float(shown_size_.height)));
+  }
   bool const is_panning = ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
                           (is_left && io.KeyShift);
   double const right = io.MouseDelta.x / std::max(1.0f, io.DisplaySize.x);
@@ -183,7 +128,7 @@ void Window::handle_mouse() {
   if (is_panning && (right != 0 || down != 0)) {
     camera_->pan(-right, down);
     moves = true;
-  } else if (is_left && (right != 0 || down != 0)) {
+  } else if (is_left && dragged_ > most_of_a_click && (right != 0 || down != 0)) {
     camera_->orbit(-360 * right, 360 * down);
     moves = true;
   }
@@ -197,6 +142,11 @@ void Window::handle_mouse() {
 }
 
 void Window::handle_keys() {
+  if (ImGui::GetIO().WantTextInput) {  // a number is being typed
+    graphics_->characters.clear();
+    graphics_->keys.clear();
+    return;
+  }
   for (char32_t const character : std::exchange(graphics_->characters, {})) handle_character(character);
   constexpr double step_degrees = 5;
   for (int const key : std::exchange(graphics_->keys, {})) {
@@ -216,6 +166,10 @@ void Window::handle_character(char32_t character) {
   if (character == 'q') close();
   if (!camera_) return;
   if (character >= '1' && character <= '9') choose_camera(character - '1');
+  if (character == 'p') show(Aov::picture);
+  if (character == 'd') show(Aov::depth);
+  if (character == 'n') show(Aov::normal);
+  if (character == 'o') show(Aov::object_id);
   if (character == 's') save();
   if (character == 'c') copy_camera();
   if (character == 'f') frame_everything();
@@ -272,11 +226,13 @@ void Window::copy_camera() const {
 
 void Window::draw() {
   ImVec2 const area = ImGui::GetIO().DisplaySize;
-  if (frame_) {
-    auto* const texture = reinterpret_cast<ImTextureID>(std::uintptr_t(graphics_->texture));
+  auto const add = [&](ShownPicture const& picture) {
+    auto* const texture = reinterpret_cast<ImTextureID>(std::uintptr_t(picture.texture));
     ImGui::GetBackgroundDrawList()->AddImage(texture, {0, 0}, area);
-  }
-  if (is_panel_open_) draw_statistics();
+  };
+  if (frame_) add(graphics_->picture);
+  if (has_marking_) add(graphics_->marking);
+  if (is_panel_open_) draw_panel();
   if (is_help_open_) draw_help();
   if (!problem_.empty()) {
     ImGui::SetNextWindowPos({8, area.y - 8}, ImGuiCond_Always, {0, 1});
@@ -288,27 +244,31 @@ void Window::draw() {
   }
 }
 
-void Window::draw_statistics() const {
-  ImGui::SetNextWindowPos({8, 8});
+void Window::draw_panel() {
+  // On the right: in a window that is too small for both, the panel is on top of it.
+  ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x - 8, 8}, ImGuiCond_Always, {1, 0});
   ImGui::SetNextWindowBgAlpha(0.6f);
-  ImGui::Begin("statistics", nullptr, overlay | ImGuiWindowFlags_NoInputs);
-  if (frame_) {
-    RenderStatistics const& render = frame_->statistics;
-    int const samples = frame_->pass.sampling.count;
-    ImGui::Text("%s", device_.c_str());
-    ImGui::Text("%dx%d, %d sample%s a pixel, %.1f ms, %.1f Mrays/s", frame_->image.width(), frame_->image.height(),
-                samples, samples == 1 ? "" : "s", render.trace_ms,
-                render.trace_ms > 0 ? 1e-3 * double(render.rays.total()) / render.trace_ms : 0.0);
-    ImGui::Text("%llu triangles, %llu spheres, %llu boxes, %llu nodes",
-                static_cast<unsigned long long>(frame_->scene.triangles),
-                static_cast<unsigned long long>(frame_->scene.spheres),
-                static_cast<unsigned long long>(frame_->scene.boxes),
-                static_cast<unsigned long long>(frame_->scene.bvh_nodes));
-  } else {
-    ImGui::TextUnformatted("loading ...");
-  }
-  ImGui::TextUnformatted("? shows the keys");
+  ImGui::Begin("statistics", nullptr, overlay | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::TextUnformatted(statistics().c_str());
   ImGui::End();
+  Panel::Changes const changes = panel_.draw();
+  if (changes.values) worker_->edit(scene_.number, panel_.values().edits());
+  if (changes.selection) mark_selection();
+  if (changes.aov) show();
+}
+
+std::string Window::statistics() const {
+  if (!frame_) return "loading ...";
+  RenderStatistics const& render = frame_->statistics;
+  SceneStatistics const& scene = frame_->scene;
+  int const samples = frame_->pass.sampling.count;
+  return fmt::format(
+      "{}\n{}x{}, {} sample{} a pixel, {:.1f} ms, {:.1f} Mrays/s\n{} triangles, {} spheres, {} boxes, {} nodes\n? "
+      "shows "
+      "the keys",
+      device_, frame_->image.width(), frame_->image.height(), samples, samples == 1 ? "" : "s", render.trace_ms,
+      render.trace_ms > 0 ? 1e-3 * double(render.rays.total()) / render.trace_ms : 0.0, scene.triangles, scene.spheres,
+      scene.boxes, scene.bvh_nodes);
 }
 
 void Window::draw_help() const {
@@ -318,13 +278,15 @@ void Window::draw_help() const {
   ImGui::TextUnformatted(
       "left button, arrows    turn around the scene\n"
       "right button, shift    move sideways\n"
+      "a click                select what is there\n"
       "wheel, + -             nearer, farther\n"
       "R                      the scene's camera\n"
       "1 ... 9                its other cameras\n"
       "F                      show everything\n"
+      "P, D, N, O             picture, depth, normals, objects\n"
       "S                      save what is seen\n"
       "C                      copy the camera as eSDF\n"
-      "Tab                    numbers on, off\n"
+      "Tab                    panel on, off\n"
       "Q, Esc                 close");
   ImGui::End();
 }

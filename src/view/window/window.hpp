@@ -6,9 +6,9 @@
 
 #include "app/view_options.hpp"
 #include "view/orbit_camera.hpp"
+#include "view/window/graphics.hpp"
+#include "view/window/panel.hpp"
 #include "view/worker.hpp"
-
-struct GLFWwindow;
 
 namespace lichtraum::view {
 
@@ -25,8 +25,6 @@ class Window {
   void run();
 
  private:
-  struct Graphics;  // GLFW's and Dear ImGui's part
-
   /// Whether there was something to be seen.
   bool take_news();
   void handle_mouse();
@@ -34,15 +32,17 @@ class Window {
   void handle_character(char32_t character);
   void close();
   void draw();
-  void draw_statistics() const;
+  void draw_panel();
+  std::string statistics() const;
   void draw_help() const;
 
   void choose_camera(std::size_t number);
   void frame_everything();
   void show();
+  void show(Aov aov);
+  void mark_selection();
   void save();
   void copy_camera() const;
-  Resolution size() const;
 
   app::SceneSource const& source_;
   app::ViewOptions const& options_;
@@ -57,6 +57,9 @@ class Window {
   std::string device_;
   bool is_help_open_ = false;
   bool is_panel_open_ = true;
+  Panel panel_;
+  bool has_marking_ = false;        // of the current view
+  double dragged_ = 0;              // pixels, since the left button was pressed on the picture; negative: elsewhere
   std::unique_ptr<Worker> worker_;  // last: it is ended first
 };
 

@@ -1,0 +1,53 @@
+#include "view/scene_values.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace lichtraum::view {
+
+SceneValues::SceneValues(Scene const& scene, DrawnObjects const& objects)
+    : lights(scene.lights.begin(), scene.lights.end()), original_lights_(lights) {
+  std::unordered_set<Shape const*> seen;
+  std::vector<Shape const*> pending;
+  for (auto const& root : objects.roots()) pending.push_back(root.get());
+  while (!pending.empty()) {
+    Shape const* const shape = pending.back();
+    pending.pop_back();
+    if (auto const* const composite = dynamic_cast<Composite const*>(shape)) {
+      if (!seen.insert(shape).second) continue;
+      for (auto const& child : composite->children()) pending.push_back(child.get());
+    } else if (shape->material() && places_.emplace(shape->material().get(), 0).second) {
+      materials.push_back({shape->material().get(), *shape->material()});
+    }
+  }
+  std::sort(materials.begin(), materials.end(),
+            [](auto const& a, auto const& b) { return a.value.name() < b.value.name(); });
+  for (std::size_t i = 0; i < materials.size(); ++i) places_[materials[i].original] = i;
+}
+
+void SceneValues::reset() {
+  lights = original_lights_;
+  for (std::size_t i = 0; i < materials.size(); ++i) reset_material(i);
+}
+
+SceneEdits SceneValues::edits() const {
+  SceneEdits edits;
+  edits.lights = lights;
+  for (EditableMaterial const& material : materials) {
+    if (material.is_edited) edits.materials.emplace(material.original, material.value);
+  }
+  return edits;
+}
+
+std::size_t const* SceneValues::find(Material const* original) const {
+  auto const found = places_.find(original);
+  return found == places_.end() ? nullptr : &found->second;
+}
+
+bool is_physically_based(Material const& material) {
+  if (!material.pbr()) return false;
+  Material const derived = phong_from_pbr("", material.pbr());
+  return derived.kd() == material.kd() && derived.ks() == material.ks() && derived.m() == material.m();
+}
+
+}  // namespace lichtraum::view

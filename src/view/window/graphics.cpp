@@ -1,0 +1,96 @@
+#include "view/window/graphics.hpp"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "lichtraum/error.hpp"
+
+namespace lichtraum::view {
+namespace {
+
+Graphics& graphics_of(GLFWwindow* window) { return *static_cast<Graphics*>(glfwGetWindowUserPointer(window)); }
+
+[[noreturn]] void no_display() {
+  throw Error(ErrorKind::unavailable,
+              "there is no display with OpenGL 3.3 to open a window on (lichtraum preview shows a scene in the "
+              "terminal)");
+}
+
+}  // namespace
+
+void ShownPicture::upload(Resolution const& new_size, std::vector<unsigned char> const& pixels) {
+  if (texture == 0) glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  if (new_size != size) {
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, new_size.width, new_size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 pixels.data());
+  } else {
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  }
+  size = new_size;
+}
+
+Graphics::Graphics() {
+  glfwSetErrorCallback([](int, char const*) {});
+  if (glfwInit() != GLFW_TRUE) no_display();
+}
+
+Graphics::~Graphics() {
+  if (window) {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+  }
+  glfwTerminate();
+}
+
+void Graphics::open(std::string const& title, Resolution const& size) {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
+  if (!window) no_display();
+  glfwMakeContextCurrent(window);
+  glfwSwapInterval(0);
+  glfwSetWindowUserPointer(window, this);
+  // Dear ImGui, below, hands on what it gets to these.
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+    bool const is_capital = character >= 'A' && character <= 'Z';
+    graphics_of(w).characters.push_back(is_capital ? character - 'A' + 'a' : character);
+  });
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
+    if (action != GLFW_RELEASE) graphics_of(w).keys.push_back(key);
+  });
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui_ImplGlfw_InitForOpenGL(window, true);
+  ImGui_ImplOpenGL3_Init("#version 330");
+}
+
+Resolution Graphics::framebuffer_size() const {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window, &width, &height);
+  return {std::max(1, width), std::max(1, height)};
+}
+
+void Graphics::begin_drawing() const {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Graphics::show_drawing() const {
+  Resolution const size = framebuffer_size();
+  glViewport(0, 0, size.width, size.height);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  glfwSwapBuffers(window);
+}
+
+}  // namespace lichtraum::view

@@ -1,0 +1,137 @@
+#include "view/window/panel.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "view/window/object_rows.hpp"
+#include "view/window/sliders.hpp"
+
+namespace lichtraum::view {
+
+void Panel::set_scene(SceneView const& scene) {
+  tree_ = ObjectTree(scene.objects);
+  values_ = scene.values;
+  loaded_ = scene.loaded;
+  seen_.reset();
+  double const size = glm::distance(scene.bounds_min, scene.bounds_max);
+  scene_size_ = std::isfinite(size) && size > 0 ? size : 1;
+}
+
+bool Panel::select(std::optional<SeenPoint> const& seen) {
+  auto const before = tree_.selected_objects();
+  seen_ = seen;
+  tree_.reveal(seen ? seen->object : 0);
+  scrolls_ = true;
+  return tree_.selected_objects() != before;
+}
+
+Panel::Changes Panel::draw() {
+  if (!loaded_) return {};
+  ImVec2 const area = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({8, 8}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({std::min(330.0f, area.x - 16), std::max(80.0f, area.y - 16)}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowBgAlpha(0.75f);
+  Changes changes;
+  if (ImGui::Begin("scene", nullptr, ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav)) {
+    ImGui::PushItemWidth(-100);
+    changes.aov = draw_views();
+    changes.selection = draw_objects();
+    changes.values = draw_lights();
+    changes.values |= draw_materials();
+    changes.values |= draw_reset();
+    ImGui::PopItemWidth();
+  }
+  ImGui::End();
+  return changes;
+}
+
+bool Panel::draw_views() {
+  int number = int(aov);
+  if (!ImGui::Combo("view", &number, "picture (P)\0depth (D)\0normals (N)\0objects (O)\0")) return false;
+  aov = Aov(number);
+  return true;
+}
+
+bool Panel::draw_objects() {
+  if (!ImGui::CollapsingHeader("Objects", ImGuiTreeNodeFlags_DefaultOpen)) return false;
+  float const height = std::clamp(0.3f * ImGui::GetWindowHeight(), 60.0f, 400.0f);
+  ImGui::BeginChild("rows", {0, height}, true, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
+  bool const is_selected = draw_object_rows(tree_, values_, scrolls_);
+  scrolls_ = false;
+  ImGui::EndChild();
+  if (is_selected) seen_.reset();
+  draw_selection();
+  return is_selected;
+}
+
+void Panel::draw_selection() const {
+  if (!tree_.selected()) {
+    ImGui::TextDisabled("a click on the picture selects");
+    return;
+  }
+  Shape const& shape = *tree_.rows()[*tree_.selected()].shape;
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(tree_.selected_path().c_str());
+  ImGui::PopTextWrapPos();
+  if (dynamic_cast<Composite const*>(&shape)) {
+    ImGui::Text("composite of %llu objects", static_cast<unsigned long long>(tree_.selected_objects().count));
+  } else {
+    ImGui::Text("%s, %s", kind_of(shape).c_str(), material_name(shape, values_).c_str());
+  }
+  if (!seen_) return;
+  ImGui::Text("distance %.4g", seen_->distance);
+  ImGui::Text("position %.4g %.4g %.4g", seen_->position.x, seen_->position.y, seen_->position.z);
+  ImGui::Text("normal   %.3f %.3f %.3f", seen_->normal.x, seen_->normal.y, seen_->normal.z);
+}
+
+bool Panel::draw_lights() {
+  if (values_.lights.empty() || !ImGui::CollapsingHeader("Lights")) return false;
+  bool has_changed = false;
+  for (std::size_t i = 0; i < values_.lights.size(); ++i) {
+    Light& light = values_.lights[i];
+    ImGui::PushID(int(i));
+    if (ImGui::TreeNode("light", "%s (%s)", light.name().c_str(), std::string(name_of(light.kind())).c_str())) {
+      has_changed |= edit_light(light, values_.original_light(i), scene_size_);
+      if (ImGui::SmallButton("reset")) {
+        values_.reset_light(i);
+        has_changed = true;
+      }
+      ImGui::TreePop();
+    }
+    ImGui::PopID();
+  }
+  return has_changed;
+}
+
+bool Panel::draw_materials() {
+  if (values_.materials.empty() || !ImGui::CollapsingHeader("Materials")) return false;
+  bool has_changed = false;
+  std::size_t const* selected = nullptr;
+  if (tree_.selected()) selected = values_.find(tree_.rows()[*tree_.selected()].shape->material().get());
+  for (std::size_t i = 0; i < values_.materials.size(); ++i) {
+    SceneValues::EditableMaterial& material = values_.materials[i];
+    ImGui::PushID(int(i));
+    ImGuiTreeNodeFlags const flags = selected && *selected == i ? ImGuiTreeNodeFlags_Selected : 0;
+    if (ImGui::TreeNodeEx("material", flags, "%s%s", material.value.name().c_str(), material.is_edited ? " *" : "")) {
+      if (edit_material(material.value)) has_changed = material.is_edited = true;
+      if (material.is_edited && ImGui::SmallButton("reset")) {
+        values_.reset_material(i);
+        has_changed = true;
+      }
+      ImGui::TreePop();
+    }
+    ImGui::PopID();
+  }
+  return has_changed;
+}
+
+bool Panel::draw_reset() {
+  if (!ImGui::Button("reset all")) return false;
+  values_.reset();
+  return true;
+}
+
+}  // namespace lichtraum::view

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+
+#include "view/worker.hpp"
+
+namespace lichtraum::view {
+
+/// What is shown beside the picture: numbers, the objects as a tree, what is selected, lights and materials to change.
+class Panel {
+ public:
+  /// Another scene, or the same read again: nothing is selected or changed.
+  void set_scene(SceneView const& scene);
+  /// Selects what was found under a pixel. Whether that changes the selection.
+  bool select(std::optional<SeenPoint> const& seen);
+
+  /// What a user has changed while it was drawn.
+  struct Changes {
+    bool aov = false;
+    bool values = false;
+    bool selection = false;
+  };
+  /// In the current frame of Dear ImGui.
+  Changes draw();
+
+  Aov aov = Aov::picture;
+  SceneValues const& values() const { return values_; }
+  ObjectTree::Objects selected_objects() const { return tree_.selected_objects(); }
+
+ private:
+  bool draw_views();
+  bool draw_objects();
+  void draw_selection() const;
+  bool draw_lights();
+  bool draw_materials();
+  bool draw_reset();
+
+  std::shared_ptr<app::LoadedScene const> loaded_;  // keeps the tree's shapes
+  ObjectTree tree_;
+  SceneValues values_;
+  double scene_size_ = 1;
+  std::optional<SeenPoint> seen_;  // of the selected object, when it was selected in the picture
+  bool scrolls_ = false;
+};
+
+}  // namespace lichtraum::view

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "lichtraum/light.hpp"
+#include "lichtraum/material.hpp"
+
+namespace lichtraum::view {
+
+/// Widgets for all that may be changed of a light. `original`: as the scene has it; `scene_size` in units of the world.
+/// Whether it was.
+bool edit_light(Light& light, Light const& original, double scene_size);
+
+/// The same of a material: Phong's coefficients, or the physically based values that they are derived from.
+bool edit_material(Material& material);
+
+}  // namespace lichtraum::view

@@ -1,0 +1,110 @@
+#ifdef LICHTRAUM_HAS_WINDOW
+#include <algorithm>
+#include <cmath>
+
+#include "lichtraum.hpp"
+#include "pictures.hpp"
+#include "support/catch.hpp"
+#include "support/skip.hpp"
+
+namespace {
+
+/// A ball on the right, where no panel covers it, that belongs to a pair; nothing around it.
+constexpr char const* scene =
+    "define material red 0.02 0 0  0.8 0.1 0.1  0 0 0  1\n"
+    "define shape sphere ball 1 0 0  0.8 red\n"
+    "define shape box block -0.4 -1.2 -2  2.4 -0.9 0.5 red\n"
+    "define shape composite pair ball block\n"
+    "define light diffuse lamp 3 4 6  1 1 1\ndefine light ambient sky 1 1 1\n"
+    "define camera eye 50 640 480\ntransform eye translate 0 0 6\n";
+
+struct Area {
+  int x0, y0, x1, y1;
+};
+/// Right of the panel, below the numbers.
+constexpr Area picture{350, 100, 640, 480};
+constexpr Area rows{17, 82, 320, 215};
+
+/// Mean of the differences, of 255.
+double difference(DecodedImage const& a, DecodedImage const& b, Area const& area) {
+  double sum = 0;
+  for (int y = area.y0; y < area.y1; ++y) {
+    for (int x = area.x0; x < area.x1; ++x) {
+      for (int c = 0; c < 3; ++c) sum += std::abs(double(a.at(x, y, c) - b.at(x, y, c)));
+    }
+  }
+  return sum / (3.0 * (area.x1 - area.x0) * (area.y1 - area.y0));
+}
+
+/// Pixels in the colour of outlines.
+int outlined(DecodedImage const& image, Area const& area) {
+  int count = 0;
+  for (int y = area.y0; y < area.y1; ++y) {
+    for (int x = area.x0; x < area.x1; ++x) {
+      count += image.at(x, y, 0) == 255 && image.at(x, y, 1) == 160 && image.at(x, y, 2) == 30;
+    }
+  }
+  return count;
+}
+
+bool is_installed(char const* program) {
+  Process process;
+  process.arguments = {"sh", "-c", std::string("command -v ") + program};
+  return run_process(process).exit_code == 0;
+}
+
+}  // namespace
+
+TEST_CASE("the panel selects objects, changes lights and shows depth, normals and objects", "[app][view]") {
+  for (char const* const program : {"Xvfb", "xdotool", "ffmpeg"}) {
+    if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
+  }
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("scene.sdf", scene);
+  Process process;
+  process.arguments = {LICHTRAUM_SOURCE_DIR "/tests/app/view_panel_in_xvfb.sh", LICHTRAUM_PROGRAM,
+                       lichtraum.folder.path()};
+  process.timeout_seconds = 400;
+  auto const result = run_process(process);
+  std::filesystem::path const artifacts = LICHTRAUM_ARTIFACT_DIR "/view_panel";
+  std::filesystem::create_directories(artifacts);
+  for (auto const& entry : std::filesystem::directory_iterator(lichtraum.folder.path())) {
+    std::error_code ignored;
+    if (entry.path().extension() != ".png") continue;
+    std::filesystem::copy_file(entry.path(), artifacts / entry.path().filename(),
+                               std::filesystem::copy_options::overwrite_existing, ignored);
+  }
+  INFO(result.out + result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(lichtraum.folder.read("exit_code") == "0\n");
+
+  auto const shot = [&](std::string const& name) { return decode(lichtraum.folder.read(name + ".png")); };
+  auto const opened = shot("opened");
+  CHECK(outlined(opened, picture) == 0);
+  // A click on the picture outlines the ball, not the block, and opens the tree down to it.
+  auto const picked = shot("picked");
+  CHECK(outlined(picked, {350, 100, 640, 300}) > 150);
+  CHECK(outlined(picked, {560, 310, 640, 480}) == 0);
+  CHECK(difference(picked, opened, rows) > 1);
+  CHECK(outlined(shot("nothing"), picture) == 0);
+  CHECK(difference(shot("nothing"), opened, picture) < 0.1);
+  // A click on a row of the tree outlines all below it.
+  auto const chosen = shot("chosen");
+  CHECK(difference(shot("unfolded"), shot("nothing"), rows) > 0.5);
+  CHECK(outlined(chosen, {350, 100, 640, 300}) > 100);
+  CHECK(outlined(chosen, {350, 310, 640, 480}) > 100);
+  // A slider takes the lamp's light away, and what the surface itself shows stays; and back.
+  auto const dark = shot("dark");
+  CHECK(opened.at(490, 220, 0) > 100);
+  CHECK((dark.at(490, 220, 0) >= 3 && dark.at(490, 220, 0) < 12));
+  CHECK(difference(shot("reset"), opened, picture) < 0.1);
+  // The other views are what --aov draws.
+  for (std::string const aov : {"depth", "normal", "id"}) {
+    REQUIRE(lichtraum("render -q scene.sdf --aov " + aov + " -o drawn.png").exit_code == 0);
+    INFO(aov);
+    CHECK(difference(shot(aov), shot("drawn"), picture) < 0.1);
+    CHECK(difference(shot(aov), opened, picture) > 5);
+  }
+  CHECK(difference(shot("picture"), opened, picture) < 0.1);
+}
+#endif

@@ -4,51 +4,14 @@
 # then written.png, shown.png, exit_code_shown, and log.txt.
 set -u
 program=$1
+# shellcheck source-path=SCRIPTDIR source=../support/xvfb_window.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/xvfb_window.sh"
 cd "$2" || exit 1
 
-Xvfb -displayfd 3 -screen 0 400x300x24 -nolisten tcp 3>display 2>/dev/null &
-server=$!
-trap 'kill $server $window 2>/dev/null' EXIT
-
-# until_true COMMAND...: for at most 20 seconds.
-until_true() {
-  for ((i = 0; i < 200; ++i)); do
-    "$@" && return 0
-    sleep 0.1
-  done
-  echo "waited in vain: $*"
-  return 1
-}
-has_display() { [[ -s display ]]; }
-until_true has_display || exit 1
-DISPLAY=:$(cat display)
-export DISPLAY
-unset WAYLAND_DISPLAY
-
-shot() { ffmpeg -v error -y -f x11grab -video_size 320x240 -i "$DISPLAY+$position" -frames:v 1 "$1"; }
-# A picture that does not change any more.
-settled() {
-  shot "$1"
-  sleep 0.4
-  shot settled.png
-  cmp -s "$1" settled.png
-}
-# A settled one that is not the other.
-changed() { settled "$1" && ! cmp -s "$1" "$2"; }
-press() { xdotool key --window "$id" "$@"; }
-
-is_open() { id=$(xdotool search --name '^lichtraum - scene.sdf$' 2>/dev/null | head -n 1) && [[ -n $id ]]; }
-await_window() {
-  until_true is_open || exit 1
-  xdotool windowfocus "$id"
-  eval "$(xdotool getwindowgeometry --shell "$id")" # sets X and Y
-  position=$X,$Y
-  shot empty.png
-}
-
+start_display 400x300
 "$program" view scene.sdf --watch --size 320x240 >camera.sdf 2>log.txt &
 window=$!
-await_window
+await_window scene.sdf 320x240
 press Tab # the numbers change all the time
 until_true changed opened.png empty.png || exit 1
 press Right Right Right Up
@@ -70,7 +33,7 @@ echo $? >exit_code
 sed -i '$d' scene.sdf
 "$program" render -q scene.sdf -o written.png --samples 2x2 --size 320x240 --show 2>>log.txt &
 window=$!
-await_window
+await_window scene.sdf 320x240
 press Tab
 until_true changed shown.png empty.png || exit 1
 press q

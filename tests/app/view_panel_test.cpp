@@ -106,5 +106,10 @@ TEST_CASE("the panel selects objects, changes lights and shows depth, normals an
     CHECK(difference(shot(aov), opened, picture) > 5);
   }
   CHECK(difference(shot("picture"), opened, picture) < 0.1);
+  // Dragging a material's red down by a quarter takes as much from the picture, and no other colour.
+  auto const material = shot("material");
+  CHECK(material.at(490, 220, 0) < 0.85f * opened.at(490, 220, 0));
+  CHECK(material.at(490, 220, 0) > 0.5f * opened.at(490, 220, 0));
+  CHECK(material.at(490, 220, 1) == opened.at(490, 220, 1));
 }
 #endif

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <cmath>
+#include <set>
+
 #include "random_scene.hpp"
 #include "shared/frame.h"
 #include "support/catch.hpp"
@@ -110,6 +113,40 @@ TEST_CASE("Only the tile's pixels are written", "[kernel]") {
     wrong += inside != (picture.film[i] != -1.f);
   }
   CHECK(wrong == 0);
+}
+
+TEST_CASE("A program for first surfaces writes what is asked for, whatever the samples", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  ProbeProgram const program("render.cl", "-D FIRST_SURFACE");
+  auto const rendered = [&](device::uint aov) {
+    SmallPicture picture(1);
+    picture.frame[0].aov = aov;
+    picture.frame[0].tone_map = TONE_MAP_NONE;
+    picture.frame[0].transfer = TRANSFER_LINEAR;
+    auto const rays = picture.render(program, {0, 0, picture.width(), picture.height(), 0, 1, {}});
+    for (device::WorkItemRays const& counts : rays) CHECK((counts.shadow == 0 && counts.secondary == 0));
+    return picture;
+  };
+  SmallPicture const depth = rendered(AOV_DEPTH), normal = rendered(AOV_NORMAL), object = rendered(AOV_OBJECT_ID);
+  std::size_t hits = 0;
+  std::set<float> instances;
+  for (std::size_t i = 0; i < depth.film.size(); i += 3) {
+    INFO("pixel " << i / 3);
+    bool const is_hit = std::isfinite(depth.film[i]);
+    CHECK((depth.film[i + 1] == depth.film[i] && depth.film[i + 2] == depth.film[i]));
+    CHECK(is_hit == (object.film[i + 2] != -1.f));
+    float const length = std::hypot(normal.film[i], normal.film[i + 1], normal.film[i + 2]);
+    CHECK(length == Approx(is_hit ? 1 : 0).margin(1e-4));
+    if (!is_hit) continue;
+    ++hits;
+    CHECK((depth.film[i] > 1 && depth.film[i] < 20));
+    // The world's own shapes have all bits of the instance's number, the others one of the two instances'.
+    bool const is_in_world = object.film[i + 1] == float(0xffffff) && object.film[i + 2] == float(0xff00);
+    CHECK((is_in_world || (object.film[i + 1] < 2 && object.film[i + 2] == 0)));
+    instances.insert(object.film[i + 1]);
+  }
+  CHECK((hits > 0 && 3 * hits < depth.film.size()));
+  CHECK(instances.size() == 3);
 }
 
 TEST_CASE("A ray stack of max_depth + 1 holds the whole tree of rays", "[kernel]") {

@@ -28,7 +28,8 @@ RowAction draw_row(ObjectTree::Row const& row, bool is_selected, SceneValues con
   action.selects = ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen();
   ImGui::SameLine();
   if (row.composite) {
-    ImGui::TextDisabled("%zu parts", row.composite->children().size());
+    std::size_t const count = row.composite->children().size();
+    ImGui::TextDisabled("%zu part%s", count, count == 1 ? "" : "s");
   } else {
     ImGui::TextDisabled("%s, %s", kind_of(*row.shape).c_str(), material_name(*row.shape, values).c_str());
   }

@@ -1,0 +1,67 @@
+# shellcheck shell=bash
+# To be sourced: functions that use a window of `lichtraum view` as a user would, on a display of its own. They need Xvfb,
+# xdotool and ffmpeg, and write into the current folder.
+
+# until_true COMMAND...: for at most 30 seconds.
+until_true() {
+  for ((i = 0; i < 300; ++i)); do
+    "$@" && return 0
+    sleep 0.1
+  done
+  echo "waited in vain: $*"
+  return 1
+}
+
+# start_display WxH: the server ends with the script, as does what it put into $window.
+start_display() {
+  rm -f display
+  Xvfb -displayfd 3 -screen 0 "$1x24" -nolisten tcp 3>display 2>/dev/null &
+  server=$!
+  trap 'kill $server $window 2>/dev/null' EXIT
+  has_display() { [[ -s display ]]; }
+  until_true has_display || exit 1
+  DISPLAY=:$(cat display)
+  export DISPLAY
+  unset WAYLAND_DISPLAY
+}
+
+# await_window FILE WxH: until FILE's window is open; what it shows then is empty.png.
+await_window() {
+  local title="^lichtraum - $1\$"
+  window_size=$2
+  is_open() { id=$(xdotool search --onlyvisible --name "$title" 2>/dev/null | head -n 1) && [[ -n $id ]]; }
+  until_true is_open || exit 1
+  xdotool windowfocus "$id"
+  eval "$(xdotool getwindowgeometry --shell "$id")" # sets X and Y
+  shot empty.png
+}
+
+# shot PICTURE: of the window.
+shot() {
+  ffmpeg -v error -y -f x11grab -draw_mouse 0 -video_size "$window_size" -i "$DISPLAY+$X,$Y" -frames:v 1 "$1"
+}
+# settled PICTURE: one that does not change any more.
+settled() {
+  shot "$1"
+  sleep 0.4
+  shot settled.png
+  cmp -s "$1" settled.png
+}
+# changed PICTURE OTHER: a settled one that is not the other.
+changed() { settled "$1" && ! cmp -s "$1" "$2"; }
+
+# press KEY...
+press() { xdotool key --window "$id" "$@"; }
+# drag X Y X Y: from a place in the window to another, with the left button.
+drag() {
+  xdotool mousemove $((X + $1)) $((Y + $2))
+  sleep 0.2
+  xdotool mousedown 1
+  sleep 0.2
+  xdotool mousemove $((X + $3)) $((Y + $4))
+  sleep 0.2
+  xdotool mouseup 1
+  sleep 0.2
+}
+# click X Y
+click() { drag "$1" "$2" "$1" "$2"; }

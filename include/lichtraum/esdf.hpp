@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "lichtraum/error.hpp"
+#include "lichtraum/file_stamp.hpp"
+#include "lichtraum/model.hpp"
 #include "lichtraum/scene.hpp"
 
 namespace lichtraum {
@@ -28,6 +30,8 @@ struct EsdfOptions {
   std::vector<MaterialExtra> material_extras;  ///< empty: extra numbers are ignored with a warning
   std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the scene's that may be read
   std::size_t max_diagnostics = 100;
+  FileObserver on_read;                ///< may be empty
+  std::shared_ptr<ModelCache> models;  ///< see make_model_cache; null: each script has one for itself
 };
 
 /// A checked eSDF file. eSDF is imperative: a `render` draws the scene as defined up to its line.

@@ -7,14 +7,20 @@
 #include <vector>
 
 #include "lichtraum/error.hpp"
+#include "lichtraum/file_stamp.hpp"
 #include "lichtraum/scene.hpp"
 
 namespace lichtraum {
+
+/// Keeps models that scenes include from being read again for each scene.
+class ModelCache;
+std::shared_ptr<ModelCache> make_model_cache();
 
 struct ModelOptions {
   int max_texture = 4096;                            ///< pictures with a longer side are halved until they fit; >= 1
   std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the model's that may be read
   std::shared_ptr<Material const> material;          ///< for everything, instead of the model's own; null: these
+  FileObserver on_read;                              ///< may be empty
 
   // Only glTF models have several scenes and move; for others these have no effect but a warning.
   std::string scene;                   ///< index or name of the scene to import; empty: the file's default one

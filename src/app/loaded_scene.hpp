@@ -12,7 +12,7 @@ namespace lichtraum::app {
 
 /// How scenes and models are read.
 struct LoadOptions {
-  EsdfOptions language;  ///< its allowed paths hold for models as well
+  EsdfOptions language;  ///< its allowed paths and on_read hold for models as well
   ModelOptions model;
   std::vector<double> times_seconds;  ///< a picture of a model's animation at each; empty: one, see model.time_seconds
   std::optional<double> whole_animation_rate;  ///< a model's whole animation, at that many pictures a second

@@ -102,6 +102,7 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments&
   if (options.show) window_arguments = arguments_for_view(*parser);
 
   options.output.allowed_paths = options.load.language.allowed_paths;
+  options.load.language.models = make_model_cache();
   if (std::count(options.scenes.begin(), options.scenes.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input (-) is named more than once");
   }

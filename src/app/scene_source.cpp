@@ -55,6 +55,7 @@ LoadedScene SceneSource::load(LoadOptions const& options) const {
   if (!is_model_file(name_)) return LoadedScene(EsdfScript::from_file(name_, options.language));
   ModelOptions model = options.model;
   model.allowed_paths = options.language.allowed_paths;
+  model.on_read = options.language.on_read;
   bool const is_sequence = !options.times_seconds.empty() || options.whole_animation_rate;
   if (is_sequence && !is_gltf_file(name_)) model.time_seconds = 0;  // for the warning that it has no effect
   if (!is_sequence || !is_gltf_file(name_)) return LoadedScene(import_model(name_, model));

@@ -32,7 +32,8 @@ std::unique_ptr<CLI::App> view_parser(ViewOptions& options, Console& console) {
   auto parser = make_parser("view", description, examples);
   parser->add_option("scene", options.scene, "an eSDF file, a glTF model")->required()->type_name("SCENE");
   std::string const group = "Window";
-  parser->add_flag("--watch", options.watch, "Read the scene again when its file is saved")->group(group);
+  parser->add_flag("--watch", options.watch, "Read the scene again when its file, or one that it\nincludes, is saved")
+      ->group(group);
   add_value(*parser, "--size", render.size, parse_size, "WxH", "Of the window, in pixels (default: the scene's)",
             group);
   add_viewpoint_options(*parser, render, group);

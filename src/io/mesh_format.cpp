@@ -28,12 +28,6 @@ MeshFormat const* find_mesh_format(std::span<MeshFormat const> formats, std::fil
   return found == formats.end() ? nullptr : &*found;
 }
 
-std::shared_ptr<Shape> shape_of(Model const& model, std::string name) {
-  Composite::Children roots;
-  for (auto const& root : model.scene.roots()) roots.push_back(*model.scene.shapes.find(root->name()));
-  return std::make_shared<Composite>(std::move(name), std::move(roots));
-}
-
 bool is_model_file(std::filesystem::path const& path) { return find_mesh_format(mesh_formats(), path) != nullptr; }
 
 Model import_model(std::filesystem::path const& path, ModelOptions const& options) {

@@ -25,7 +25,4 @@ std::span<MeshFormat const> mesh_formats();
 /// The format for a file of that name (extension in any case), or nullptr.
 MeshFormat const* find_mesh_format(std::span<MeshFormat const> formats, std::filesystem::path const& path);
 
-/// A model as one shape called `name`.
-std::shared_ptr<Shape> shape_of(Model const& model, std::string name);
-
 }  // namespace lichtraum

@@ -10,13 +10,14 @@
 namespace lichtraum {
 
 std::optional<std::string> read_model_file(std::filesystem::path const& folder,
-                                           std::span<std::filesystem::path const> allowed, std::string const& name,
-                                           std::string& reason) {
+                                           std::span<std::filesystem::path const> allowed, FileObserver const& on_read,
+                                           std::string const& name, std::string& reason) {
   SandboxedPath const path = resolve_sandboxed(folder, name, allowed);
   if (!path) {
     reason = fmt::format("cannot use {}: {}", in_quotes(name), path.reason);
     return std::nullopt;
   }
+  if (on_read) on_read(path.path);
   std::error_code error;
   if (std::filesystem::exists(path.path, error) && !std::filesystem::is_regular_file(path.path, error)) {
     reason = fmt::format("cannot use {}: it is not a regular file", in_quotes(name));

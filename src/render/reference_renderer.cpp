@@ -162,7 +162,8 @@ class ReferenceRenderer final : public Renderer {
     }
     SceneBuffers const compiled = compile_scene(flatten(drawn.roots), scene.lights, Traversal::scalar);
     prepared->fingerprint = scene_fingerprint(compiled.content, drawn);
-    drawn.roots = copy_graph(drawn.roots);
+    auto const copies = copy_graph(drawn.roots);
+    drawn.roots.assign(copies.begin(), copies.end());
     prepared->statistics = summary.statistics;
     prepared->bounds_min = summary.bounds_min;
     prepared->bounds_max = summary.bounds_max;
@@ -176,7 +177,8 @@ class ReferenceRenderer final : public Renderer {
     auto edited = std::make_shared<PreparedGraph>(*graph);
     edited->graph.ambient = ambient(edits.lights);
     edited->graph.lights = casting_shadows(edits.lights);
-    edited->graph.roots = copy_graph(graph->graph.roots, edits.materials);
+    auto const copies = copy_graph(graph->graph.roots, edits.materials);
+    edited->graph.roots.assign(copies.begin(), copies.end());
     Registry<Light> lights;
     for (Light const& light : edits.lights) lights.insert(light);
     SceneBuffers const compiled = compile_scene(flatten(edited->graph.roots), lights, Traversal::scalar);

@@ -10,9 +10,7 @@ namespace {
 /// Copies a node; a composite's children must have been copied before.
 class NodeCopier final : private ShapeVisitor {
  public:
-  explicit NodeCopier(std::unordered_map<Material const*, Material> const& replaced) {
-    for (auto const& [old, material] : replaced) replaced_.emplace(old, std::make_shared<Material const>(material));
-  }
+  explicit NodeCopier(MaterialChoice const& material_of) : material_of_(material_of) {}
 
   std::shared_ptr<Shape> copy_of(Shape const& shape) {
     std::shared_ptr<Shape>& copy = copies_[&shape];
@@ -25,14 +23,14 @@ class NodeCopier final : private ShapeVisitor {
 
  private:
   void visit(Sphere const& s) override {
-    made_ = std::make_shared<Sphere>(s.name(), s.center(), s.radius(), material_of(s));
+    made_ = std::make_shared<Sphere>(s.name(), s.center(), s.radius(), material_of_(s));
   }
-  void visit(Box const& b) override { made_ = std::make_shared<Box>(b.name(), b.min(), b.max(), material_of(b)); }
+  void visit(Box const& b) override { made_ = std::make_shared<Box>(b.name(), b.min(), b.max(), material_of_(b)); }
   void visit(Triangle const& t) override {
     auto const& [a, b, c] = t.vertices();
-    made_ = std::make_shared<Triangle>(t.name(), a, b, c, material_of(t));
+    made_ = std::make_shared<Triangle>(t.name(), a, b, c, material_of_(t));
   }
-  void visit(Mesh const& m) override { made_ = std::make_shared<Mesh>(m.name(), m.geometry(), material_of(m)); }
+  void visit(Mesh const& m) override { made_ = std::make_shared<Mesh>(m.name(), m.geometry(), material_of_(m)); }
   void visit(Composite const& composite) override {
     Composite::Children children;
     children.reserve(composite.children().size());
@@ -40,26 +38,31 @@ class NodeCopier final : private ShapeVisitor {
     made_ = std::make_shared<Composite>(composite.name(), std::move(children));
   }
 
-  std::shared_ptr<Material const> const& material_of(Shape const& shape) const {
-    auto const found = replaced_.find(shape.material().get());
-    return found == replaced_.end() ? shape.material() : found->second;
-  }
-
-  std::unordered_map<Material const*, std::shared_ptr<Material const>> replaced_;
+  MaterialChoice const& material_of_;
   std::unordered_map<Shape const*, std::shared_ptr<Shape>> copies_;
   std::shared_ptr<Shape> made_;
 };
 
 }  // namespace
 
-std::vector<std::shared_ptr<Shape const>> copy_graph(
-    std::vector<std::shared_ptr<Shape const>> const& roots,
-    std::unordered_map<Material const*, Material> const& replaced_materials) {
-  NodeCopier copier(replaced_materials);
+std::vector<std::shared_ptr<Shape>> copy_graph(std::vector<std::shared_ptr<Shape const>> const& roots,
+                                               MaterialChoice const& material_of) {
+  NodeCopier copier(material_of);
   for (GraphNode const& node : order_graph(roots).nodes) copier.copy_of(*node.shape);  // children before parents
-  std::vector<std::shared_ptr<Shape const>> copies;
+  std::vector<std::shared_ptr<Shape>> copies;
   for (auto const& root : roots) copies.push_back(copier.copy_of(*root));
   return copies;
+}
+
+std::vector<std::shared_ptr<Shape>> copy_graph(
+    std::vector<std::shared_ptr<Shape const>> const& roots,
+    std::unordered_map<Material const*, Material> const& replaced_materials) {
+  std::unordered_map<Material const*, std::shared_ptr<Material const>> replaced;
+  for (auto const& [old, material] : replaced_materials) replaced.emplace(old, std::make_shared<Material>(material));
+  return copy_graph(roots, [&](Shape const& shape) {
+    auto const found = replaced.find(shape.material().get());
+    return found == replaced.end() ? shape.material() : found->second;
+  });
 }
 
 }  // namespace lichtraum

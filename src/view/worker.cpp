@@ -17,6 +17,12 @@ constexpr auto time_between_looks = std::chrono::milliseconds(50);
 /// of them a second.
 constexpr double moving_pass_seconds = 0.028;
 
+app::LoadOptions observed(app::LoadOptions options, FileWatch& files) {
+  options.language.on_read = [&files](std::filesystem::path const& file) { files.add(file); };
+  options.language.models = make_model_cache();
+  return options;
+}
+
 }  // namespace
 
 Worker::Worker(app::SceneSource const& source, app::RenderOptions const& options, bool is_watching,
@@ -26,6 +32,7 @@ Worker::Worker(app::SceneSource const& source, app::RenderOptions const& options
       is_watching_(is_watching),
       console_(console),
       wake_(std::move(wake)),
+      load_options_(observed(options.load, files_)),
       thread_([this](std::stop_token const& stop) { work(stop); }) {}
 
 Worker::~Worker() {
@@ -90,11 +97,10 @@ void Worker::work(std::stop_token const& stop) {
       news_.device = renderer->device().name;
     }
     wake_();
-    look_at_file();
     load(*renderer);
     while (!stop.stop_requested()) {
-      look_at_file();
-      if (file_has_changed_) load(*renderer);
+      look_at_files();
+      if (files_have_changed_) load(*renderer);
       apply_edits(*renderer);
       look_at_pixel(*renderer);
       if (is_fine_) trace_marking(*renderer);
@@ -110,24 +116,19 @@ void Worker::work(std::stop_token const& stop) {
   wake_();
 }
 
-void Worker::look_at_file() {
+void Worker::look_at_files() {
   auto const now = std::chrono::steady_clock::now();
-  if (!is_watching_ || now - file_looked_at_ < time_between_looks) return;
-  file_looked_at_ = now;
-  std::error_code error;
-  auto const time = std::filesystem::last_write_time(source_.name(), error);
-  auto const size = error ? 0 : std::filesystem::file_size(source_.name(), error);
-  if (error || (time == file_time_ && size == file_size_)) return;  // an editor may be about to rename it
-  file_time_ = time;
-  file_size_ = size;
-  file_has_changed_ = true;
+  if (!is_watching_ || now - files_looked_at_ < time_between_looks) return;
+  files_looked_at_ = now;
+  files_have_changed_ = files_.has_changed();
 }
 
 void Worker::load(Renderer& renderer) {
-  file_has_changed_ = false;
+  files_have_changed_ = false;
+  files_.begin();
   try {
     app::Stopwatch const stopwatch;
-    auto const loaded_scene = std::make_shared<app::LoadedScene const>(source_.load(options_.load));
+    auto const loaded_scene = std::make_shared<app::LoadedScene const>(source_.load(load_options_));
     app::LoadedScene const& loaded = *loaded_scene;
     SceneView scene;
     scene.loaded = loaded_scene;
@@ -236,9 +237,9 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
     if (stop.stop_requested()) return false;
     // The coarsest picture is finished whatever comes: else nothing would be seen while the camera moves.
     if (pass.is_first) return true;
-    look_at_file();
+    look_at_files();
     std::lock_guard const lock(mutex_);
-    return !is_new_view_ && !has_question_ && !file_has_changed_;
+    return !is_new_view_ && !has_question_ && !files_have_changed_;
   });
   if (!result.complete) {
     std::lock_guard const lock(mutex_);

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "app/console.hpp"
 #include "app/picture_plan.hpp"
 #include "lichtraum/aov.hpp"
+#include "view/file_watch.hpp"
 #include "view/object_tree.hpp"
 #include "view/refinement.hpp"
 #include "view/scene_values.hpp"
@@ -90,8 +90,8 @@ class Worker {
   void apply_edits(Renderer& renderer);
   void look_at_pixel(Renderer& renderer);
   void trace_marking(Renderer& renderer);
-  /// Whether the file was saved; not more often than makes sense.
-  void look_at_file();
+  /// Whether one was saved; not more often than makes sense.
+  void look_at_files();
   /// Whether there was something to trace.
   bool trace_next(Renderer& renderer, std::stop_token const& stop);
   void restart_refinement();
@@ -103,15 +103,15 @@ class Worker {
   std::function<void()> wake_;
 
   // Of the thread alone.
+  FileWatch files_;
+  app::LoadOptions load_options_;
   SceneStatistics scene_statistics_;
   std::shared_ptr<PreparedScene const> prepared_;  // as it was read
   unsigned scene_number_ = 0;
   bool is_fine_ = false;  // the picture that is shown has a ray for each pixel
   Accumulation sums_;
-  std::chrono::steady_clock::time_point file_looked_at_;
-  bool file_has_changed_ = false;
-  std::filesystem::file_time_type file_time_{};
-  std::uintmax_t file_size_ = 0;
+  std::chrono::steady_clock::time_point files_looked_at_;
+  bool files_have_changed_ = false;
 
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;

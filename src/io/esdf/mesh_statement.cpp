@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/esdf/interpreter.hpp"
+#include "io/model_cache.hpp"
 #include "lichtraum/sandboxed_path.hpp"
 
 // define shape mesh <name> <file> [<material>]
@@ -40,7 +41,8 @@ std::shared_ptr<Shape> load_mesh(Interpreter& interpreter, Token name, Token fil
     ModelOptions options;
     options.allowed_paths = interpreter.options.allowed_paths;
     options.material = std::move(material);
-    return shape_of(format->import(path.path, options), std::string(name));
+    options.on_read = interpreter.options.on_read;
+    return interpreter.options.models->shape(*format, path.path, options, std::string(name));
   } catch (SceneError const& problem) {
     std::string const first = problem.diagnostics().empty() ? problem.what() : problem.diagnostics().front().message;
     interpreter.error(file, fmt::format("cannot read {}: {}", in_quotes(file), first));

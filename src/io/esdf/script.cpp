@@ -3,6 +3,7 @@
 #include "core/read_file.hpp"
 #include "io/esdf/foreign_file.hpp"
 #include "io/esdf/interpreter.hpp"
+#include "io/model_cache.hpp"
 #include "lichtraum/esdf.hpp"
 
 namespace lichtraum {
@@ -24,6 +25,7 @@ EsdfScript& EsdfScript::operator=(EsdfScript&&) noexcept = default;
 
 EsdfScript EsdfScript::from_file(std::filesystem::path const& path, EsdfOptions const& options) {
   std::filesystem::path const folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (options.on_read) options.on_read(path);
   return from_text(read_file(path), path.string(), options, folder);
 }
 
@@ -31,6 +33,8 @@ EsdfScript EsdfScript::from_text(std::string text, std::string name, EsdfOptions
                                  std::filesystem::path const& folder) {
   auto state = std::make_unique<State>();
   state->options = options;
+  if (!state->options.models) state->options.models = make_model_cache();
+  state->options.models->begin_script();
   state->text = std::move(text);
   normalise_line_breaks(state->text);
   // Nothing of a foreign file is worth keeping, so options.keep_going changes nothing here.

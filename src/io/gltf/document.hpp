@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lichtraum/file_stamp.hpp"
+
 #include "io/gltf/findings.hpp"
 
 namespace lichtraum::gltf {
@@ -32,8 +34,9 @@ struct ImageSource {
 struct Document {
   std::filesystem::path path;
   std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the model's that may be read
-  std::string bytes;                                 ///< of the file
-  std::string_view binary;                           ///< the GLB's BIN chunk, a view of `bytes`
+  FileObserver on_read;
+  std::string bytes;        ///< of the file
+  std::string_view binary;  ///< the GLB's BIN chunk, a view of `bytes`
   bool is_glb = false;
   tinygltf::Model model;
   std::vector<BufferSource> buffers;

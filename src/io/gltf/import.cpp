@@ -57,6 +57,8 @@ struct GltfAnimation::State {
   State(std::filesystem::path const& path, ModelOptions const& wanted) : options(wanted), findings(path) {
     document.path = path;
     document.allowed_paths = options.allowed_paths;
+    document.on_read = options.on_read;
+    if (options.on_read) options.on_read(path);
     document.bytes = read_file(path);
     parse_document(document, findings);
     check_extensions(document.model, findings);

@@ -75,7 +75,7 @@ class Importer {
           return diagnostics_.add(Severity::warning, mention.word, "too many material files: this one is left out");
         }
         std::string reason;
-        if (auto text = read_model_file(folder_, options_.allowed_paths, name, reason)) {
+        if (auto text = read_model_file(folder_, options_.allowed_paths, options_.on_read, name, reason)) {
           bytes += text->size();
           read_library(name, std::move(*text));
         } else {
@@ -157,9 +157,8 @@ class Importer {
     ImageJob job;
     job.name = texture.file;
     job.is_wanted = true;
-    if (auto bytes = read_model_file(folder_, options_.allowed_paths, found->first, job.reason)) {
-      job.owned = std::move(*bytes);
-    }
+    auto bytes = read_model_file(folder_, options_.allowed_paths, options_.on_read, found->first, job.reason);
+    if (bytes) job.owned = std::move(*bytes);
     jobs_.push_back(std::move(job));
   }
 
@@ -209,6 +208,7 @@ Model import_obj_text(std::string text, std::string const& name, std::filesystem
 }
 
 Model import_obj(std::filesystem::path const& path, ModelOptions const& options) {
+  if (options.on_read) options.on_read(path);
   return import_obj_text(read_file(path), path.string(), path.parent_path(), options);
 }
 

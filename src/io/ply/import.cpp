@@ -22,7 +22,7 @@ constexpr std::size_t max_findings = 100;
 std::shared_ptr<Texture const> read_texture(std::string const& file, fs::path const& folder,
                                             ModelOptions const& options, Diagnostics& diagnostics) {
   std::string reason;
-  auto const bytes = read_model_file(folder, options.allowed_paths, file, reason);
+  auto const bytes = read_model_file(folder, options.allowed_paths, options.on_read, file, reason);
   auto image = bytes ? decode_image(*bytes, options.max_texture, reason) : std::nullopt;
   if (!image) {
     diagnostics.add(Severity::warning, {}, fmt::format("the picture is left out: {}", reason));
@@ -93,6 +93,7 @@ Model import_ply_bytes(std::string_view bytes, std::string const& name, std::fil
 }
 
 Model import_ply(std::filesystem::path const& path, ModelOptions const& options) {
+  if (options.on_read) options.on_read(path);
   return import_ply_bytes(read_file(path), path.string(), path.parent_path(), options);
 }
 

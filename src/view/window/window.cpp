@@ -27,9 +27,9 @@ constexpr ImGuiWindowFlags overlay = ImGuiWindowFlags_NoDecoration | ImGuiWindow
 Window::Window(app::SceneSource const& source, app::ViewOptions const& options, app::Console const& console)
     : source_(source), options_(options), console_(console) {
   graphics_ = std::make_unique<Graphics>();
-  // The device and the scene are looked for while the window is opened.
-  worker_ = std::make_unique<Worker>(source, options.render, options.watch, console, glfwPostEmptyEvent);
   graphics_->open("lichtraum - " + source.name(), options.render.size.value_or(default_size));
+  // Not before the window is there: Mesa and PoCL may share one LLVM, which does not start in two threads at once.
+  worker_ = std::make_unique<Worker>(source, options.render, options.watch, console, glfwPostEmptyEvent);
 }
 
 Window::~Window() { worker_.reset(); }

@@ -11,7 +11,8 @@ namespace lichtraum {
 class Image {
  public:
   Image() = default;
-  explicit Image(Resolution size) : size_(size), rgb_(3 * std::size_t(size.width) * std::size_t(size.height)) {}
+  /// Black.
+  explicit Image(Resolution size);
 
   int width() const { return size_.width; }
   int height() const { return size_.height; }

@@ -36,6 +36,7 @@ Json picture_json(PictureReport const& report) {
           {"flatten_ms", report.scene.flatten_ms},
           {"build_ms", report.scene.build_ms},
           {"upload_ms", report.scene.upload_ms},
+          {"program_ms", report.render.program_ms},
           {"trace_ms", report.render.trace_ms},
           {"write_ms", report.write_ms},
           {"rays",
@@ -82,10 +83,11 @@ std::string details(PictureReport const& report) {
   RayCounts const& rays = report.render.rays;
   return fmt::format(
       "  scene: {} triangles, {} spheres, {} boxes, {} instances, {} nodes, {} bytes on the device\n"
-      "  flatten {:.1f} ms, build {:.1f} ms, upload {:.1f} ms, trace {:.1f} ms, write {:.1f} ms\n"
+      "  flatten {:.1f} ms, build {:.1f} ms, upload {:.1f} ms, program {:.1f} ms, trace {:.1f} ms, write {:.1f} ms\n"
       "  rays: {} camera ({} hit something), {} shadow, {} mirror and glass",
       s.triangles, s.spheres, s.boxes, s.instances, s.bvh_nodes, s.device_bytes, s.flatten_ms, s.build_ms, s.upload_ms,
-      report.render.trace_ms, report.write_ms, rays.camera, rays.camera_hits, rays.shadow, rays.secondary);
+      report.render.program_ms, report.render.trace_ms, report.write_ms, rays.camera, rays.camera_hits, rays.shadow,
+      rays.secondary);
 }
 
 }  // namespace lichtraum::app

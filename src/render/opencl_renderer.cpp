@@ -179,6 +179,8 @@ class OpenClRenderer final : public Renderer {
     double const all_rays = double(request.region.width) * double(request.region.height) * double(sample_count);
     auto const start = Clock::now();
     tracer_.begin_frame(frame, image);
+    result.statistics.program_ms = 1e3 * seconds_since(start);
+    auto const trace_start = Clock::now();
     TilePlan plan(request.region, sample_count, first_sample);
     double budget = first_budget;
     while (!plan.is_done() && result.complete) {
@@ -194,7 +196,7 @@ class OpenClRenderer final : public Renderer {
     if (result.complete && request.aov == Aov::object_id) {
       number_objects(image, request.region, tracer_.scene().object_numbers);
     }
-    result.statistics.trace_ms = 1e3 * seconds_since(start);
+    result.statistics.trace_ms = 1e3 * seconds_since(trace_start);
     return result;
   }
 

@@ -178,6 +178,7 @@ TEST_CASE("--json tells what was measured", "[app][render]") {
   CHECK(picture["complete"] == true);
   CHECK(picture["width"] == 32);
   CHECK(picture["height"] == 24);
+  CHECK(picture["program_ms"] == 0);  // the reference tracer has none
   CHECK(picture["trace_ms"] > 0);
   CHECK(picture["build_ms"] >= 0);
   Json const rays = picture["rays"];

@@ -2,6 +2,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <future>
 #include <limits>
 #include <span>
@@ -23,18 +25,53 @@ constexpr std::size_t part_size = 1 << 17;
 
 using Nodes = std::vector<device::BvhNode>;
 
+/// x, y, z, and a fourth lane that holds anything.
+using Lanes = float __attribute__((vector_size(16)));
+
+Lanes min_of(Lanes a, Lanes b) { return b < a ? b : a; }
+Lanes max_of(Lanes a, Lanes b) { return a < b ? b : a; }
+/// Reads one float more than the three.
+Lanes load(float const* three) {
+  Lanes lanes;
+  std::memcpy(&lanes, three, sizeof lanes);
+  return lanes;
+}
+
+/// Bounds of a primitive, or around several, for loops over many: an instruction for all three axes.
+struct LaneBounds {
+  Lanes min = Lanes{} + Bounds::infinity;
+  Lanes max = Lanes{} - Bounds::infinity;
+
+  LaneBounds() = default;
+  explicit LaneBounds(BuildPrimitive const& p) : min(load(p.bounds.min)), max(load(p.bounds.max)) {}
+
+  void add(LaneBounds const& other) {
+    min = min_of(min, other.min);
+    max = max_of(max, other.max);
+  }
+  void add_point(Lanes point) {
+    min = min_of(min, point);
+    max = max_of(max, point);
+  }
+  Lanes center() const { return 0.5f * min + 0.5f * max; }
+  /// As Bounds::half_area, but not to be asked for when empty.
+  float half_area() const {
+    Lanes const size = max - min;
+    return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+  }
+  Bounds bounds() const { return {{min[0], min[1], min[2]}, {max[0], max[1], max[2]}}; }
+};
+// Where load reads beyond a primitive's bounds there is its reference.
+static_assert(offsetof(BuildPrimitive, bounds) == 0 && sizeof(BuildPrimitive) >= sizeof(Bounds) + sizeof(float));
+
 /// What lies in a range: bounds of the primitives, and of their centres.
 struct Extents {
-  Bounds bounds;
-  Bounds centers;
+  LaneBounds bounds;
+  LaneBounds centers;
 
-  void add(Bounds const& primitive) {
+  void add(LaneBounds const& primitive) {
     bounds.add(primitive);
-    for (int axis = 0; axis < 3; ++axis) {
-      float const center = primitive.center(axis);
-      centers.min[axis] = std::min(centers.min[axis], center);
-      centers.max[axis] = std::max(centers.max[axis], center);
-    }
+    centers.add_point(primitive.center());
   }
   void add(Extents const& other) {
     bounds.add(other.bounds);
@@ -46,7 +83,8 @@ struct Extents {
 struct Range {
   std::size_t begin = 0;
   std::size_t end = 0;
-  Extents extents;
+  Bounds bounds;
+  Bounds centers;
   std::size_t size() const { return end - begin; }
 };
 
@@ -60,7 +98,7 @@ struct Split {
 class Binning {
  public:
   explicit Binning(Bounds const& centers) {
-    for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
       float const width = centers.max[axis] - centers.min[axis];
       min_[axis] = centers.min[axis];
       // A little less than all bins, so that the last centre falls into the last bin.
@@ -69,27 +107,31 @@ class Binning {
     }
   }
   /// Whether planes across this axis separate anything.
-  bool separates(int axis) const { return scale_[axis] > 0; }
-  std::size_t bin_of(Bounds const& bounds, int axis) const {
-    auto const bin = std::size_t((bounds.center(axis) - min_[axis]) * scale_[axis]);
-    return std::min(bin, bin_count - 1);
+  bool separates(std::size_t axis) const { return scale_[axis] > 0; }
+  std::size_t bin_of(Bounds const& bounds, std::size_t axis) const {
+    return rounded((bounds.center(int(axis)) - min_[axis]) * scale_[axis]);
   }
+  /// On all axes; in floats, not rounded yet.
+  Lanes bins_of(LaneBounds const& bounds) const { return (bounds.center() - min_) * scale_; }
+  static std::size_t rounded(float bin) { return std::min(std::size_t(bin), bin_count - 1); }
 
  private:
-  float min_[3];
-  float scale_[3];
+  Lanes min_{};
+  Lanes scale_{};
 };
 
 /// How many primitives have their centres in each bin of each axis, and what those enclose.
 struct Bins {
-  std::array<std::array<Bounds, bin_count>, 3> bounds;
+  std::array<std::array<LaneBounds, bin_count>, 3> bounds;
   std::array<std::array<std::uint32_t, bin_count>, 3> count{};
 
   void add(std::span<BuildPrimitive const> primitives, Binning const& binning) {
     for (BuildPrimitive const& primitive : primitives) {
+      LaneBounds const lanes(primitive);
+      Lanes const bins = binning.bins_of(lanes);
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::size_t const bin = binning.bin_of(primitive.bounds, int(axis));
-        bounds[axis][bin].add(primitive.bounds);
+        std::size_t const bin = Binning::rounded(bins[axis]);
+        bounds[axis][bin].add(lanes);
         ++count[axis][bin];
       }
     }
@@ -122,10 +164,11 @@ class Builder {
   Range enclose(std::size_t begin, std::size_t end) const {
     auto const work = [this](std::size_t from, std::size_t to) {
       Extents extents;
-      for (std::size_t i = from; i < to; ++i) extents.add(primitives_[i].bounds);
+      for (std::size_t i = from; i < to; ++i) extents.add(LaneBounds(primitives_[i]));
       return extents;
     };
-    return {begin, end, in_parts<Extents>(begin, end, work)};
+    Extents const extents = in_parts<Extents>(begin, end, work);
+    return {begin, end, extents.bounds.bounds(), extents.centers.bounds()};
   }
 
   /// The subtree of a range with at least two primitives, its root first. Node numbers count from the subtree's root.
@@ -164,7 +207,7 @@ class Builder {
         }
         nodes.push_back(node);
       }
-      nodes[self].children[1] = make_child(right.extents.bounds, offset, 0);
+      nodes[self].children[1] = make_child(right.bounds, offset, 0);
     } else {
       device::BvhChild const left_child = append_child(left, depth, nodes);  // may move the nodes
       nodes[self].children[0] = left_child;
@@ -174,7 +217,7 @@ class Builder {
   }
 
   device::BvhChild append_child(Range const& range, std::size_t depth, Nodes& nodes) {
-    Bounds const& bounds = range.extents.bounds;
+    Bounds const& bounds = range.bounds;
     if (range.size() == 1) return make_child(bounds, range.begin, 1);
     Split const split = best_split(range);
     // The best split's cost is relative to this range's area.
@@ -196,16 +239,17 @@ class Builder {
   std::size_t partition(Range const& range, Split const& split, std::size_t depth) {
     // A child of a binned split may hold all but one primitive. Halving from here on must still keep to the limit.
     if (depth + halving_depth(range.size()) >= BVH_MAX_DEPTH || !std::isfinite(split.cost)) return halve(range);
-    Binning const binning(range.extents.centers);
+    Binning const binning(range.centers);
     auto const begin = primitives_.begin();
-    auto const middle = std::partition(
-        begin + std::ptrdiff_t(range.begin), begin + std::ptrdiff_t(range.end),
-        [&](BuildPrimitive const& primitive) { return binning.bin_of(primitive.bounds, split.axis) < split.bin; });
+    auto const middle = std::partition(begin + std::ptrdiff_t(range.begin), begin + std::ptrdiff_t(range.end),
+                                       [&](BuildPrimitive const& primitive) {
+                                         return binning.bin_of(primitive.bounds, std::size_t(split.axis)) < split.bin;
+                                       });
     return std::size_t(middle - begin);
   }
 
   std::size_t halve(Range const& range) {
-    Bounds const& centers = range.extents.centers;
+    Bounds const& centers = range.centers;
     int axis = 0;
     for (int other = 1; other < 3; ++other) {
       if (centers.max[other] - centers.min[other] > centers.max[axis] - centers.min[axis]) axis = other;
@@ -219,7 +263,7 @@ class Builder {
 
   /// The cost of its split is the sum over both sides of area times count; infinite when no plane separates anything.
   Split best_split(Range const& range) const {
-    Binning const binning(range.extents.centers);
+    Binning const binning(range.centers);
     if (range.size() <= small_size) return best_split_of_few(range, binning);
     auto const work = [&](std::size_t begin, std::size_t end) {
       Bins bins;
@@ -229,14 +273,14 @@ class Builder {
     Bins const bins = in_parts<Bins>(range.begin, range.end, work);
     Split best;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (!binning.separates(int(axis))) continue;
+      if (!binning.separates(axis)) continue;
       std::array<float, bin_count> cost_from_right;  // of bins [i, end) on one side
-      Bounds bounds;
+      LaneBounds bounds;
       std::size_t count = 0;
       for (std::size_t i = bin_count; i-- > 1;) {
         bounds.add(bins.bounds[axis][i]);
         count += bins.count[axis][i];
-        cost_from_right[i] = bounds.half_area() * float(count);
+        cost_from_right[i] = count == 0 ? 0 : bounds.half_area() * float(count);
       }
       bounds = {};
       count = 0;
@@ -258,28 +302,34 @@ class Builder {
   Split best_split_of_few(Range const& range, Binning const& binning) const {
     Split best;
     auto const members = primitives_.subspan(range.begin, range.size());
-    for (int axis = 0; axis < 3; ++axis) {
+    std::array<LaneBounds, small_size> bounds_of;
+    std::array<Lanes, small_size> bins_of;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      bounds_of[i] = LaneBounds(members[i]);
+      bins_of[i] = binning.bins_of(bounds_of[i]);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!binning.separates(axis)) continue;
       std::array<std::size_t, small_size> bin;
       std::array<std::size_t, small_size> order;
       for (std::size_t i = 0; i < members.size(); ++i) {
-        bin[i] = binning.bin_of(members[i].bounds, axis);
+        bin[i] = Binning::rounded(bins_of[i][axis]);
         std::size_t place = i;
         for (; place > 0 && bin[order[place - 1]] > bin[i]; --place) order[place] = order[place - 1];
         order[place] = i;
       }
       std::array<float, small_size> cost_from_right;
-      Bounds bounds;
+      LaneBounds bounds;
       for (std::size_t i = members.size(); i-- > 1;) {
-        bounds.add(members[order[i]].bounds);
+        bounds.add(bounds_of[order[i]]);
         cost_from_right[i] = bounds.half_area() * float(members.size() - i);
       }
       bounds = {};
       for (std::size_t i = 1; i < members.size(); ++i) {
-        bounds.add(members[order[i - 1]].bounds);
+        bounds.add(bounds_of[order[i - 1]]);
         if (bin[order[i - 1]] == bin[order[i]]) continue;
         float const cost = bounds.half_area() * float(i) + cost_from_right[i];
-        if (cost < best.cost) best = {axis, bin[order[i]], cost};
+        if (cost < best.cost) best = {int(axis), bin[order[i]], cost};
       }
     }
     return best;
@@ -295,7 +345,7 @@ Bvh build_bvh(std::vector<BuildPrimitive>&& primitives) {
   Bvh bvh;
   Builder builder(primitives);
   Range const all = builder.enclose(0, primitives.size());
-  bvh.bounds = all.extents.bounds;
+  bvh.bounds = all.bounds;
   if (primitives.size() >= 2) {
     bvh.nodes = builder.build(all, 1);
   } else {

@@ -256,9 +256,9 @@ class Sequence {
       if (code_ != 0 && !is_interrupted) return;  // a film that lacks pictures would be taken for a whole one
       if (auto const film = writer_.finish_film(!is_interrupted)) {
         report_.film = film->path;
-        console_.info(fmt::format("{}: {} pictures, {}x{}, {:.2f} s at {:g} a second", film->path, film->frame_count,
-                                  film->size.width, film->size.height, film->frame_count / options_.frame_rate(),
-                                  options_.frame_rate()));
+        console_.info(fmt::format("{}: {} picture{}, {}x{}, {:.2f} s at {:g} a second", film->path, film->frame_count,
+                                  film->frame_count == 1 ? "" : "s", film->size.width, film->size.height,
+                                  film->frame_count / options_.frame_rate(), options_.frame_rate()));
       }
     } catch (Error const& error) {
       console_.error(error.what());

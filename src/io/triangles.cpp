@@ -1,5 +1,7 @@
 #include "io/triangles.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -56,6 +58,11 @@ TriangleFaults remove_faulty_triangles(MeshGeometry& geometry) {
   }
   indices.resize(kept);
   return faults;
+}
+
+std::string left_out_message(std::size_t count, std::string_view what) {
+  return count == 1 ? fmt::format("1 triangle left out: it has {}", what)
+                    : fmt::format("{} triangles left out: they have {}", count, what);
 }
 
 }  // namespace lichtraum

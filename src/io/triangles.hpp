@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "lichtraum/mesh_geometry.hpp"
@@ -18,5 +20,8 @@ struct TriangleFaults {
 
 /// Leaves out triangles that name a position that is not there or not finite.
 TriangleFaults remove_faulty_triangles(MeshGeometry& geometry);
+
+/// What is said of them: "2 triangles left out: they have <what>".
+std::string left_out_message(std::size_t count, std::string_view what);
 
 }  // namespace lichtraum

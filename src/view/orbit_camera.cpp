@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace lichtraum::view {
@@ -75,6 +76,14 @@ std::string camera_as_esdf(Camera const& camera, Resolution const& size) {
   Vec3 const eye = position_of(camera);
   std::string const name = camera.name().empty() ? "view" : camera.name();
   std::string text = fmt::format("define camera {} {} {} {}\n", name, camera.fov_x_degrees(), size.width, size.height);
+  // How long rays' directions are plays no role, so that along the view it is 1.
+  Mat3 const axes(camera.world_from_camera().matrix());
+  double const mirrored = glm::determinant(axes) < 0 ? -1 : 1;
+  Vec3 const scale(mirrored * glm::length(axes[0]) / glm::length(axes[2]), glm::length(axes[1]) / glm::length(axes[2]),
+                   1);
+  if (glm::distance(scale, Vec3(1)) > 1e-12) {
+    text += fmt::format("transform {} scale {} {} {}\n", name, scale.x, scale.y, scale.z);
+  }
   if (sine > 1e-12) {
     double const degrees = glm::degrees(2 * std::atan2(sine, rotation.w));
     text +=

@@ -180,11 +180,11 @@ TEST_CASE("what is broken is named by its JSON pointer, and the rest is drawn", 
   }
   SECTION("indices out of range") {
     broken["indices"] = writer.add_accessor("SCALAR", 1, std::vector<std::uint8_t>{0, 1, 9});
-    expect("/meshes/1/primitives/0/indices: 1 triangles left out: their indices are out of range (3)");
+    expect("/meshes/1/primitives/0/indices: 1 triangle left out: it has an index that is out of range (3)");
   }
   SECTION("a corner that is no number") {
     broken["attributes"]["POSITION"] = writer.add_vec3({0, 0, 0, 1, NAN, 0, 0, 1, 0});
-    expect("/meshes/1/primitives/0/attributes/POSITION: 1 triangles left out: a corner is not a finite number");
+    expect("/meshes/1/primitives/0/attributes/POSITION: 1 triangle left out: it has a corner that is no finite number");
   }
   SECTION("an unknown mode") {
     broken["mode"] = 7;

@@ -99,7 +99,7 @@ TEST_CASE("OBJ: what is wrong is told with its place and left out", "[unit][obj]
        "m.obj:0:0: 3 triangles left out: they have a corner that is no finite number\n"
        "m.obj:5:3: 'nan' is not a finite number\n"},
       {triangle + "f 1 2 9\n",
-       "m.obj:0:0: 1 triangles left out: they have a vertex that is not there\n"
+       "m.obj:0:0: 1 triangle left out: it has a vertex that is not there\n"
        "m.obj:5:7: there is no vertex 9; the file has 3\n"},
       {triangle + "f 1 2 -4\n", "m.obj:5:7: expected vertex/texture/normal, found '-4': the face is left out\n"},
       {triangle + "f 1 2 0\n", "m.obj:5:7: expected vertex/texture/normal, found '0': the face is left out\n"},

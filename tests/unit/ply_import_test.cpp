@@ -138,10 +138,10 @@ TEST_CASE("PLY: faults of the data are told with their place; what is whole is d
     text.replace(text.find("face 1"), 6, "face " + std::to_string(count));
     return shown(import_bytes(text).diagnostics);
   };
-  CHECK(warnings("3 0 1 2\n3 0 1 9\n", 2) == "0:0: 1 triangles left out: they have a vertex that is not there\n");
-  CHECK(warnings("3 0 1 2\n3 0 1 -7\n", 2) == "0:0: 1 triangles left out: they have a vertex that is not there\n");
+  CHECK(warnings("3 0 1 2\n3 0 1 9\n", 2) == "0:0: 1 triangle left out: it has a vertex that is not there\n");
+  CHECK(warnings("3 0 1 2\n3 0 1 -7\n", 2) == "0:0: 1 triangle left out: it has a vertex that is not there\n");
   CHECK(warnings("3 0 1 2\n3 0 1 x\n", 2) ==
-        "0:0: 1 triangles left out: they have a vertex that is not there\n14:7: 'x' is not a number\n");
+        "0:0: 1 triangle left out: it has a vertex that is not there\n14:7: 'x' is not a number\n");
   CHECK_THAT(warnings("3 0 1 2\n3 0 1\n", 2), contains_text("the data ends in face 1 of 2"));
   CHECK_THAT(warnings("3 0 1 2\n999999 0 1\n", 2), contains_text("14:1: a list promises 999999 numbers"));
   CHECK_THAT(warnings("3 0 1 2\n2 0 1\n", 2), contains_text("face 1 has 2 corners"));

@@ -189,13 +189,11 @@ std::shared_ptr<MeshGeometry const> Primitives::read_geometry(Source& source) {
 
   TriangleFaults const faults = remove_faulty_triangles(*geometry);
   if (faults.out_of_range > 0) {
-    findings_.warn(
-        source.pointer + "/indices",
-        fmt::format("{} triangles left out: their indices are out of range ({})", faults.out_of_range, count));
+    findings_.warn(source.pointer + "/indices",
+                   left_out_message(faults.out_of_range, fmt::format("an index that is out of range ({})", count)));
   }
   if (faults.non_finite > 0) {
-    findings_.warn(source.place("POSITION"),
-                   fmt::format("{} triangles left out: a corner is not a finite number", faults.non_finite));
+    findings_.warn(source.place("POSITION"), left_out_message(faults.non_finite, "a corner that is no finite number"));
   }
   if (geometry->indices.empty()) {
     if (faults.out_of_range + faults.non_finite == 0) findings_.warn(source.pointer, "it holds no triangle");

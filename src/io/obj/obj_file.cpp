@@ -11,6 +11,7 @@
 
 #include "io/polygon.hpp"
 #include "io/text/numbers.hpp"
+#include "io/triangles.hpp"
 
 namespace lichtraum::obj {
 namespace {
@@ -262,7 +263,7 @@ class Reader {
   }
 
   void left_out(std::size_t count, std::string_view why) {
-    diagnostics_.add(Severity::warning, {}, fmt::format("{} triangles left out: they have {}", count, why));
+    diagnostics_.add(Severity::warning, {}, left_out_message(count, why));
   }
 
   static constexpr std::size_t max_mentions = 1000;

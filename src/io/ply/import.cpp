@@ -56,7 +56,7 @@ Model import(std::string_view bytes, std::string const& name, fs::path const& fo
     TriangleFaults const faults = remove_faulty_triangles(*geometry);
     auto const left_out = [&](std::size_t count, char const* why) {
       if (count > 0) {
-        diagnostics.add(Severity::warning, {}, fmt::format("{} triangles left out: they have {}", count, why));
+        diagnostics.add(Severity::warning, {}, left_out_message(count, why));
       }
     };
     left_out(faults.out_of_range, "a vertex that is not there");

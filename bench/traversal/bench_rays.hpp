@@ -36,8 +36,9 @@ struct ShadowRays {
   std::size_t size() const { return points.size(); }
 };
 
-/// Without any order.
+/// Without any order; a multiple of rays_per_item.
 struct FreeRays {
+  static constexpr std::size_t rays_per_item = 64;
   std::vector<device::float4> origins;
   std::vector<device::float4> directions;  ///< zero: no ray
   std::size_t size() const { return origins.size(); }

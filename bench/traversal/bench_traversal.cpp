@@ -132,7 +132,8 @@ FreeRays bounce_rays(std::vector<SurfacePoint> const& points) {
     rays.origins.push_back({float(p.position.x), float(p.position.y), float(p.position.z), 0});
     rays.directions.push_back({float(direction.x), float(direction.y), float(direction.z), 0});
   }
-  std::size_t const padded = (rays.size() + 63) / 64 * 64;
+  std::size_t const padded =
+      (rays.size() + FreeRays::rays_per_item - 1) / FreeRays::rays_per_item * FreeRays::rays_per_item;
   rays.origins.resize(padded, {});
   rays.directions.resize(padded, {});
   return rays;

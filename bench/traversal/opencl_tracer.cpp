@@ -77,8 +77,9 @@ OpenClTracer::OpenClTracer(SceneBuffers& scene, Traversal layout) : state_(std::
   char const* const names[] = {"", "TRAVERSAL_SCALAR", "TRAVERSAL_WIDE", "TRAVERSAL_PACKET"};
   cl::Program program(s.context, read(LICHTRAUM_BENCH_KERNEL));
   std::size_t const stack_size = round_up(std::max<std::size_t>(scene.stack_size, 1), 96);
-  std::string const options = fmt::format("-cl-std=CL1.2 -D {} -D TRAVERSAL_STACK_SIZE={} -I {}", names[int(layout)],
-                                          stack_size, LICHTRAUM_KERNEL_FOLDER);
+  std::string const options =
+      fmt::format("-cl-std=CL1.2 -D {} -D TRAVERSAL_STACK_SIZE={} -D FREE_RAYS_PER_ITEM={} -I {}", names[int(layout)],
+                  stack_size, FreeRays::rays_per_item, LICHTRAUM_KERNEL_FOLDER);
   try {
     program.build(s.device, options.c_str());
   } catch (cl::Error const&) {
@@ -126,7 +127,7 @@ void OpenClTracer::closest(FreeRays const& rays, std::vector<RayHit>& hits) {
   s.free.setArg(argument++, origins);
   s.free.setArg(argument++, directions);
   s.free.setArg(argument++, out);
-  s.run(s.free, cl::NDRange(round_up(rays.size(), 64)), cl::NDRange(64), out, sizeof(RayHit) * hits.size());
+  s.run(s.free, cl::NDRange(rays.size() / FreeRays::rays_per_item), cl::NDRange(1), out, sizeof(RayHit) * hits.size());
 }
 
 }  // namespace lichtraum::bench

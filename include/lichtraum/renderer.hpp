@@ -18,7 +18,7 @@ namespace lichtraum {
 enum class Traversal {
   automatic,  ///< packet on a CPU, scalar elsewhere
   scalar,     ///< one ray, binary tree: plain, and for GPUs
-  wide,       ///< one ray, eight children a node: for CPUs
+  wide,       ///< one ray, sixteen children a node: for CPUs
   packet,     ///< camera and shadow rays in packets of one origin, others as `wide`
 };
 

@@ -5,8 +5,8 @@
 
 DEVICE_NAMESPACE_BEGIN
 
-/* The hierarchy for CPUs: the binary tree collapsed to eight children a node, triangles in blocks of four. */
-#define WIDE_CHILDREN 8
+/* The hierarchy for CPUs: the binary tree collapsed to sixteen children a node, triangles in blocks of four. */
+#define WIDE_CHILDREN 16
 #define BLOCK_LANES 4
 
 /* Rows of WideNode::bounds. The far row of an axis is its near row ^ 1, for rays of either direction. */
@@ -24,17 +24,16 @@ DEVICE_NAMESPACE_BEGIN
 /* A leaf's kind is PRIMITIVE_... */
 #define WIDE_KIND_NODE 7u
 
-/*   bounds    min x | 0 1 2 3 4 5 6 7 |   one row is one float8
- *             max x | 0 1 2 3 4 5 6 7 |
+/*   bounds    min x | 0 1 2 ... 15 |   one row is one float16
+ *             max x | 0 1 2 ... 15 |
  *             ...
- *   children        | 0 1 2 3 4 5 6 7 |
+ *   children        | 0 1 2 ... 15 |
  * An absent child has min = INFINITY and max = -INFINITY, which no ray meets. */
 typedef struct {
   float bounds[6][WIDE_CHILDREN];
   uint children[WIDE_CHILDREN];
-  uint padding[8];
 } DEVICE_ALIGNED(64) WideNode;
-DEVICE_STRUCT_SIZE(WideNode, 256);
+DEVICE_STRUCT_SIZE(WideNode, 448);
 
 /* Four triangles: vertices[corner][axis] is one float4. Lanes without a triangle have vertices of NaN, which no ray
  * meets. The triangle in lane l of block b has the index BLOCK_LANES * b + l among all. */

@@ -5,6 +5,8 @@
 #include <future>
 #include <limits>
 
+#include "core/huge_pages.hpp"
+
 namespace lichtraum {
 namespace {
 
@@ -37,33 +39,36 @@ class Candidates {
   std::size_t size() const { return size_; }
   Candidate const& operator[](std::size_t i) const { return items_[i]; }
   void push_back(Candidate const& candidate) { items_[size_++] = candidate; }
-  /// Puts two in the place of one.
-  void replace(std::size_t place, Candidate const& first, Candidate const& second) {
-    for (std::size_t i = size_++; i > place + 1; --i) items_[i] = items_[i - 1];
-    items_[place] = first;
-    items_[place + 1] = second;
-  }
 
  private:
   std::array<Candidate, WIDE_CHILDREN> items_;
   std::size_t size_ = 0;
 };
 
-float half_area(BvhChild const& child) {
-  float const x = child.max[0] - child.min[0], y = child.max[1] - child.min[1], z = child.max[2] - child.min[2];
-  return x * y + y * z + z * x;
+/// What a subtree of the binary tree costs as at most n children of one wide node: the area of all wide nodes in it.
+/// Nothing for a leaf, as blocks are the same whatever the nodes above them.
+struct Costs {
+  std::array<float, WIDE_CHILDREN> as{};               ///< by n; [0] is not used
+  std::array<std::uint8_t, WIDE_CHILDREN> for_left{};  ///< how many of the n its left child gets; 0: it stays one child
+};
+
+float half_area_of_both(BvhChild const& a, BvhChild const& b) {
+  std::array<float, 3> size;
+  for (std::size_t i = 0; i < 3; ++i) size[i] = std::max(a.max[i], b.max[i]) - std::min(a.min[i], b.min[i]);
+  return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
 }
 
 bool is_absent(BvhChild const& child) { return !(child.min[0] <= child.max[0]); }
 
 class Collapser {
  public:
-  explicit Collapser(Bvh const& bvh) : bvh_(bvh), contents_(bvh.nodes.size()) {
+  explicit Collapser(Bvh const& bvh) : bvh_(bvh), contents_(bvh.nodes.size()), costs_(bvh.nodes.size()) {
     // Depth-first order: children come after their parents.
     for (std::size_t i = bvh.nodes.size(); i-- > 0;) {
       for (BvhChild const& child : bvh.nodes[i].children) {
         if (!is_absent(child)) contents_[i].add(content_of(child));
       }
+      find_costs(i);
     }
   }
 
@@ -76,6 +81,7 @@ class Collapser {
     };
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     std::vector<Open> open{{0, none, 0, 0}};
+    reserve_in_huge_pages(wide_.nodes, bvh_.nodes.size() / 8);
     while (!open.empty()) {
       Open const top = open.back();
       open.pop_back();
@@ -120,31 +126,76 @@ class Collapser {
     return content;
   }
 
-  static bool can_open(Candidate const& candidate) {
-    return !candidate.content.is_block() && candidate.content.count > 1;
+  bool is_leaf(BvhChild const& child) const { return child.count > 0 || contents_[child.first].is_block(); }
+
+  Costs const& costs_of(BvhChild const& child) const {
+    static constexpr Costs leaf{};
+    return is_leaf(child) ? leaf : costs_[child.first];
+  }
+
+  struct Share {
+    float cost = std::numeric_limits<float>::infinity();
+    std::uint8_t for_left = 1;
+  };
+  /// The cheapest way to share n children among the two of a binary node.
+  static Share best_share(Costs const& left, Costs const& right, std::size_t n) {
+    Share best;
+    for (std::size_t k = 1; k < n; ++k) {
+      float const cost = left.as[k] + right.as[n - k];
+      if (cost < best.cost) best = {cost, std::uint8_t(k)};
+    }
+    return best;
+  }
+
+  void find_costs(std::size_t binary) {
+    auto const& [left, right] = bvh_.nodes[binary].children;
+    if (is_absent(right) || contents_[binary].is_block()) return;
+    Costs const& of_left = costs_of(left);
+    Costs const& of_right = costs_of(right);
+    Costs& costs = costs_[binary];
+    costs.as[1] = half_area_of_both(left, right) + best_share(of_left, of_right, WIDE_CHILDREN).cost;
+    for (std::size_t n = 2; n < WIDE_CHILDREN; ++n) {
+      Share const share = best_share(of_left, of_right, n);
+      bool const is_shared = share.cost < costs.as[1];
+      costs.as[n] = is_shared ? share.cost : costs.as[1];
+      costs.for_left[n] = is_shared ? share.for_left : std::uint8_t(0);
+    }
   }
 
   /// The children of the wide node that begins at a binary node.
   Candidates gather(uint binary) const {
     Candidates children;
-    for (BvhChild const& child : bvh_.nodes[binary].children) {
-      if (!is_absent(child)) children.push_back({child, content_of(child)});
+    auto const& [left, right] = bvh_.nodes[binary].children;
+    if (is_absent(right)) {  // a root
+      if (!is_absent(left)) children.push_back({left, content_of(left)});
+      return children;
     }
-    while (children.size() < WIDE_CHILDREN) {
-      std::size_t best = children.size();
-      for (std::size_t i = 0; i < children.size(); ++i) {
-        if (!can_open(children[i])) continue;
-        if (best == children.size() || half_area(children[i].child) > half_area(children[best].child)) best = i;
+    struct Part {
+      BvhChild child;
+      std::size_t share;  ///< it may become so many children
+    };
+    std::array<Part, WIDE_CHILDREN> open;
+    std::size_t size = 0;
+    auto const share_out = [&](device::BvhNode const& node, std::size_t n, std::size_t for_left) {
+      open[size++] = {node.children[1], n - for_left};
+      open[size++] = {node.children[0], for_left};
+    };
+    share_out(bvh_.nodes[binary], WIDE_CHILDREN, best_share(costs_of(left), costs_of(right), WIDE_CHILDREN).for_left);
+    while (size > 0) {
+      Part const part = open[--size];
+      std::size_t const for_left = costs_of(part.child).for_left[part.share];
+      if (for_left == 0) {
+        children.push_back({part.child, content_of(part.child)});
+      } else {
+        share_out(bvh_.nodes[part.child.first], part.share, for_left);
       }
-      if (best == children.size()) break;
-      auto const& [left, right] = bvh_.nodes[children[best].child.first].children;  // only a root has absent ones
-      children.replace(best, {left, content_of(left)}, {right, content_of(right)});
     }
     return children;
   }
 
   Bvh const& bvh_;
   std::vector<Content> contents_;
+  std::vector<Costs> costs_;  // of nodes that do not become blocks
   WideBvh wide_;
 };
 

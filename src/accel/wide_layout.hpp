@@ -10,7 +10,7 @@
 
 namespace lichtraum {
 
-/// The hierarchy of one object with eight children a node. nodes[0] is the root.
+/// The hierarchy of one object with sixteen children a node. nodes[0] is the root.
 struct WideBvh {
   std::vector<device::WideNode> nodes;
   /// Which references share a block of triangles: references[first, first + count) of the binary hierarchy.
@@ -23,10 +23,12 @@ struct WideBvh {
   std::size_t stack_size = 0;
 };
 
-/// Collapses a binary hierarchy (Wald, Benthin and Boulos 2008): a node takes the place of the binary nodes below it
-/// that have the largest surface, until it has eight children. Subtrees of at most four triangles become one block. A
-/// leaf child's index is that of the block in `blocks`, or the primitive's own (see shared/wide.h). Nodes lie in
-/// depth-first order, blocks in the order of the binary tree's leaves. The same result whatever the number of threads.
+/// Collapses a binary hierarchy: a wide node takes the place of up to fifteen binary ones. Of all ways to do so, the
+/// one whose nodes have the least surface in sum (dynamic programming as in Ylitie, Karras and Laine, "Efficient
+/// Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", 2017, section 3.1). Subtrees of at most four
+/// triangles become one block. A leaf child's index is that of the block in `blocks`, or the primitive's own (see
+/// shared/wide.h). Nodes lie in depth-first order, blocks in the order of the binary tree's leaves. The same result
+/// whatever the number of threads.
 WideBvh collapse(Bvh const& bvh);
 
 /// Gathers the triangles of blocks.

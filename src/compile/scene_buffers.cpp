@@ -11,6 +11,7 @@
 #include "accel/wide_layout.hpp"
 #include "compile/light_table.hpp"
 #include "compile/material_table.hpp"
+#include "core/huge_pages.hpp"
 #include "lichtraum/error.hpp"
 #include "scene/device_conversion.hpp"
 #include "shared/frame.h"
@@ -183,6 +184,7 @@ class Compiler {
     object.stack_size = wide.stack_size;
     append(buffers_.wide_nodes, std::move(wide.nodes));
     move_nodes(object, object.root_node, object.first_leaf);
+    reserve_in_huge_pages(buffers_.triangle_blocks, object.first_leaf + wide.blocks.size());
     buffers_.triangle_blocks.resize(object.first_leaf + wide.blocks.size());
     buffers_.triangle_tags.resize(BLOCK_LANES * buffers_.triangle_blocks.size());
     fill_blocks(wide.blocks, bvh.references, buffers_.triangles,

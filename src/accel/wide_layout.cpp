@@ -63,13 +63,7 @@ bool is_absent(BvhChild const& child) { return !(child.min[0] <= child.max[0]); 
 class Collapser {
  public:
   explicit Collapser(Bvh const& bvh) : bvh_(bvh), contents_(bvh.nodes.size()), costs_(bvh.nodes.size()) {
-    // Depth-first order: children come after their parents.
-    for (std::size_t i = bvh.nodes.size(); i-- > 0;) {
-      for (BvhChild const& child : bvh.nodes[i].children) {
-        if (!is_absent(child)) contents_[i].add(content_of(child));
-      }
-      find_costs(i);
-    }
+    examine(0, bvh.nodes.size());
   }
 
   WideBvh run() {
@@ -117,6 +111,25 @@ class Collapser {
   }
 
  private:
+  /// Finds contents and costs of the subtree that is nodes [root, end): nodes lie in depth-first order.
+  void examine(std::size_t root, std::size_t end) {
+    constexpr std::size_t part_size = 1 << 14;
+    auto const& [left, right] = bvh_.nodes[root].children;
+    std::size_t first_by_itself = end;
+    if (end - root > part_size && left.count == 0 && right.count == 0) {
+      auto other = std::async(std::launch::async, [&] { examine(right.first, end); });
+      examine(left.first, right.first);
+      other.get();
+      first_by_itself = root + 1;
+    }
+    for (std::size_t i = first_by_itself; i-- > root;) {  // children before their parents
+      for (BvhChild const& child : bvh_.nodes[i].children) {
+        if (!is_absent(child)) contents_[i].add(content_of(child));
+      }
+      find_costs(i);
+    }
+  }
+
   Content content_of(BvhChild const& child) const {
     if (child.count == 0) return contents_[child.first];
     Content content{child.first, child.count, true};

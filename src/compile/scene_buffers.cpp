@@ -33,12 +33,14 @@ void append(std::vector<T>& all, std::span<T const> more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-void hash_primitives(FlatObject const& object, ContentHasher& hasher) {
+ContentHash hash_of_primitives(FlatObject const& object) {
+  ContentHasher hasher;
   hasher.add(object.triangle_attributes);
   hasher.add(object.triangles);
   hasher.add(object.spheres);
   hasher.add(object.ellipsoids);
   hasher.add(object.boxes);
+  return hasher.finish();
 }
 
 device::uint features_of(std::vector<device::PunctualLight> const& lights) {
@@ -59,8 +61,9 @@ class Compiler {
   /// Moves the object's primitives into the buffers.
   std::unique_ptr<Pending> take(FlatObject&& object) {
     auto pending = std::make_unique<Pending>();
-    hash_primitives(object, pending->content);
-    hash_primitives(object, scene_content_);
+    ContentHash const primitives = hash_of_primitives(object);
+    pending->content.add(primitives);
+    scene_content_.add(primitives);
     // Leaves name primitives by where they are in all of the scene.
     pending->content.add(std::array{buffers_.triangles.size(), buffers_.spheres.size(), buffers_.ellipsoids.size(),
                                     buffers_.boxes.size(), buffers_.vertex_data.size()});

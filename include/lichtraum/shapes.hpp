@@ -93,6 +93,13 @@ class Composite final : public Shape {
   void add(std::shared_ptr<Shape> child);
   Children const& children() const { return children_; }
 
+  /// Whether the shapes below never move within this one: from one picture to the next it is transformed as a whole, or
+  /// stays where it is. To be set by whoever makes it, for what may be large (thousands of triangles) and shown beside
+  /// things that move; false at first. Only a hint, which moves no surface: a renderer may keep for such a composite
+  /// what it built for the picture before, at the price of some time while it traces rays.
+  bool moves_as_one() const { return moves_as_one_; }
+  void set_moves_as_one(bool moves_as_one) { moves_as_one_ = moves_as_one; }
+
   bool intersect(Ray const& ray, float& t) const override;
   bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
   void accept(ShapeVisitor& visitor) const override;
@@ -102,6 +109,7 @@ class Composite final : public Shape {
 
   Children children_;
   bool has_parent_ = false;  // whether it ever became a child of a composite
+  bool moves_as_one_ = false;
 };
 
 /// A function per kind of shape; forgetting one does not compile.

@@ -38,9 +38,10 @@ std::shared_ptr<Shape> ModelCache::shape(MeshFormat const& format, std::filesyst
     };
     entry.roots = format.import(path, observed).scene.roots();
   }
-  return std::make_shared<Composite>(std::move(name), copy_graph(entry.roots, [&](Shape const& shape) {
-                                       return options.material ? options.material : shape.material();
-                                     }));
+  auto const material_of = [&](Shape const& shape) { return options.material ? options.material : shape.material(); };
+  auto model = std::make_shared<Composite>(std::move(name), copy_graph(entry.roots, material_of));
+  model->set_moves_as_one(true);  // a scene has no names for the model's parts
+  return model;
 }
 
 }  // namespace lichtraum

@@ -19,7 +19,7 @@ class ModelCache {
   /// A new script begins: what neither the one before nor this one includes is forgotten.
   void begin_script();
 
-  /// The model as one shape called `name`, of nodes of its own. Same exceptions as format.import.
+  /// The model as one shape called `name`, of nodes of its own, which moves as one. Same exceptions as format.import.
   std::shared_ptr<Shape> shape(MeshFormat const& format, std::filesystem::path const& path, ModelOptions const& options,
                                std::string name);
 

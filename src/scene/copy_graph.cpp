@@ -35,7 +35,9 @@ class NodeCopier final : private ShapeVisitor {
     Composite::Children children;
     children.reserve(composite.children().size());
     for (auto const& child : composite.children()) children.push_back(copy_of(*child));
-    made_ = std::make_shared<Composite>(composite.name(), std::move(children));
+    auto copy = std::make_shared<Composite>(composite.name(), std::move(children));
+    copy->set_moves_as_one(composite.moves_as_one());
+    made_ = std::move(copy);
   }
 
   MaterialChoice const& material_of_;

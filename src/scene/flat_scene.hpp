@@ -36,7 +36,8 @@ struct FlatInstance {
 
 /// The scene graph without the graph: what is drawn, as two levels of plain lists.
 struct FlatScene {
-  /// objects[0] is the world: what occurs once, baked into world space. The others are what instances show.
+  /// objects[0] is the world: what occurs once, baked into world space, unless it is large and moves as one. The others
+  /// are what instances show.
   std::vector<FlatObject> objects;
   std::vector<FlatInstance> instances;
   /// What PrimitiveTag::material and PrimitiveTag::shape count in. A shape is listed once for each time it was baked.

@@ -16,11 +16,18 @@ constexpr std::uint64_t min_object_primitives = 8;
 /// Up to this, an object is unfolded although something inside it is shared as well: instances do not nest.
 constexpr std::uint64_t max_unfolded_primitives = 1 << 16;
 
-/// Which composites and meshes become objects: of those that occur several times, the topmost that hold a plain tree or
-/// little.
+/// Below this, building the hierarchy of what moves as one again (2 ms) is not worth a second level for its rays.
+constexpr std::uint64_t min_moving_primitives = 4096;
+
+bool is_worth_a_hierarchy(GraphNode const& node) {
+  if (node.occurrences > 1) return node.primitives >= min_object_primitives;
+  return node.composite && node.composite->moves_as_one() && node.primitives >= min_moving_primitives;
+}
+
+/// Which composites and meshes become objects: of those that occur several times or move as one, the topmost that hold
+/// a plain tree or little. Never how often a scene is drawn: a picture has the same bytes alone and in a sequence.
 bool becomes_object(GraphNode const& node) {
-  return node.occurrences > 1 && node.primitives >= min_object_primitives &&
-         (node.is_tree || node.primitives <= max_unfolded_primitives);
+  return is_worth_a_hierarchy(node) && (node.is_tree || node.primitives <= max_unfolded_primitives);
 }
 
 struct UnfoldedCounts {

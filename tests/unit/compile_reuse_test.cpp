@@ -90,3 +90,34 @@ TEST_CASE("only what has changed is built again", "[unit][compile]") {
   parts.ball->translate({1, 0, 0});
   CHECK(marks() == std::vector<bool>{true, false});  // the ladder's, not the world's
 }
+
+TEST_CASE("a large part that moves as one is not built again for what moves", "[unit][compile]") {
+  auto part = std::make_shared<Composite>("part");
+  for (int i = 0; i < 5000; ++i) part->add(std::make_shared<Sphere>("s", Vec3(i, 2, 0), 0.3, nullptr));
+  part->set_moves_as_one(true);
+  auto const ball = std::make_shared<Sphere>("ball", Vec3(0, 5, 0), 1, nullptr);
+  for (Traversal const traversal : {Traversal::scalar, Traversal::wide}) {
+    // A mark in the part's hierarchy shows where it comes from.
+    constexpr float mark = -12345;
+    auto const marked = [&](SceneBuffers& scene, CompiledObject const& object) -> float& {
+      return traversal == Traversal::scalar ? scene.nodes[object.root_node].children[0].min[0]
+                                            : scene.wide_nodes[object.root_node].bounds[0][0];
+    };
+    SceneBuffers before = compile_scene(flatten({part, ball}), {}, traversal);
+    REQUIRE(before.objects.size() == 2);
+    REQUIRE(before.instances.size() == 1);
+    marked(before, before.objects[0]) = mark;
+    auto const is_taken_over = [&] {
+      SceneBuffers after = compile_scene(flatten({part, ball}), {}, traversal, &before);
+      return marked(after, after.objects[0]) == mark;
+    };
+    CHECK(is_taken_over());
+    ball->translate({1, 0, 0});
+    CHECK(is_taken_over());
+    part->rotate(30, {0, 1, 0});
+    part->scale({1, 2, -3});
+    CHECK(is_taken_over());
+    part->children()[17]->translate({0, 0, 1});
+    CHECK_FALSE(is_taken_over());
+  }
+}

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "scene/copy_graph.hpp"
 #include "support/catch.hpp"
 
 using namespace lichtraum;
@@ -92,6 +93,45 @@ TEST_CASE("flatten copies what is too small to be an object", "[unit][flatten]")
   CHECK(flat.instances.empty());
   CHECK(flat.objects.size() == 1);
   CHECK(flat.objects[0].spheres.size() == 4);
+}
+
+TEST_CASE("flatten makes an object of a large composite that moves as one", "[unit][flatten]") {
+  auto row = row_of_spheres(5000);
+  row->translate({0, 0, -5});
+  auto holder = std::make_shared<Composite>("holder", Composite::Children{row, sphere()});
+  holder->translate({7, 0, 0});
+  CHECK(flatten({holder, sphere()}).instances.empty());  // nobody said that it moves as one
+
+  row->set_moves_as_one(true);
+  FlatScene const flat = flatten({holder, sphere()});
+  REQUIRE(flat.objects.size() == 2);
+  CHECK(flat.objects[0].spheres.size() == 2);
+  CHECK(flat.objects[1].spheres.size() == 5000);
+  CHECK(center(flat.objects[1].spheres[3]) == Vec3(3, 0, 0));  // in its own frame
+  REQUIRE(flat.instances.size() == 1);
+  CHECK(flat.instances[0].object == 1);
+  CHECK(flat.instances[0].world_from_object.point(Vec3(0)) == Vec3(7, 0, -5));
+
+  holder->set_moves_as_one(true);  // the topmost
+  CHECK(flatten({holder}).objects[1].spheres.size() == 5001);
+}
+
+TEST_CASE("flatten bakes a small composite that moves as one", "[unit][flatten]") {
+  auto row = row_of_spheres(4095);
+  row->set_moves_as_one(true);
+  CHECK(flatten({row}).objects[0].spheres.size() == 4095);
+  row->add(sphere());
+  CHECK(flatten({row}).objects[0].spheres.empty());
+}
+
+TEST_CASE("a copied graph moves as the graph did", "[unit][flatten]") {
+  auto row = row_of_spheres(1);
+  CHECK_FALSE(row->moves_as_one());
+  row->set_moves_as_one(true);
+  auto const copies = copy_graph({std::make_shared<Composite>("parent", Composite::Children{row})});
+  auto const& parent = dynamic_cast<Composite const&>(*copies.at(0));
+  CHECK_FALSE(parent.moves_as_one());
+  CHECK(dynamic_cast<Composite const&>(*parent.children().at(0)).moves_as_one());
 }
 
 TEST_CASE("flatten draws a child once per path", "[unit][flatten]") {

@@ -27,7 +27,8 @@ std::string torus_obj() {
       double const u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * j / across;
       Vec3 const normal(std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v));
       Vec3 const position = Vec3(std::cos(u), std::sin(u), 0) + 0.4 * normal;
-      text += fmt::format("v {} {} {}\nvn {} {} {}\n", position.x, position.y, position.z, normal.x, normal.y, normal.z);
+      text +=
+          fmt::format("v {} {} {}\nvn {} {} {}\n", position.x, position.y, position.z, normal.x, normal.y, normal.z);
     }
   }
   for (int i = 0; i < around; ++i) {

@@ -44,7 +44,7 @@ void Worker::show(RenderRequest const& view) {
   std::lock_guard const lock(mutex_);
   view_ = view;
   is_new_view_ = true;
-  is_marking_due_ = marked_.count > 0;
+  expect_marking();
   restart_refinement();
   changed_.notify_all();
 }
@@ -67,9 +67,14 @@ void Worker::look_at(int x, int y) {
 void Worker::mark(ObjectTree::Objects const& objects) {
   std::lock_guard const lock(mutex_);
   marked_ = objects;
-  is_marking_due_ = objects.count > 0;
+  expect_marking();
   has_question_ = true;
   changed_.notify_all();
+}
+
+void Worker::expect_marking() {
+  is_marking_due_ = marked_.count > 0;
+  news_.marking.reset();  // of another view, or of what was selected before
 }
 
 void Worker::restart_refinement() {
@@ -78,7 +83,7 @@ void Worker::restart_refinement() {
                              ? Refinement::first_side_for(view_->resolution, *seconds_per_pixel_, moving_pass_seconds)
                              : side_when_unknown;
   bool const is_picture = !view_ || view_->aov == Aov::picture;
-  refinement_.restart(first_side, is_picture ? Refinement::finest_by_default : Sampling());
+  refinement_.restart(first_side, is_picture ? options_.sampling.value_or(Refinement::finest_by_default) : Sampling());
 }
 
 Worker::News Worker::news() {
@@ -148,7 +153,7 @@ void Worker::load(Renderer& renderer) {
     if (!view_) view_ = scene.request;  // what the window will ask for, once it is open
     news_.scene = std::move(scene);
     marked_ = {};
-    is_marking_due_ = false;
+    expect_marking();
     news_.problem = "";
     seconds_per_pixel_.reset();
     restart_refinement();
@@ -209,7 +214,10 @@ void Worker::trace_marking(Renderer& renderer) {
   Marking marking{request.resolution, outline_pixels(ids, marked)};
   {
     std::lock_guard const lock(mutex_);
-    if (is_new_view_) return;
+    if (is_new_view_ || marked != marked_) {
+      expect_marking();
+      return;
+    }
     news_.marking = std::move(marking);
   }
   wake_();

@@ -95,6 +95,8 @@ class Worker {
   /// Whether there was something to trace.
   bool trace_next(Renderer& renderer, std::stop_token const& stop);
   void restart_refinement();
+  /// What is outlined has changed, or where it is seen.
+  void expect_marking();
 
   app::SceneSource const& source_;
   app::RenderOptions const& options_;

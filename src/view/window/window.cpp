@@ -71,6 +71,7 @@ bool Window::take_news() {
       glfwSetWindowSize(graphics_->window, scene_.request.resolution.width, scene_.request.resolution.height);
     }
     panel_.set_scene(scene_);
+    mark_selection();  // of nothing: what was selected was of the scene before
     if (!is_moved_) camera_.emplace(scene_.request.camera, scene_.center);
     show();
   }
@@ -116,7 +117,8 @@ void Window::handle_mouse() {
   bool const is_left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) dragged_ = 0;
   if (is_left && dragged_ >= 0) dragged_ += double(std::abs(io.MouseDelta.x) + std::abs(io.MouseDelta.y));
-  if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && dragged_ >= 0 && dragged_ <= most_of_a_click && !io.KeyShift) {
+  if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && dragged_ >= 0 && dragged_ <= most_of_a_click && !io.KeyShift &&
+      ImGui::IsMousePosValid()) {
     worker_->look_at(int(io.MousePos.x / io.DisplaySize.x * float(shown_size_.width)),
                      int(io.MousePos.y / io.DisplaySize.y * float(shown_size_.height)));
   }

@@ -14,7 +14,8 @@
 
 namespace lichtraum {
 
-/// How rays find what they hit. The picture is the same, the time is not.
+/// How rays find what they hit. The picture is the same, but for single pixels at the edges of shadows and where
+/// surfaces meet; the time is not.
 enum class Traversal {
   automatic,  ///< packet on a CPU, scalar elsewhere
   scalar,     ///< one ray, binary tree: plain, and for GPUs

@@ -36,7 +36,7 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
             "linear (default for scenes) or srgb (for models)", group);
   add_device_option(parser, options, group);
   add_value(parser, "--traversal", options.traversal, parse_traversal, "NAME",
-            "How rays find what they hit: auto (default),\nscalar, wide or packet. The picture is the same", group);
+            "How rays find what they hit: auto (default),\nscalar, wide or packet. Only edges may differ", group);
 }
 
 }  // namespace lichtraum::app

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -125,6 +126,26 @@ TEST_CASE("samples added to those before give the bytes of all at once", "[image
       renderer->refine(request, sums, image);
       CHECK(bytes_of(image) == bytes_of(all));
       if (device.kind == DeviceKind::reference) break;  // it has one way to trace
+    }
+  }
+}
+
+TEST_CASE("every layout of the tree draws the same bytes, but for pixels at edges", "[image]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene const scene = mixed_scene();
+  RenderRequest const request = seeded_request(scene);
+  for (DeviceInfo const& device : opencl_devices()) {
+    if (device.kind != DeviceKind::cpu) continue;  // the others have one layout
+    INFO(device.name);
+    Image const scalar = render_on(device, scene, request, Traversal::scalar);
+    for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
+      Image const image = render_on(device, scene, request, traversal);
+      std::size_t different = 0;
+      for (std::size_t i = 0; i < image.data().size(); i += 3) {
+        different += std::equal(&image.data()[i], &image.data()[i] + 3, &scalar.data()[i]) ? 0 : 1;
+      }
+      INFO(int(traversal));
+      CHECK(different <= image.data().size() / 3 / 1000);
     }
   }
 }

@@ -108,7 +108,7 @@ void Worker::work(std::stop_token const& stop) {
       if (files_have_changed_) load(*renderer);
       apply_edits(*renderer);
       look_at_pixel(*renderer);
-      if (is_fine_) trace_marking(*renderer);
+      if (is_fine_) trace_marking(*renderer, stop);
       if (trace_next(*renderer, stop)) continue;
       std::unique_lock lock(mutex_);
       changed_.wait_for(lock, time_between_looks,
@@ -198,7 +198,7 @@ void Worker::look_at_pixel(Renderer& renderer) {
   wake_();
 }
 
-void Worker::trace_marking(Renderer& renderer) {
+void Worker::trace_marking(Renderer& renderer, std::stop_token const& stop) {
   RenderRequest request;
   ObjectTree::Objects marked;
   {
@@ -210,11 +210,15 @@ void Worker::trace_marking(Renderer& renderer) {
   }
   request.aov = Aov::object_id;
   Image ids;
-  renderer.render(request, ids);
+  auto const is_wanted = [&] { return !stop.stop_requested() && !is_new_view_ && marked == marked_; };
+  RenderResult const result = renderer.render(request, ids, [&](RenderProgress const&) {
+    std::lock_guard const lock(mutex_);
+    return is_wanted();
+  });
   Marking marking{request.resolution, outline_pixels(ids, marked)};
   {
     std::lock_guard const lock(mutex_);
-    if (is_new_view_ || marked != marked_) {
+    if (!result.complete || !is_wanted()) {
       expect_marking();
       return;
     }
@@ -268,7 +272,7 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
     news_.frame = std::move(frame);
   }
   wake_();
-  if (pass.pixel_side == 1) trace_marking(renderer);
+  if (pass.pixel_side == 1) trace_marking(renderer, stop);
   return true;
 }
 

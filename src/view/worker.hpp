@@ -89,7 +89,7 @@ class Worker {
   void load(Renderer& renderer);
   void apply_edits(Renderer& renderer);
   void look_at_pixel(Renderer& renderer);
-  void trace_marking(Renderer& renderer);
+  void trace_marking(Renderer& renderer, std::stop_token const& stop);
   /// Whether one was saved; not more often than makes sense.
   void look_at_files();
   /// Whether there was something to trace.

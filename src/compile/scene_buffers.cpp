@@ -52,10 +52,15 @@ class Compiler {
  public:
   Compiler(Traversal traversal, SceneBuffers const* previous) : previous_(previous) { buffers_.traversal = traversal; }
 
+  struct Range {
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
   /// An object's primitives are in the buffers, its hierarchy is not built yet.
   struct Pending {
     ContentHasher content;
-    std::vector<BuildPrimitive> primitives;
+    Range triangles, spheres, ellipsoids, boxes;
+    std::vector<BuildPrimitive> instances;
   };
 
   /// Moves the object's primitives into the buffers.
@@ -67,28 +72,24 @@ class Compiler {
     // Leaves name primitives by where they are in all of the scene.
     pending->content.add(std::array{buffers_.triangles.size(), buffers_.spheres.size(), buffers_.ellipsoids.size(),
                                     buffers_.boxes.size(), buffers_.vertex_data.size()});
-    std::vector<BuildPrimitive>& all = pending->primitives;
-    all.reserve(object.primitive_count());
-    std::size_t const first_triangle = buffers_.triangles.size();
-    refer(object.triangles, PRIMITIVE_TRIANGLE, first_triangle, all);
-    refer(object.spheres, PRIMITIVE_SPHERE, buffers_.spheres.size(), all);
-    refer(object.ellipsoids, PRIMITIVE_ELLIPSOID, buffers_.ellipsoids.size(), all);
-    refer(object.boxes, PRIMITIVE_BOX, buffers_.boxes.size(), all);
+    pending->triangles = {buffers_.triangles.size(), object.triangles.size()};
+    pending->spheres = {buffers_.spheres.size(), object.spheres.size()};
+    pending->ellipsoids = {buffers_.ellipsoids.size(), object.ellipsoids.size()};
+    pending->boxes = {buffers_.boxes.size(), object.boxes.size()};
     append(buffers_.triangles, std::move(object.triangles));
     append(buffers_.spheres, std::move(object.spheres));
     append(buffers_.ellipsoids, std::move(object.ellipsoids));
     append(buffers_.boxes, std::move(object.boxes));
-    take_attributes(std::move(object), first_triangle);
+    take_attributes(std::move(object), pending->triangles.first);
     return pending;
   }
 
   CompiledObject const& build(std::unique_ptr<Pending> pending) {
     ContentHash const content = pending->content.finish();
     CompiledObject const* const known = find_in_previous(content);
-    CompiledObject object = known                                     ? copy(*known)
-                            : buffers_.traversal == Traversal::scalar ? add_binary(std::move(pending->primitives))
-                                                                      : add_wide(std::move(pending->primitives));
+    CompiledObject object = known ? copy(*known) : add(std::move(*pending));
     object.content = content;
+    buffers_.unrepresentable += object.unrepresentable;
     buffers_.objects.push_back(object);
     return buffers_.objects.back();
   }
@@ -98,7 +99,8 @@ class Compiler {
     Bounds const bounds = map_bounds(instance.world_from_object, object.bounds);
     buffers_.object_numbers.add_instance(instance, flat, !bounds.is_empty());
     if (bounds.is_empty()) return;
-    refer(bounds, {PRIMITIVE_INSTANCE, device::uint(buffers_.instances.size())}, world.primitives);
+    buffers_.unrepresentable +=
+        refer(bounds, {PRIMITIVE_INSTANCE, device::uint(buffers_.instances.size())}, world.instances);
     device::Instance const placed{device_transform(instance.world_from_object.inverse()), object.root_node, {}};
     world.content.add(placed.object_from_world);
     world.content.add(bounds);
@@ -123,13 +125,12 @@ class Compiler {
   ContentHasher& scene_content() { return scene_content_; }
 
  private:
-  /// Adds a thing to a hierarchy's input, unless its bounds do not fit a float.
-  void refer(Bounds const& bounds, device::PrimitiveReference reference, std::vector<BuildPrimitive>& out) {
-    if (bounds.is_finite()) {
-      out.push_back({bounds, reference});
-    } else {
-      ++buffers_.unrepresentable;
-    }
+  /// Adds a thing to a hierarchy's input, unless its bounds do not fit a float. Returns how many it left out.
+  static std::uint64_t refer(Bounds const& bounds, device::PrimitiveReference reference,
+                             std::vector<BuildPrimitive>& out) {
+    if (!bounds.is_finite()) return 1;
+    out.push_back({bounds, reference});
+    return 0;
   }
 
   /// Those of the triangles taken last.
@@ -148,10 +149,29 @@ class Compiler {
   }
 
   template <class T>
-  void refer(std::vector<T> const& primitives, device::uint kind, std::size_t first, std::vector<BuildPrimitive>& out) {
-    for (std::size_t i = 0; i < primitives.size(); ++i) {
-      refer(bounds_of(primitives[i]), {kind, device::uint(first + i)}, out);
+  static std::uint64_t refer(std::vector<T> const& primitives, device::uint kind, Range range,
+                             std::vector<BuildPrimitive>& out) {
+    std::uint64_t left_out = 0;
+    for (std::size_t i = range.first; i < range.first + range.count; ++i) {
+      left_out += refer(bounds_of(primitives[i]), {kind, device::uint(i)}, out);
     }
+    return left_out;
+  }
+
+  /// Builds its hierarchy.
+  CompiledObject add(Pending&& pending) {
+    std::vector<BuildPrimitive> all;
+    all.reserve(pending.triangles.count + pending.spheres.count + pending.ellipsoids.count + pending.boxes.count +
+                pending.instances.size());
+    std::uint64_t left_out = refer(buffers_.triangles, PRIMITIVE_TRIANGLE, pending.triangles, all);
+    left_out += refer(buffers_.spheres, PRIMITIVE_SPHERE, pending.spheres, all);
+    left_out += refer(buffers_.ellipsoids, PRIMITIVE_ELLIPSOID, pending.ellipsoids, all);
+    left_out += refer(buffers_.boxes, PRIMITIVE_BOX, pending.boxes, all);
+    append(all, std::move(pending.instances));
+    CompiledObject object =
+        buffers_.traversal == Traversal::scalar ? add_binary(std::move(all)) : add_wide(std::move(all));
+    object.unrepresentable = left_out;
+    return object;
   }
 
   CompiledObject const* find_in_previous(ContentHash const& content) const {
@@ -215,6 +235,7 @@ class Compiler {
     } else {
       object.root_node = device::uint(buffers_.wide_nodes.size());
       object.first_leaf = device::uint(buffers_.triangle_blocks.size());
+      reserve_in_huge_pages(buffers_.triangle_blocks, object.first_leaf + known.leaf_count);
       append(buffers_.wide_nodes, part(previous_->wide_nodes, known.root_node, known.node_count));
       append(buffers_.triangle_blocks, part(previous_->triangle_blocks, known.first_leaf, known.leaf_count));
       append(buffers_.triangle_tags,

@@ -25,7 +25,8 @@ struct CompiledObject {
   device::uint first_leaf = 0;  ///< where its `references` or `triangle_blocks` begin
   device::uint leaf_count = 0;
   Bounds bounds;
-  std::size_t stack_size = 0;  ///< that a traversal of it needs; for the wide layout
+  std::size_t stack_size = 0;         ///< that a traversal of it needs; for the wide layout
+  std::uint64_t unrepresentable = 0;  ///< of its primitives, whose bounds do not fit a float
 };
 
 /// What surfaces and lights are like: all of a scene that can change without a look at its shapes.

@@ -40,7 +40,8 @@ bool same_arrays(SceneBuffers const& a, SceneBuffers const& b) {
   return same(a.nodes, b.nodes) && same(a.references, b.references) && same(a.triangles, b.triangles) &&
          same(a.wide_nodes, b.wide_nodes) && same(a.triangle_blocks, b.triangle_blocks) &&
          same(a.triangle_tags, b.triangle_tags) && same(a.spheres, b.spheres) && same(a.instances, b.instances) &&
-         a.root_node == b.root_node && a.stack_size == b.stack_size && a.content == b.content;
+         a.root_node == b.root_node && a.stack_size == b.stack_size && a.content == b.content &&
+         a.unrepresentable == b.unrepresentable;
 }
 
 }  // namespace
@@ -69,6 +70,18 @@ TEST_CASE("a scene compiled after another is the same as compiled alone", "[unit
       CHECK((after.content == old) == (&change == &changes.front()));
       before = compile_scene(flatten(parts.roots()), {}, traversal);
     }
+  }
+}
+
+TEST_CASE("what is left out of a hierarchy is counted though the hierarchy is taken over", "[unit][compile]") {
+  TwoParts parts;
+  // Center and radius fit a float, their sum does not.
+  parts.ladder->add(std::make_shared<Sphere>("huge", Vec3(3e38, 0, 0), 3e38, nullptr));
+  for (Traversal const traversal : {Traversal::scalar, Traversal::wide}) {
+    SceneBuffers const before = compile_scene(flatten(parts.roots()), {}, traversal);
+    CHECK(before.unrepresentable == 1);  // of the object that is shown twice
+    SceneBuffers const after = compile_scene(flatten(parts.roots()), {}, traversal, &before);
+    CHECK(same_arrays(after, before));
   }
 }
 

@@ -168,6 +168,7 @@ Film::Film(fs::path path, Resolution size, double frames_per_second) : path_(std
     throw Error(ErrorKind::io, fmt::format("cannot start ffmpeg: {}", std::strerror(code)));
   }
   process_ = child;
+  removed_on_signal_.emplace(child, unfinished_);
 }
 
 Film::~Film() {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "app/interruption.hpp"
 #include "lichtraum/camera.hpp"
 
 namespace lichtraum::app {
@@ -55,6 +57,7 @@ class Film {
   int process_ = -1;
   int pixels_ = -1;    // what ffmpeg reads
   int messages_ = -1;  // a file without a name that holds what ffmpeg said
+  std::optional<UnfinishedFile> removed_on_signal_;
 };
 
 /// Throws Error{unavailable} that names the package when the ffmpeg program is not there.

@@ -1,17 +1,26 @@
 #include "app/interruption.hpp"
 
 #include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
 
 namespace lichtraum::app {
 namespace {
 
-// A signal handler can reach nothing but globals: these two are the program's only ones.
+// A signal handler can reach nothing but globals: these are the program's only ones.
 volatile sig_atomic_t graceful = 0;
 volatile sig_atomic_t signalled = 0;
+std::atomic<UnfinishedFile const*> unfinished = nullptr;
+static_assert(decltype(unfinished)::is_always_lock_free);
 
 extern "C" void on_signal(int) {
-  if (graceful == 0 || signalled != 0) _exit(130);
+  if (graceful == 0 || signalled != 0) {
+    if (UnfinishedFile const* const file = unfinished) file->remove();
+    _exit(130);
+  }
   signalled = 1;
 }
 
@@ -32,5 +41,21 @@ GracefulScope::GracefulScope() { graceful = 1; }
 GracefulScope::~GracefulScope() { graceful = 0; }
 
 bool interrupted() { return signalled != 0; }
+
+UnfinishedFile::UnfinishedFile(pid_t writer, std::filesystem::path path) : writer_(writer), path_(std::move(path)) {
+  unfinished = this;
+}
+UnfinishedFile::~UnfinishedFile() { unfinished = nullptr; }
+
+// Calls only what is async-signal-safe (POSIX, 2.4.3).
+void UnfinishedFile::remove() const {
+  // One that has been waited for already is no child any more: its number may be another process's.
+  if (::waitpid(writer_, nullptr, WNOHANG) == 0) {
+    ::kill(writer_, SIGKILL);
+    while (::waitpid(writer_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }
+  ::unlink(path_.c_str());
+}
 
 }  // namespace lichtraum::app

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <sys/types.h>
+
+#include <filesystem>
+
 namespace lichtraum::app {
 
 /// Lets SIGINT and SIGTERM end the process with status 130: at once, or, while a GracefulScope exists, by asking.
@@ -16,5 +20,22 @@ class GracefulScope {
 };
 
 bool interrupted();
+
+/// While one exists, a signal that ends this process first ends its child `writer` and removes the file `path`, which
+/// that is writing. One at a time.
+class UnfinishedFile {
+ public:
+  UnfinishedFile(pid_t writer, std::filesystem::path path);
+  ~UnfinishedFile();
+  UnfinishedFile(UnfinishedFile const&) = delete;
+  UnfinishedFile& operator=(UnfinishedFile const&) = delete;
+
+  /// For the signal handler.
+  void remove() const;
+
+ private:
+  pid_t writer_;
+  std::filesystem::path path_;
+};
 
 }  // namespace lichtraum::app

@@ -169,6 +169,24 @@ TEST_CASE("what ffmpeg says when it fails is told, and the old film stays", "[ap
   }
 }
 
+TEST_CASE("a film that is interrupted twice leaves nothing behind", "[app][film]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("balls.sdf", moving_balls());
+  // Takes long for the film's end, with a part of the film written.
+  Process process = with_ffmpeg(lichtraum, "balls.sdf --turntable 500 --samples 8x8 -o film.mp4",
+                                "#!/bin/sh\n"
+                                "for last; do :; done\n"
+                                "echo part > \"${last#file:}\"\n"
+                                "cat > /dev/null\n"
+                                "echo end > at_its_end\n"
+                                "exec sleep 20\n");
+  process.signals = {{SIGINT, 1.5}, {SIGINT, 3.5}};
+  auto const result = run_process(process);
+  CHECK(result.exit_code == 130);
+  CHECK(result.seconds < 15);
+  CHECK(lichtraum.folder.names() == std::vector<std::string>{"at_its_end", "balls.sdf", "bin"});
+}
+
 TEST_CASE("an interrupted film is what was done, under another name", "[app][film]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("balls.sdf", moving_balls());

@@ -83,8 +83,7 @@ struct RayCounts {
 struct RenderStatistics {
   RayCounts rays;
   double program_ms = 0;  ///< getting the device's program: from its cache, or compiled
-  /// Tracing alone. PoCL compiles a program's last part, once, when it is first launched: that is in here.
-  double trace_ms = 0;
+  double trace_ms = 0;    ///< tracing alone
 };
 
 struct SceneStatistics {

@@ -29,6 +29,9 @@ LaunchSize launch_size(device::Tile const& tile, Traversal traversal) {
   return {squares(tile.x, tile.width), squares(tile.y, tile.height), 1};
 }
 
+/// Of render_tile.
+constexpr cl_uint tile_argument = 1, rays_argument = 17;
+
 /// A traversal's stack, as one of a few sizes: each is a program of its own.
 std::size_t traversal_stack_size(std::size_t needed) {
   for (std::size_t const size : {std::size_t(96), std::size_t(256)}) {
@@ -94,7 +97,11 @@ struct TileTracer::State {
   cl::Device device;
   cl::Context context;
   cl::CommandQueue queue;
-  std::map<std::string, cl::Kernel> kernels;  // by their programs' options
+  struct KnownKernel {
+    cl::Kernel kernel;
+    bool is_loaded = false;
+  };
+  std::map<std::string, KnownKernel> kernels;  // by their programs' options
 
   std::shared_ptr<SceneBuffers const> scene = std::make_shared<SceneBuffers>();
   std::shared_ptr<ShadingTables const> tables = scene;
@@ -177,7 +184,7 @@ struct TileTracer::State {
     return frame[0].aov != 0 && scene->traversal == Traversal::packet ? Traversal::wide : scene->traversal;
   }
 
-  cl::Kernel& kernel_for(device::FrameParameters const& parameters) {
+  KnownKernel& kernel_for(device::FrameParameters const& parameters) {
     std::string options = fmt::format("-cl-std=CL1.2 -D RAY_STACK_SIZE={} -D {}", ray_stack_size(parameters.max_depth),
                                       layout_name(frame_traversal()));
     if (parameters.aov != 0) options += " -D FIRST_SURFACE";
@@ -188,9 +195,30 @@ struct TileTracer::State {
     auto found = kernels.find(options);
     if (found == kernels.end()) {
       auto const program = build_program(context, device, "render", options);
-      found = kernels.emplace(options, checked([&] { return cl::Kernel(program, "render_tile"); })).first;
+      found = kernels.emplace(options, KnownKernel{checked([&] { return cl::Kernel(program, "render_tile"); })}).first;
     }
     return found->second;
+  }
+
+  /// PoCL loads a kernel's machine code, or makes it, when it is first launched: so with a tile of no pixels, which
+  /// takes no time. Once for each kernel; its arguments are set.
+  void load(KnownKernel& known) {
+    if (known.is_loaded) return;
+    device::Tile const nothing{};
+    make_room_for_rays(1);
+    std::size_t const side = launch_size(nothing, frame_traversal()).local_side;
+    kernel.setArg(tile_argument, sizeof nothing, &nothing);
+    queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(side, side), cl::NDRange(side, side));
+    queue.finish();
+    known.is_loaded = true;
+  }
+
+  void make_room_for_rays(std::size_t work_items) {
+    if (rays.size() < work_items) {
+      rays.resize(work_items);
+      rays_buffer.create(context, CL_MEM_WRITE_ONLY, rays);
+    }
+    kernel.setArg(rays_argument, rays_buffer.get());
   }
 };
 
@@ -232,7 +260,8 @@ void TileTracer::begin_frame(device::FrameParameters const& frame, Image& image)
   state.frame.assign(1, frame);
   state.image = &image;
   checked([&] {
-    state.kernel = state.kernel_for(frame);
+    auto& known = state.kernel_for(frame);
+    state.kernel = known.kernel;
     state.frame_buffer.create(state.context, CL_MEM_READ_ONLY, state.frame);
     state.film = cl::Buffer(state.context, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, film_bytes, image.data().data());
     cl_uint argument = 0;
@@ -240,21 +269,17 @@ void TileTracer::begin_frame(device::FrameParameters const& frame, Image& image)
     ++argument;  // the tile
     state.for_each_array([&](auto const&, auto const& buffer) { state.kernel.setArg(argument++, buffer.get()); });
     state.kernel.setArg(argument++, state.film);
+    state.load(known);
   });
 }
 
 RayCounts TileTracer::trace(device::Tile const& tile) {
   State& state = *state_;
-  constexpr cl_uint tile_argument = 1, rays_argument = 17;
   LaunchSize const size = launch_size(tile, state.frame_traversal());
   std::size_t const work_items = size.width * size.height;
   RayCounts counts;
   checked([&] {
-    if (state.rays.size() < work_items) {
-      state.rays.resize(work_items);
-      state.rays_buffer.create(state.context, CL_MEM_WRITE_ONLY, state.rays);
-    }
-    state.kernel.setArg(rays_argument, state.rays_buffer.get());
+    state.make_room_for_rays(work_items);
     state.kernel.setArg(tile_argument, sizeof tile, &tile);
     state.queue.enqueueNDRangeKernel(
         state.kernel, cl::NullRange,

@@ -264,6 +264,43 @@ TEST_CASE("an animation moves its node to where it is at a time", "[unit][gltf]"
   CHECK(x_at(2) == Approx(6));
 }
 
+TEST_CASE("what an animation moves as one, or not at all, says so", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  int const times = writer.add_accessor("SCALAR", 1, std::vector<float>{0, 1});
+  int const places = writer.add_vec3({0, 0, 0, 1, 0, 0});
+  writer.json["nodes"] = {{{"name", "arm"}, {"mesh", 0}, {"children", {1, 2}}},
+                          {{"name", "hand"}, {"mesh", 0}},
+                          {{"name", "sleeve"}, {"mesh", 0}},
+                          {{"name", "stand"}, {"mesh", 0}}};
+  writer.json["scenes"] = {{{"nodes", {0, 3}}}};
+  writer.json["animations"] = {{{"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}},
+                                {"samplers", {{{"input", times}, {"output", places}}}}}};
+  auto const names = [&](std::optional<double> time) {
+    ModelOptions options;
+    options.time_seconds = time;
+    std::string found;
+    Scene const scene = import_model(writer, options).scene;
+    for (char const* name : {"arm", "hand", "sleeve", "stand"}) {
+      auto const* const shape = scene.shapes.find(name);
+      REQUIRE(shape);
+      auto const* const composite = dynamic_cast<Composite const*>(shape->get());
+      REQUIRE(composite);
+      if (composite->moves_as_one()) found += std::string(name) + " ";
+    }
+    return found;
+  };
+  CHECK(names(std::nullopt) == "");
+  CHECK(names(0.5) == "hand sleeve stand ");
+  auto& target = writer.json["animations"][0]["channels"][0]["target"];
+  target["node"] = 0;
+  CHECK(names(0.5) == "arm hand sleeve stand ");
+  writer.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", writer.add_vec3({0, 0, 2, 0, 0, 0, 0, 0, 0})}}};
+  target = {{"node", 2}, {"path", "weights"}};
+  writer.json["animations"][0]["samplers"][0]["output"] = times;
+  CHECK(names(0.5) == "hand stand ");
+}
+
 TEST_CASE("morph targets are added by their weights", "[unit][gltf]") {
   GltfWriter writer;
   auto& primitive = writer.add_mesh(triangle_positions);

@@ -180,7 +180,10 @@ void apply_animation(tinygltf::Model const& model, int animation, double seconds
     }
     auto const track = read_track(source.samplers[std::size_t(channel.sampler)], components, accessors, findings,
                                   fmt::format("/animations/{}/samplers/{}", animation, channel.sampler));
-    if (track) set(pose[std::size_t(channel.target_node)], path, track->at(seconds, path == "rotation"));
+    if (!track) continue;
+    NodePose& target = pose[std::size_t(channel.target_node)];
+    set(target, path, track->at(seconds, path == "rotation"));
+    (path == "weights" ? target.is_deformed : target.is_moved) = true;
   }
 }
 

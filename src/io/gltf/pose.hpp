@@ -16,6 +16,9 @@ struct NodePose {
   Vec3 scale{1};
   std::optional<Mat4> matrix;   ///< instead of the three above
   std::vector<double> weights;  ///< one per morph target; empty: the mesh's own
+  /// What an animation that was applied does to the node.
+  bool is_moved = false;
+  bool is_deformed = false;  ///< by weights
 
   Mat4 parent_from_node() const;
 };

@@ -54,6 +54,7 @@ void SceneGraph::build(std::string const& name, Scene& scene) {
   node_names_.resize(document_.model.nodes.size());
   for (int const node : tree_.order) node_names_[std::size_t(node)] = names_.unique(node_name(node));
 
+  std::vector<bool> const moves_as_one = find_what_moves_as_one();
   std::vector<std::shared_ptr<Composite>> composites(document_.model.nodes.size());
   Children skinned;  // in the world: what a joint moves, no parent moves
   for (auto node = tree_.order.rbegin(); node != tree_.order.rend(); ++node) {
@@ -77,6 +78,7 @@ void SceneGraph::build(std::string const& name, Scene& scene) {
     }
     auto composite = std::make_shared<Composite>(node_names_[i], std::move(children));
     composite->set_world_from_object(*transform);
+    composite->set_moves_as_one(moves_as_one[i]);
     scene.shapes.insert(composite);
     composites[i] = std::move(composite);
   }
@@ -87,6 +89,18 @@ void SceneGraph::build(std::string const& name, Scene& scene) {
   }
   roots.insert(roots.end(), skinned.begin(), skinned.end());
   if (!roots.empty()) scene.shapes.insert(std::make_shared<Composite>(root_name, std::move(roots)));
+}
+
+std::vector<bool> SceneGraph::find_what_moves_as_one() const {
+  auto const is_animated = [](NodePose const& pose) { return pose.is_moved || pose.is_deformed; };
+  if (std::none_of(pose_.begin(), pose_.end(), is_animated)) return std::vector<bool>(pose_.size(), false);
+  std::vector<bool> found(pose_.size(), false);
+  for (auto node = tree_.order.rbegin(); node != tree_.order.rend(); ++node) {  // children before their parents
+    auto const i = std::size_t(*node);
+    auto const stays = [&](int child) { return found[std::size_t(child)] && !pose_[std::size_t(child)].is_moved; };
+    found[i] = !pose_[i].is_deformed && std::all_of(tree_.children[i].begin(), tree_.children[i].end(), stays);
+  }
+  return found;
 }
 
 std::vector<std::optional<Primitive>> const& SceneGraph::primitives_of(int mesh) {

@@ -29,6 +29,8 @@ class SceneGraph {
  private:
   using Children = Composite::Children;
 
+  /// By node: the shapes below it never move within it (Composite::moves_as_one). None without an animation.
+  std::vector<bool> find_what_moves_as_one() const;
   std::vector<std::optional<Primitive>> const& primitives_of(int mesh);
   Children const& shared_shapes_of(int mesh, Scene& scene);
   Children shapes_of(int node, Scene& scene);

@@ -2,19 +2,17 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstddef>
-#include <cstring>
 #include <future>
 #include <limits>
 #include <span>
 #include <thread>
 
+#include "accel/bins.hpp"
 #include "accel/bvh.hpp"
 
 namespace lichtraum {
 namespace {
 
-constexpr std::size_t bin_count = 16;
 constexpr std::size_t max_leaf_size = 4;
 /// Visiting a node costs about as much as testing a leaf.
 constexpr float node_cost = 1.0f;
@@ -26,45 +24,6 @@ constexpr std::size_t min_parallel_size = 1 << 13;
 constexpr std::size_t part_size = 1 << 17;
 
 using Nodes = std::vector<device::BvhNode>;
-
-/// x, y, z, and a fourth lane that holds anything.
-using Lanes = float __attribute__((vector_size(16)));
-
-Lanes min_of(Lanes a, Lanes b) { return b < a ? b : a; }
-Lanes max_of(Lanes a, Lanes b) { return a < b ? b : a; }
-/// Reads one float more than the three.
-Lanes load(float const* three) {
-  Lanes lanes;
-  std::memcpy(&lanes, three, sizeof lanes);
-  return lanes;
-}
-
-/// Bounds of a primitive, or around several, for loops over many: an instruction for all three axes.
-struct LaneBounds {
-  Lanes min = Lanes{} + Bounds::infinity;
-  Lanes max = Lanes{} - Bounds::infinity;
-
-  LaneBounds() = default;
-  explicit LaneBounds(BuildPrimitive const& p) : min(load(p.bounds.min)), max(load(p.bounds.max)) {}
-
-  void add(LaneBounds const& other) {
-    min = min_of(min, other.min);
-    max = max_of(max, other.max);
-  }
-  void add_point(Lanes point) {
-    min = min_of(min, point);
-    max = max_of(max, point);
-  }
-  Lanes center() const { return 0.5f * min + 0.5f * max; }
-  /// As Bounds::half_area, but not to be asked for when empty.
-  float half_area() const {
-    Lanes const size = max - min;
-    return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
-  }
-  Bounds bounds() const { return {{min[0], min[1], min[2]}, {max[0], max[1], max[2]}}; }
-};
-// Where load reads beyond a primitive's bounds there is its reference.
-static_assert(offsetof(BuildPrimitive, bounds) == 0 && sizeof(BuildPrimitive) >= sizeof(Bounds) + sizeof(float));
 
 /// What lies in a range: bounds of the primitives, and of their centres.
 struct Extents {
@@ -94,58 +53,6 @@ struct Split {
   int axis = 0;
   std::size_t bin = 0;  ///< bins below it go left
   float cost = std::numeric_limits<float>::infinity();
-};
-
-/// Where the centres of a range fall.
-class Binning {
- public:
-  explicit Binning(Bounds const& centers) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      float const width = centers.max[axis] - centers.min[axis];
-      min_[axis] = centers.min[axis];
-      // A little less than all bins, so that the last centre falls into the last bin.
-      float const scale = float(bin_count) * (1 - 1e-6f) / width;
-      scale_[axis] = width > 0 && std::isfinite(scale) ? scale : 0;
-    }
-  }
-  /// Whether planes across this axis separate anything.
-  bool separates(std::size_t axis) const { return scale_[axis] > 0; }
-  std::size_t bin_of(Bounds const& bounds, std::size_t axis) const {
-    return rounded((bounds.center(int(axis)) - min_[axis]) * scale_[axis]);
-  }
-  /// On all axes; in floats, not rounded yet.
-  Lanes bins_of(LaneBounds const& bounds) const { return (bounds.center() - min_) * scale_; }
-  static std::size_t rounded(float bin) { return std::min(std::size_t(bin), bin_count - 1); }
-
- private:
-  Lanes min_{};
-  Lanes scale_{};
-};
-
-/// How many primitives have their centres in each bin of each axis, and what those enclose.
-struct Bins {
-  std::array<std::array<LaneBounds, bin_count>, 3> bounds;
-  std::array<std::array<std::uint32_t, bin_count>, 3> count{};
-
-  void add(std::span<BuildPrimitive const> primitives, Binning const& binning) {
-    for (BuildPrimitive const& primitive : primitives) {
-      LaneBounds const lanes(primitive);
-      Lanes const bins = binning.bins_of(lanes);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::size_t const bin = Binning::rounded(bins[axis]);
-        bounds[axis][bin].add(lanes);
-        ++count[axis][bin];
-      }
-    }
-  }
-  void add(Bins const& other) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::size_t bin = 0; bin < bin_count; ++bin) {
-        bounds[axis][bin].add(other.bounds[axis][bin]);
-        count[axis][bin] += other.count[axis][bin];
-      }
-    }
-  }
 };
 
 /// The path below a node of n primitives has at most this many nodes when every split halves.

@@ -30,7 +30,6 @@ class ObjectTree {
   /// Opens a composite's row, or closes it with all below. A selection below it goes to the row itself.
   void toggle(std::size_t row);
   void select(std::size_t row) { selected_ = row; }
-  void select_nothing() { selected_.reset(); }
   /// Selects an object, and opens what is above it. Nothing is selected when there is no such object.
   void reveal(std::uint64_t object);
 

@@ -157,8 +157,8 @@ void Worker::load(Renderer& renderer) {
     news_.problem = "";
     seconds_per_pixel_.reset();
     restart_refinement();
-  } catch (Error const& error) {
-    if (!prepared_) throw;  // there is no picture to keep
+  } catch (std::exception const& error) {  // a file that is too large, or vanishes, may bring other ones than ours
+    if (!prepared_) throw;                 // there is no picture to keep
     std::lock_guard const lock(mutex_);
     news_.problem = error.what();
   }

@@ -47,12 +47,6 @@ int outlined(DecodedImage const& image, Area const& area) {
   return count;
 }
 
-bool is_installed(char const* program) {
-  Process process;
-  process.arguments = {"sh", "-c", std::string("command -v ") + program};
-  return run_process(process).exit_code == 0;
-}
-
 }  // namespace
 
 TEST_CASE("the panel selects objects, changes lights and shows depth, normals and objects", "[app][view]") {

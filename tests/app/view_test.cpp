@@ -29,10 +29,10 @@ double difference(DecodedImage const& a, DecodedImage const& b, int first = 0, i
   return sum / (3.0 * 320 * (last - first));
 }
 
-bool is_installed(char const* program) {
-  Process process;
-  process.arguments = {"sh", "-c", std::string("command -v ") + program};
-  return run_process(process).exit_code == 0;
+ProcessResult run_without_display(Lichtraum const& lichtraum, std::string const& words) {
+  Process process = lichtraum.process(words);
+  process.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
+  return run_process(process);
 }
 
 }  // namespace
@@ -40,9 +40,7 @@ bool is_installed(char const* program) {
 TEST_CASE("without a display or without its program, a window is refused in one line", "[app][view]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("scene.sdf", std::string(scene_without_camera) + camera);
-  Process process = lichtraum.process("view scene.sdf");
-  process.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
-  auto const result = run_process(process);
+  auto const result = run_without_display(lichtraum, "view scene.sdf");
   CHECK(result.exit_code == 69);
   CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
   CHECK(lichtraum("view -").exit_code == 64);
@@ -67,9 +65,7 @@ TEST_CASE("what a window cannot show is refused before anything is drawn", "[app
 TEST_CASE("without a display, --show draws the picture and then says what is missing", "[app][view]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("scene.sdf", std::string(scene_without_camera) + camera);
-  Process process = lichtraum.process("render -q scene.sdf --show");
-  process.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
-  auto const result = run_process(process);
+  auto const result = run_without_display(lichtraum, "render -q scene.sdf --show");
   CHECK(result.exit_code == 69);
   CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
   CHECK(decode(lichtraum.folder.read("scene.png")).width == 320);

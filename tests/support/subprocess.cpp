@@ -138,3 +138,9 @@ bool has_pseudo_terminals() {
   ::close(theirs);
   return true;
 }
+
+bool is_installed(std::string const& program) {
+  Process process;
+  process.arguments = {"sh", "-c", "command -v " + program};
+  return run_process(process).exit_code == 0;
+}

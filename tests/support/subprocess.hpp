@@ -39,3 +39,6 @@ ProcessResult run_process(Process const& process);
 
 /// Whether this machine lends pseudo-terminals (a chroot without /dev/pts has none): else has_terminal cannot be had.
 bool has_pseudo_terminals();
+
+/// Whether a program of that name is found.
+bool is_installed(std::string const& program);

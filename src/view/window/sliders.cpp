@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <iterator>
 
 #include "view/scene_values.hpp"
 
@@ -22,9 +23,15 @@ bool edit_number(char const* label, double& value, double low, double high, ImGu
   return true;
 }
 
+/// Numbers can be typed as well, of any size.
+bool are_finite(float const (&numbers)[3]) {
+  return std::all_of(std::begin(numbers), std::end(numbers), [](float number) { return std::isfinite(number); });
+}
+
 bool edit_color(char const* label, Rgb& color) {
   float channels[] = {float(color.r), float(color.g), float(color.b)};
   if (!ImGui::ColorEdit3(label, channels, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR)) return false;
+  if (!are_finite(channels)) return false;
   for (int c = 0; c < 3; ++c) color[c] = std::max(0.0, double(channels[c]));
   return true;
 }
@@ -43,6 +50,7 @@ bool edit_light_color(Rgb& color, Rgb const& original) {
 bool edit_position(Vec3& position, double scene_size) {
   float p[] = {float(position.x), float(position.y), float(position.z)};
   if (!ImGui::DragFloat3("position", p, float(0.005 * scene_size), 0, 0, "%.3g")) return false;
+  if (!are_finite(p)) return false;
   position = {double(p[0]), double(p[1]), double(p[2])};
   return true;
 }

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "cl/embedded_kernels.hpp"
 #include "cl/error.hpp"
+#include "cl/machine_code_target.hpp"
 
 namespace lichtraum {
 namespace {
@@ -28,27 +31,47 @@ std::string embedded_source(std::string_view name) {
   throw Error(ErrorKind::internal, fmt::format("no device program is called '{}'", name));
 }
 
+std::optional<cl::Program> load_precompiled(cl::Context const& context, cl::Device const& device, std::string_view name,
+                                            std::string const& options,
+                                            std::span<PrecompiledProgram const> precompiled) {
+  auto const is_wanted = [&](PrecompiledProgram const& program) {
+    return program.name == name && program.options == options && program.target == machine_code_target(device);
+  };
+  auto const found = std::find_if(precompiled.begin(), precompiled.end(), is_wanted);
+  if (found == precompiled.end()) return std::nullopt;
+  try {
+    cl::Program const program(context, {device}, {{found->binary.begin(), found->binary.end()}});
+    program.build(device, options.c_str());
+    return program;
+  } catch (cl::Error const&) {
+    return std::nullopt;  // the source serves every device
+  }
+}
+
+cl::Program build_from_source(cl::Context const& context, cl::Device const& device, std::string_view name,
+                              std::string const& source, std::string const& options) {
+  cl::Program program(context, source);
+  try {
+    program.build(device, options.c_str());
+  } catch (cl::Error const& error) {
+    if (error.err() != CL_BUILD_PROGRAM_FAILURE) throw;
+    throw Error(ErrorKind::internal, fmt::format("the device's compiler refuses {}.cl:\n{}", name,
+                                                 program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device)));
+  }
+  return program;
+}
+
 }  // namespace
 
 cl::Program build_program(cl::Context const& context, cl::Device const& device, std::string_view name,
-                          std::string options) {
-  std::string source;
-  if (char const* folder = std::getenv("LICHTRAUM_KERNEL_DIR")) {
-    source = read_source(std::filesystem::path(folder) / fmt::format("{}.cl", name));
-    options += fmt::format(" -I {}", folder);
-  } else {
-    source = embedded_source(name);
-  }
+                          std::string const& options, std::span<PrecompiledProgram const> precompiled) {
   return checked([&] {
-    cl::Program program(context, source);
-    try {
-      program.build(device, options.c_str());
-    } catch (cl::Error const& error) {
-      if (error.err() != CL_BUILD_PROGRAM_FAILURE) throw;
-      throw Error(ErrorKind::internal, fmt::format("the device's compiler refuses {}.cl:\n{}", name,
-                                                   program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device)));
+    if (char const* folder = std::getenv("LICHTRAUM_KERNEL_DIR")) {
+      auto const source = read_source(std::filesystem::path(folder) / fmt::format("{}.cl", name));
+      return build_from_source(context, device, name, source, options + fmt::format(" -I {}", folder));
     }
-    return program;
+    if (auto program = load_precompiled(context, device, name, options, precompiled)) return *program;
+    return build_from_source(context, device, name, embedded_source(name), options);
   });
 }
 

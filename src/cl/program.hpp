@@ -1,17 +1,20 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "cl/opencl.hpp"
+#include "cl/precompiled_program.hpp"
 
 namespace lichtraum {
 
-/// Builds kernels/<name>.cl for a device. The source is the one embedded in the library; when the environment variable
-/// LICHTRAUM_KERNEL_DIR is set, it is read from that folder instead (for work on kernels). clBuildProgram only: PoCL
-/// caches what goes through it.
+/// Builds kernels/<name>.cl for a device: from the machine code in `precompiled` where one entry fits and the device
+/// takes it, else from the source embedded in the library. When the environment variable LICHTRAUM_KERNEL_DIR is set,
+/// the source is read from that folder instead of both (for work on kernels). clBuildProgram only: PoCL caches what
+/// goes through it.
 /// Throws Error{internal} with the compiler's log.
 cl::Program build_program(cl::Context const& context, cl::Device const& device, std::string_view name,
-                          std::string options);
+                          std::string const& options, std::span<PrecompiledProgram const> precompiled);
 
 }  // namespace lichtraum

@@ -7,61 +7,28 @@
 #include "cl/error.hpp"
 #include "cl/opencl_devices.hpp"
 #include "cl/program.hpp"
+#include "cl/render_program.hpp"
 #include "shared/packet.h"
 
 namespace lichtraum {
 namespace {
 
-/// The work-items of a launch, in two dimensions, and how many of them make a work-group.
+/// The work-items of a launch, in two dimensions.
 struct LaunchSize {
   std::size_t width = 0;
   std::size_t height = 0;
-  std::size_t local_side = 0;
 };
 
-/// A work-item traces a pixel, or a packet's square of pixels on the picture's grid. A packet has much memory of its
-/// own: a group of one lets the next work-item find it in the cache.
+/// A work-item traces a pixel, or a packet's square of pixels on the picture's grid.
 LaunchSize launch_size(device::Tile const& tile, Traversal traversal) {
-  if (traversal != Traversal::packet) return {tile.width, tile.height, 8};
+  if (traversal != Traversal::packet) return {tile.width, tile.height};
   auto const squares = [](std::size_t begin, std::size_t length) {
     return (begin + length + PACKET_SIDE - 1) / PACKET_SIDE - begin / PACKET_SIDE;
   };
-  return {squares(tile.x, tile.width), squares(tile.y, tile.height), 1};
-}
-
-/// Of render_tile.
-constexpr cl_uint tile_argument = 1, rays_argument = 17;
-
-/// A traversal's stack, as one of a few sizes: each is a program of its own.
-std::size_t traversal_stack_size(std::size_t needed) {
-  for (std::size_t const size : {std::size_t(96), std::size_t(256)}) {
-    if (needed <= size) return size;
-  }
-  return 2 * WIDE_STACK_SIZE;  // no two levels need more
-}
-
-std::string_view layout_name(Traversal traversal) {
-  switch (traversal) {
-    case Traversal::wide:
-      return "TRAVERSAL_WIDE";
-    case Traversal::packet:
-      return "TRAVERSAL_PACKET";
-    default:
-      return "TRAVERSAL_SCALAR";
-  }
+  return {squares(tile.x, tile.width), squares(tile.y, tile.height)};
 }
 
 std::size_t round_up(std::size_t n, std::size_t multiple) { return (n + multiple - 1) / multiple * multiple; }
-
-/// The entries of the ray stack that a depth needs, as one of a few sizes: each is a program of its own.
-unsigned ray_stack_size(device::uint max_depth) {
-  for (unsigned const size : {8u, 64u, 1024u}) {
-    if (max_depth < size) return size;
-  }
-  throw Error(ErrorKind::usage, fmt::format("a depth of {} is too large: mirror and glass rays can be followed to a "
-                                            "depth of 1023 on this device",
-                                            max_depth));
-}
 
 cl::Device find_device(DeviceInfo const& wanted) {
   std::vector<std::string> warnings;
@@ -185,31 +152,23 @@ struct TileTracer::State {
   }
 
   KnownKernel& kernel_for(device::FrameParameters const& parameters) {
-    std::string options = fmt::format("-cl-std=CL1.2 -D RAY_STACK_SIZE={} -D {}", ray_stack_size(parameters.max_depth),
-                                      layout_name(frame_traversal()));
-    if (parameters.aov != 0) options += " -D FIRST_SURFACE";
-    if (scene->traversal != Traversal::scalar) {
-      options += fmt::format(" -D TRAVERSAL_STACK_SIZE={}", traversal_stack_size(scene->stack_size));
-    }
-    if ((tables->features & ~SCENE_PLAIN) == 0) options += fmt::format(" -D POSSIBLE_FEATURES={}", SCENE_PLAIN);
+    RenderProgram const program{frame_traversal(), parameters.aov != 0, (tables->features & ~SCENE_PLAIN) == 0,
+                                ray_stack_size(parameters.max_depth), traversal_stack_size(scene->stack_size)};
+    auto const options = program.options();
     auto found = kernels.find(options);
     if (found == kernels.end()) {
-      auto const program = build_program(context, device, "render", options);
-      found = kernels.emplace(options, KnownKernel{checked([&] { return cl::Kernel(program, "render_tile"); })}).first;
+      auto const built = build_program(context, device, program.name, options, precompiled_programs());
+      found =
+          kernels.emplace(options, KnownKernel{checked([&] { return cl::Kernel(built, program.kernel_name); })}).first;
     }
     return found->second;
   }
 
-  /// PoCL loads a kernel's machine code, or makes it, when it is first launched: so with a tile of no pixels, which
-  /// takes no time. Once for each kernel; its arguments are set.
+  /// Once for each kernel; its arguments are set.
   void load(KnownKernel& known) {
     if (known.is_loaded) return;
-    device::Tile const nothing{};
     make_room_for_rays(1);
-    std::size_t const side = launch_size(nothing, frame_traversal()).local_side;
-    kernel.setArg(tile_argument, sizeof nothing, &nothing);
-    queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(side, side), cl::NDRange(side, side));
-    queue.finish();
+    launch_on_nothing(queue, kernel, frame_traversal());
     known.is_loaded = true;
   }
 
@@ -218,7 +177,7 @@ struct TileTracer::State {
       rays.resize(work_items);
       rays_buffer.create(context, CL_MEM_WRITE_ONLY, rays);
     }
-    kernel.setArg(rays_argument, rays_buffer.get());
+    kernel.setArg(RenderProgram::rays_argument, rays_buffer.get());
   }
 };
 
@@ -276,15 +235,15 @@ void TileTracer::begin_frame(device::FrameParameters const& frame, Image& image)
 RayCounts TileTracer::trace(device::Tile const& tile) {
   State& state = *state_;
   LaunchSize const size = launch_size(tile, state.frame_traversal());
+  std::size_t const local_side = work_group_side(state.frame_traversal());
   std::size_t const work_items = size.width * size.height;
   RayCounts counts;
   checked([&] {
     state.make_room_for_rays(work_items);
-    state.kernel.setArg(tile_argument, sizeof tile, &tile);
-    state.queue.enqueueNDRangeKernel(
-        state.kernel, cl::NullRange,
-        cl::NDRange(round_up(size.width, size.local_side), round_up(size.height, size.local_side)),
-        cl::NDRange(size.local_side, size.local_side));
+    state.kernel.setArg(RenderProgram::tile_argument, sizeof tile, &tile);
+    state.queue.enqueueNDRangeKernel(state.kernel, cl::NullRange,
+                                     cl::NDRange(round_up(size.width, local_side), round_up(size.height, local_side)),
+                                     cl::NDRange(local_side, local_side));
     std::size_t const bytes = work_items * sizeof(device::WorkItemRays);
     void* const mapped = state.queue.enqueueMapBuffer(state.rays_buffer.get(), CL_TRUE, CL_MAP_READ, 0, bytes);
     auto const* rays = static_cast<device::WorkItemRays const*>(mapped);

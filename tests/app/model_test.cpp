@@ -1,9 +1,11 @@
 #include <nlohmann/json.hpp>
 
 #include "lichtraum.hpp"
+#include "lichtraum/device.hpp"
 #include "pictures.hpp"
 #include "support/catch.hpp"
 #include "support/gltf_writer.hpp"
+#include "support/skip.hpp"
 
 using lichtraum::testing::GltfWriter;
 
@@ -154,4 +156,22 @@ TEST_CASE("OBJ and PLY models are drawn, checked, described, and shapes of scene
   CHECK_THAT(flawed.err, contains_text("flawed.obj:5:7: warning: expected vertex/texture/normal, found 'x'"));
   lichtraum.folder.write("empty.ply", "ply\n");
   CHECK(lichtraum("check empty.ply").exit_code == 65);
+}
+
+TEST_CASE("programs compiled with lichtraum draw the same bytes as their source", "[app][gltf]") {
+  if (lichtraum::find_devices().devices.size() == 1) SKIP_TEST("there is no OpenCL device");
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("square.glb", square().glb());
+  lichtraum.folder.write("ball.sdf", ball_scene);
+  auto const picture = [&](std::string const& words, bool from_source) {
+    Process process = lichtraum.process("render -q -o a.ppm " + words);
+    if (from_source) process.environment = {{"LICHTRAUM_KERNEL_DIR", LICHTRAUM_SOURCE_DIR "/kernels"}};
+    auto const result = run_process(process);
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    return lichtraum.folder.read("a.ppm");
+  };
+  for (std::string const words : {"ball.sdf --samples 4", "square.glb --camera far --size 40x30"}) {
+    CHECK(picture(words, false) == picture(words, true));
+  }
 }

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "cl/opencl.hpp"
+
+namespace lichtraum {
+
+/// Everything that compiled programs depend on: the platform with its version, the driver, the device, and the
+/// instructions that the host's processor has. Where two of these are the same, one runs the other's programs.
+std::string machine_code_target(cl::Device const& device);
+
+}  // namespace lichtraum

@@ -1,0 +1,57 @@
+#include "cl/render_program.hpp"
+
+#include <fmt/format.h>
+
+#include "lichtraum/error.hpp"
+#include "shared/frame.h"
+#include "shared/wide.h"
+
+namespace lichtraum {
+namespace {
+
+std::string_view layout_name(Traversal traversal) {
+  switch (traversal) {
+    case Traversal::wide:
+      return "TRAVERSAL_WIDE";
+    case Traversal::packet:
+      return "TRAVERSAL_PACKET";
+    default:
+      return "TRAVERSAL_SCALAR";
+  }
+}
+
+}  // namespace
+
+std::string RenderProgram::options() const {
+  std::string text = fmt::format("-cl-std=CL1.2 -D RAY_STACK_SIZE={} -D {}", ray_stack_size, layout_name(traversal));
+  if (first_surface) text += " -D FIRST_SURFACE";
+  if (traversal != Traversal::scalar) text += fmt::format(" -D TRAVERSAL_STACK_SIZE={}", traversal_stack_size);
+  if (is_plain) text += fmt::format(" -D POSSIBLE_FEATURES={}", SCENE_PLAIN);
+  return text;
+}
+
+unsigned ray_stack_size(unsigned max_depth) {
+  for (unsigned const size : {8u, 64u, 1024u}) {
+    if (max_depth < size) return size;
+  }
+  throw Error(ErrorKind::usage, fmt::format("a depth of {} is too large: mirror and glass rays can be followed to a "
+                                            "depth of 1023 on this device",
+                                            max_depth));
+}
+
+std::size_t traversal_stack_size(std::size_t needed) {
+  for (std::size_t const size : {std::size_t(96), std::size_t(256)}) {
+    if (needed <= size) return size;
+  }
+  return 2 * WIDE_STACK_SIZE;  // no two levels need more
+}
+
+void launch_on_nothing(cl::CommandQueue const& queue, cl::Kernel& kernel, Traversal traversal) {
+  device::Tile const nothing{};
+  kernel.setArg(RenderProgram::tile_argument, sizeof nothing, &nothing);
+  cl::NDRange const one_group(work_group_side(traversal), work_group_side(traversal));
+  queue.enqueueNDRangeKernel(kernel, cl::NullRange, one_group, one_group);
+  queue.finish();
+}
+
+}  // namespace lichtraum

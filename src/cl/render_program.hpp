@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+
+#include "cl/opencl.hpp"
+#include "lichtraum/renderer.hpp"
+
+namespace lichtraum {
+
+/// One of the ways in which kernels/render.cl is compiled.
+struct RenderProgram {
+  static constexpr char const* name = "render";
+  static constexpr char const* kernel_name = "render_tile";
+  static constexpr cl_uint tile_argument = 1, rays_argument = 17;
+
+  Traversal traversal = Traversal::packet;
+  bool first_surface = false;  ///< writes what the first surface is, instead of its light
+  bool is_plain = false;       ///< for scenes without other features than SCENE_PLAIN
+  unsigned ray_stack_size = 8;
+  std::size_t traversal_stack_size = 96;
+
+  /// For clBuildProgram. Two programs are the same when these are.
+  std::string options() const;
+};
+
+/// The entries of the ray stack that a depth needs, as one of a few sizes: each is a program of its own.
+/// Throws Error{usage} when there is no such size.
+unsigned ray_stack_size(unsigned max_depth);
+
+/// A traversal's stack, as one of a few sizes.
+std::size_t traversal_stack_size(std::size_t needed);
+
+/// Along each of two axes. A packet has much memory of its own: a group of one lets the next work-item find it in the
+/// cache.
+constexpr std::size_t work_group_side(Traversal traversal) { return traversal == Traversal::packet ? 1 : 8; }
+
+/// Launches the kernel for a tile of no pixels, and waits. PoCL loads a kernel's machine code, or makes it, when it is
+/// first launched. All arguments but the tile must be set.
+void launch_on_nothing(cl::CommandQueue const& queue, cl::Kernel& kernel, Traversal traversal);
+
+}  // namespace lichtraum

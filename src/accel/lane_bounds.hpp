@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 #include "accel/bvh.hpp"
@@ -9,7 +10,9 @@ namespace lichtraum {
 
 /// x, y, z, and a fourth lane that holds anything.
 using Lanes = float __attribute__((vector_size(16)));
+using IntLanes = std::int32_t __attribute__((vector_size(16)));
 
+/// Of a number and a NaN the first argument; so do the instructions for them.
 inline Lanes min_of(Lanes a, Lanes b) { return b < a ? b : a; }
 inline Lanes max_of(Lanes a, Lanes b) { return a < b ? b : a; }
 /// Reads one float more than the three.
@@ -31,16 +34,12 @@ struct LaneBounds {
     min = min_of(min, other.min);
     max = max_of(max, other.max);
   }
+  /// A point of NaN changes nothing.
   void add_point(Lanes point) {
     min = min_of(min, point);
     max = max_of(max, point);
   }
   Lanes center() const { return 0.5f * min + 0.5f * max; }
-  /// As Bounds::half_area, but not to be asked for when empty.
-  float half_area() const {
-    Lanes const size = max - min;
-    return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
-  }
   Bounds bounds() const { return {{min[0], min[1], min[2]}, {max[0], max[1], max[2]}}; }
 };
 // Where load reads beyond a primitive's bounds there is its reference.

@@ -45,31 +45,32 @@ static inline void finish_pixel(__global FrameParameters const* frame, bool is_l
 #ifdef TRAVERSAL_SCALAR
 #define TREE_PARAMETERS                                                         \
   __global BvhNode const *nodes, __global PrimitiveReference const *references, \
-      __global TrianglePrimitive const *triangles
+      __global TrianglePrimitive const *triangles, __global SpherePrimitive const *spheres
 #else
 #define TREE_PARAMETERS                                                               \
   __global WideNode const *wide_nodes, __global TriangleBlock const *triangle_blocks, \
-      __global PrimitiveTag const *triangle_tags
+      __global PrimitiveTag const *triangle_tags, __global SphereBlock const *sphere_blocks
 #endif
 
 __kernel void render_tile(__global FrameParameters const* frame, Tile const tile, TREE_PARAMETERS,
-                          __global SpherePrimitive const* spheres, __global EllipsoidPrimitive const* ellipsoids,
-                          __global BoxPrimitive const* boxes, __global Instance const* instances,
-                          __global PhongMaterial const* materials, __global PunctualLight const* lights,
-                          __global PbrMaterial const* pbr_materials, __global Texture const* textures,
-                          __global uint const* texels, __global TriangleAttributes const* triangle_attributes,
-                          __global float const* vertex_data, __global float* film, __global WorkItemRays* rays) {
+                          __global EllipsoidPrimitive const* ellipsoids, __global BoxPrimitive const* boxes,
+                          __global Instance const* instances, __global PhongMaterial const* materials,
+                          __global PunctualLight const* lights, __global PbrMaterial const* pbr_materials,
+                          __global Texture const* textures, __global uint const* texels,
+                          __global TriangleAttributes const* triangle_attributes, __global float const* vertex_data,
+                          __global float* film, __global WorkItemRays* rays) {
   Scene scene;
 #ifdef TRAVERSAL_SCALAR
   scene.nodes = nodes;
   scene.references = references;
   scene.triangles = triangles;
+  scene.spheres = spheres;
 #else
   scene.wide_nodes = wide_nodes;
   scene.triangle_blocks = triangle_blocks;
   scene.triangle_tags = triangle_tags;
+  scene.sphere_blocks = sphere_blocks;
 #endif
-  scene.spheres = spheres;
   scene.ellipsoids = ellipsoids;
   scene.boxes = boxes;
   scene.instances = instances;

@@ -1,11 +1,13 @@
 #ifndef LICHTRAUM_SHARED_WIDE_H
 #define LICHTRAUM_SHARED_WIDE_H
 
+#include "shared/geometry.h"
 #include "shared/types.h"
 
 DEVICE_NAMESPACE_BEGIN
 
-/* The hierarchy for CPUs: the binary tree collapsed to sixteen children a node, triangles in blocks of four. */
+/* The hierarchy for CPUs: the binary tree collapsed to sixteen children a node, triangles and spheres in
+ * blocks of four. */
 #define WIDE_CHILDREN 16
 #define BLOCK_LANES 4
 
@@ -17,8 +19,8 @@ DEVICE_NAMESPACE_BEGIN
 #define WIDE_MIN_Z 4u
 #define WIDE_MAX_Z 5u
 
-/* A child in one word: its kind above WIDE_INDEX_BITS, below them an index: of a node, of a block of triangles, or of
- * the one primitive or instance in the array of its kind. */
+/* A child in one word: its kind above WIDE_INDEX_BITS, below them an index: of a node, of a block of triangles or
+ * spheres, or of the one primitive or instance in the array of its kind. */
 #define WIDE_INDEX_BITS 28
 #define WIDE_INDEX_MASK 0x0fffffffu
 /* A leaf's kind is PRIMITIVE_... */
@@ -41,6 +43,15 @@ typedef struct {
   float vertices[3][3][BLOCK_LANES];
 } TriangleBlock;
 DEVICE_STRUCT_SIZE(TriangleBlock, 144);
+
+/* Four spheres: center[axis] is one float4. Lanes without a sphere have a radius of NaN, which no ray meets. The sphere
+ * in lane l of block b has the index BLOCK_LANES * b + l among all. */
+typedef struct {
+  float center[3][BLOCK_LANES];
+  float radius[BLOCK_LANES];
+  PrimitiveTag tags[BLOCK_LANES];
+} SphereBlock;
+DEVICE_STRUCT_SIZE(SphereBlock, 96);
 
 /* No path from a root to a leaf has more wide nodes than this: a wide node stands for one or more binary ones. */
 #define WIDE_MAX_DEPTH 64

@@ -15,15 +15,17 @@ using device::uint;
 
 /// What lies below a binary node, or in a binary leaf.
 struct Content {
+  static constexpr uint mixed_kind = 0xffffffffu;
+
   uint first = 0;  ///< reference
   uint count = 0;
-  bool only_triangles = true;
+  uint kind = PRIMITIVE_TRIANGLE;  ///< of all
 
-  bool is_block() const { return only_triangles && count <= BLOCK_LANES; }
+  bool is_block() const { return count <= BLOCK_LANES && (kind == PRIMITIVE_TRIANGLE || kind == PRIMITIVE_SPHERE); }
   void add(Content const& other) {
+    kind = count == 0 || kind == other.kind ? other.kind : mixed_kind;
     first = count == 0 ? other.first : first;  // left to right
     count += other.count;
-    only_triangles = only_triangles && other.only_triangles;
   }
 };
 
@@ -96,8 +98,9 @@ class Collapser {
         if (!present) continue;
         Candidate const& candidate = children[std::size_t(lane)];
         if (candidate.content.is_block()) {
-          node.children[lane] = PRIMITIVE_TRIANGLE << WIDE_INDEX_BITS | uint(wide_.blocks.size());
-          wide_.blocks.push_back({candidate.content.first, candidate.content.count});
+          auto& blocks = candidate.content.kind == PRIMITIVE_SPHERE ? wide_.sphere_blocks : wide_.triangle_blocks;
+          node.children[lane] = candidate.content.kind << WIDE_INDEX_BITS | uint(blocks.size());
+          blocks.push_back({candidate.content.first, candidate.content.count});
         } else if (candidate.content.count == 1) {
           auto const& reference = bvh_.references[candidate.content.first];
           node.children[lane] = reference.kind << WIDE_INDEX_BITS | reference.index;
@@ -132,10 +135,8 @@ class Collapser {
 
   Content content_of(BvhChild const& child) const {
     if (child.count == 0) return contents_[child.first];
-    Content content{child.first, child.count, true};
-    for (uint i = 0; i < child.count; ++i) {
-      if (bvh_.references[child.first + i].kind != PRIMITIVE_TRIANGLE) content.only_triangles = false;
-    }
+    Content content;
+    for (uint i = child.first; i < child.first + child.count; ++i) content.add({i, 1, bvh_.references[i].kind});
     return content;
   }
 
@@ -218,9 +219,9 @@ WideBvh collapse(Bvh const& bvh) { return Collapser(bvh).run(); }
 
 namespace {
 
-void fill_block(WideBvh::Block const& block, std::span<device::PrimitiveReference const> references,
-                std::span<device::TrianglePrimitive const> triangles, device::TriangleBlock& filled,
-                device::PrimitiveTag* tags) {
+void fill_triangle_block(WideBvh::Block const& block, std::span<device::PrimitiveReference const> references,
+                         std::span<device::TrianglePrimitive const> triangles, device::TriangleBlock& filled,
+                         device::PrimitiveTag* tags) {
   for (uint lane = 0; lane < BLOCK_LANES; ++lane) {
     bool const present = lane < block.count;
     device::TrianglePrimitive const* triangle = present ? &triangles[references[block.first + lane].index] : nullptr;
@@ -236,20 +237,22 @@ void fill_block(WideBvh::Block const& block, std::span<device::PrimitiveReferenc
 
 }  // namespace
 
-void fill_blocks(std::span<WideBvh::Block const> blocks, std::span<device::PrimitiveReference const> references,
-                 std::span<device::TrianglePrimitive const> triangles, std::span<device::TriangleBlock> filled,
-                 std::span<device::PrimitiveTag> tags) {
+void fill_triangle_blocks(std::span<WideBvh::Block const> blocks,
+                          std::span<device::PrimitiveReference const> references,
+                          std::span<device::TrianglePrimitive const> triangles, std::span<device::TriangleBlock> filled,
+                          std::span<device::PrimitiveTag> tags) {
   constexpr std::size_t part_size = 1 << 14;
   if (blocks.size() > part_size) {
     std::size_t const half = blocks.size() / 2;
     auto rest = std::async(std::launch::async, [&] {
-      fill_blocks(blocks.subspan(half), references, triangles, filled.subspan(half), tags.subspan(half * BLOCK_LANES));
+      fill_triangle_blocks(blocks.subspan(half), references, triangles, filled.subspan(half),
+                           tags.subspan(half * BLOCK_LANES));
     });
-    fill_blocks(blocks.first(half), references, triangles, filled, tags);
+    fill_triangle_blocks(blocks.first(half), references, triangles, filled, tags);
     return;
   }
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    fill_block(blocks[b], references, triangles, filled[b], &tags[b * BLOCK_LANES]);
+    fill_triangle_block(blocks[b], references, triangles, filled[b], &tags[b * BLOCK_LANES]);
   }
 }
 
@@ -261,6 +264,21 @@ void fill_block_attributes(std::span<WideBvh::Block const> blocks,
     for (uint lane = 0; lane < blocks[b].count; ++lane) {
       uint const triangle = references[blocks[b].first + lane].index;
       if (triangle < attributes.size()) filled[b * BLOCK_LANES + lane] = attributes[triangle];
+    }
+  }
+}
+
+void fill_sphere_blocks(std::span<WideBvh::Block const> blocks, std::span<device::PrimitiveReference const> references,
+                        std::span<device::SpherePrimitive const> spheres, std::span<device::SphereBlock> filled) {
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (uint lane = 0; lane < BLOCK_LANES; ++lane) {
+      bool const present = lane < blocks[b].count;
+      device::SpherePrimitive const sphere =
+          present ? spheres[references[blocks[b].first + lane].index]
+                  : device::SpherePrimitive{{}, std::numeric_limits<float>::quiet_NaN(), {}};
+      for (int axis = 0; axis < 3; ++axis) filled[b].center[axis][lane] = sphere.center[axis];
+      filled[b].radius[lane] = sphere.radius;
+      filled[b].tags[lane] = sphere.tag;
     }
   }
 }

@@ -78,6 +78,7 @@ struct TileTracer::State {
   HostBuffer<device::PrimitiveReference> references;
   HostBuffer<device::TrianglePrimitive> triangles;
   HostBuffer<device::SpherePrimitive> spheres;
+  HostBuffer<device::SphereBlock> sphere_blocks;
   HostBuffer<device::EllipsoidPrimitive> ellipsoids;
   HostBuffer<device::BoxPrimitive> boxes;
   HostBuffer<device::Instance> instances;
@@ -107,12 +108,13 @@ struct TileTracer::State {
       f(scene->nodes, nodes);
       f(scene->references, references);
       f(scene->triangles, triangles);
+      f(scene->spheres, spheres);
     } else {
       f(scene->wide_nodes, wide_nodes);
       f(scene->triangle_blocks, triangle_blocks);
       f(scene->triangle_tags, triangle_tags);
+      f(scene->sphere_blocks, sphere_blocks);
     }
-    f(scene->spheres, spheres);
     f(scene->ellipsoids, ellipsoids);
     f(scene->boxes, boxes);
     f(scene->instances, instances);

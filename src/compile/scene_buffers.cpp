@@ -191,7 +191,7 @@ class Compiler {
     object.bounds = bvh.bounds;
     append(buffers_.nodes, std::move(bvh.nodes));
     append(buffers_.references, std::move(bvh.references));
-    move_nodes(object, object.root_node, object.first_leaf);
+    move_nodes(object, object.root_node, object.first_leaf, 0);
     return object;
   }
 
@@ -202,20 +202,25 @@ class Compiler {
     object.root_node = device::uint(buffers_.wide_nodes.size());
     object.node_count = device::uint(wide.nodes.size());
     object.first_leaf = device::uint(buffers_.triangle_blocks.size());
-    object.leaf_count = device::uint(wide.blocks.size());
+    object.leaf_count = device::uint(wide.triangle_blocks.size());
     object.bounds = bvh.bounds;
     object.stack_size = wide.stack_size;
+    object.first_sphere_block = device::uint(buffers_.sphere_blocks.size());
+    object.sphere_block_count = device::uint(wide.sphere_blocks.size());
+    buffers_.sphere_blocks.resize(object.first_sphere_block + wide.sphere_blocks.size());
+    fill_sphere_blocks(wide.sphere_blocks, bvh.references, buffers_.spheres,
+                       std::span(buffers_.sphere_blocks).subspan(object.first_sphere_block));
     append(buffers_.wide_nodes, std::move(wide.nodes));
-    move_nodes(object, object.root_node, object.first_leaf);
-    reserve_in_huge_pages(buffers_.triangle_blocks, object.first_leaf + wide.blocks.size());
-    buffers_.triangle_blocks.resize(object.first_leaf + wide.blocks.size());
+    move_nodes(object, object.root_node, object.first_leaf, object.first_sphere_block);
+    reserve_in_huge_pages(buffers_.triangle_blocks, object.first_leaf + wide.triangle_blocks.size());
+    buffers_.triangle_blocks.resize(object.first_leaf + wide.triangle_blocks.size());
     buffers_.triangle_tags.resize(BLOCK_LANES * buffers_.triangle_blocks.size());
-    fill_blocks(wide.blocks, bvh.references, buffers_.triangles,
-                std::span(buffers_.triangle_blocks).subspan(object.first_leaf),
-                std::span(buffers_.triangle_tags).subspan(BLOCK_LANES * object.first_leaf));
+    fill_triangle_blocks(wide.triangle_blocks, bvh.references, buffers_.triangles,
+                         std::span(buffers_.triangle_blocks).subspan(object.first_leaf),
+                         std::span(buffers_.triangle_tags).subspan(BLOCK_LANES * object.first_leaf));
     if (!attributes_.empty()) {
       buffers_.triangle_attributes.resize(buffers_.triangle_tags.size());
-      fill_block_attributes(wide.blocks, bvh.references, attributes_,
+      fill_block_attributes(wide.triangle_blocks, bvh.references, attributes_,
                             std::span(buffers_.triangle_attributes).subspan(BLOCK_LANES * object.first_leaf));
     }
     return object;
@@ -236,6 +241,9 @@ class Compiler {
       object.root_node = device::uint(buffers_.wide_nodes.size());
       object.first_leaf = device::uint(buffers_.triangle_blocks.size());
       reserve_in_huge_pages(buffers_.triangle_blocks, object.first_leaf + known.leaf_count);
+      object.first_sphere_block = device::uint(buffers_.sphere_blocks.size());
+      append(buffers_.sphere_blocks,
+             part(previous_->sphere_blocks, known.first_sphere_block, known.sphere_block_count));
       append(buffers_.wide_nodes, part(previous_->wide_nodes, known.root_node, known.node_count));
       append(buffers_.triangle_blocks, part(previous_->triangle_blocks, known.first_leaf, known.leaf_count));
       append(buffers_.triangle_tags,
@@ -246,12 +254,13 @@ class Compiler {
                part(previous_->triangle_attributes, BLOCK_LANES * known.first_leaf, BLOCK_LANES * known.leaf_count));
       }
     }
-    move_nodes(object, object.root_node - known.root_node, object.first_leaf - known.first_leaf);
+    move_nodes(object, object.root_node - known.root_node, object.first_leaf - known.first_leaf,
+               object.first_sphere_block - known.first_sphere_block);
     return object;
   }
 
   /// Adds to what the object's nodes say of where their children are; modulo 2^32, so it may be negative.
-  void move_nodes(CompiledObject const& object, device::uint nodes, device::uint leaves) {
+  void move_nodes(CompiledObject const& object, device::uint nodes, device::uint leaves, device::uint sphere_blocks) {
     if (buffers_.traversal == Traversal::scalar) {
       for (device::BvhNode& node : std::span(buffers_.nodes).subspan(object.root_node, object.node_count)) {
         for (device::BvhChild& child : node.children) child.first += child.count == 0 ? nodes : leaves;
@@ -263,6 +272,7 @@ class Compiler {
         device::uint const kind = child >> WIDE_INDEX_BITS;
         if (kind == WIDE_KIND_NODE) child += nodes;
         if (kind == PRIMITIVE_TRIANGLE) child += leaves;
+        if (kind == PRIMITIVE_SPHERE) child += sphere_blocks;
       }
     }
   }
@@ -295,7 +305,11 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tra
   buffers.stack_size = built.stack_size + deepest_object;
   compiler.finish();
   buffers.triangle_count = buffers.triangles.size();
-  if (traversal != Traversal::scalar) buffers.triangles = {};  // they are in the blocks
+  buffers.sphere_count = buffers.spheres.size();
+  if (traversal != Traversal::scalar) {  // they are in the blocks
+    buffers.triangles = {};
+    buffers.spheres = {};
+  }
   MaterialTable table = make_material_table(scene.materials);
   buffers.materials = std::move(table.phong);
   buffers.pbr_materials = std::move(table.pbr);

@@ -24,6 +24,8 @@ struct CompiledObject {
   device::uint node_count = 0;
   device::uint first_leaf = 0;  ///< where its `references` or `triangle_blocks` begin
   device::uint leaf_count = 0;
+  device::uint first_sphere_block = 0;  ///< where its `sphere_blocks` begin
+  device::uint sphere_block_count = 0;
   Bounds bounds;
   std::size_t stack_size = 0;         ///< that a traversal of it needs; for the wide layout
   std::uint64_t unrepresentable = 0;  ///< of its primitives, whose bounds do not fit a float
@@ -44,13 +46,14 @@ struct SceneBuffers : ShadingTables {
   std::vector<device::BvhNode> nodes;
   std::vector<device::PrimitiveReference> references;
   std::vector<device::TrianglePrimitive> triangles;
+  std::vector<device::SpherePrimitive> spheres;
   /// Only for the others.
   std::vector<device::WideNode> wide_nodes;
   std::vector<device::TriangleBlock> triangle_blocks;
   std::vector<device::PrimitiveTag> triangle_tags;  ///< BLOCK_LANES a block
   std::size_t stack_size = 0;                       ///< that a traversal needs
+  std::vector<device::SphereBlock> sphere_blocks;
   /// For all.
-  std::vector<device::SpherePrimitive> spheres;
   std::vector<device::EllipsoidPrimitive> ellipsoids;
   std::vector<device::BoxPrimitive> boxes;
   std::vector<device::Instance> instances;
@@ -68,6 +71,7 @@ struct SceneBuffers : ShadingTables {
   ContentHash content;                ///< of all that decides what rays see, whatever the layout
   std::uint64_t unrepresentable = 0;  ///< primitives left out, see FlatScene
   std::uint64_t triangle_count = 0;
+  std::uint64_t sphere_count = 0;
 };
 
 /// Builds a hierarchy per object and puts everything into the device's arrays. `traversal` is not `automatic`. Objects

@@ -89,7 +89,7 @@ class OpenClRenderer final : public Renderer {
     SceneBuffers const& buffers = *prepared->buffers;
     statistics.build_ms = 1e3 * seconds_since(start);
     statistics.triangles = buffers.triangle_count;
-    statistics.spheres = buffers.spheres.size() + buffers.ellipsoids.size();
+    statistics.spheres = buffers.sphere_count + buffers.ellipsoids.size();
     statistics.boxes = buffers.boxes.size();
     statistics.instances = buffers.instances.size();
     statistics.bvh_nodes = buffers.nodes.size() + buffers.wide_nodes.size();

@@ -12,14 +12,14 @@ namespace lichtraum::test {
 inline std::vector<ProbeArgument> layout_arguments(SceneBuffers const& scene) {
   std::vector<ProbeArgument> arguments;
   if (scene.traversal == Traversal::scalar) {
-    arguments = {in(scene.nodes), in(scene.references), in(scene.triangles)};
+    arguments = {in(scene.nodes), in(scene.references), in(scene.triangles), in(scene.spheres)};
   } else {
-    arguments = {in(scene.wide_nodes), in(scene.triangle_blocks), in(scene.triangle_tags)};
+    arguments = {in(scene.wide_nodes), in(scene.triangle_blocks), in(scene.triangle_tags), in(scene.sphere_blocks)};
   }
   for (auto const& argument :
-       {in(scene.spheres), in(scene.ellipsoids), in(scene.boxes), in(scene.instances), in(scene.materials),
-        in(scene.pbr_materials), in(scene.textures), in(scene.texels), in(scene.triangle_attributes),
-        in(scene.vertex_data), value(scene.root_node), value(scene.features)}) {
+       {in(scene.ellipsoids), in(scene.boxes), in(scene.instances), in(scene.materials), in(scene.pbr_materials),
+        in(scene.textures), in(scene.texels), in(scene.triangle_attributes), in(scene.vertex_data),
+        value(scene.root_node), value(scene.features)}) {
     arguments.push_back(argument);
   }
   return arguments;

@@ -97,7 +97,16 @@ Transform random_transform(Random& random, Vec3 const& offset) {
   return Transform::from_matrix(matrix);
 }
 
-/// Every kind of primitive, half of them of glass, overlapping; and instances of half of them.
+device::SpherePrimitive sphere_around(Vec3 const& center, double radius, device::PrimitiveTag const& tag) {
+  device::SpherePrimitive sphere{};
+  store(center, sphere.center);
+  sphere.radius = float(radius);
+  sphere.tag = tag;
+  return sphere;
+}
+
+/// Every kind of primitive, half of them of glass, overlapping, and a cluster of spheres only; and instances of half of
+/// them.
 FlatScene mixed_scene(std::uint64_t seed) {
   Random random(seed);
   FlatScene scene;
@@ -109,11 +118,7 @@ FlatScene mixed_scene(std::uint64_t seed) {
         return device::PrimitiveTag{device::uint(i % 2), device::uint(object.primitive_count())};
       };
       Vec3 const center = random.in_cube(3);
-      device::SpherePrimitive sphere{};
-      store(center, sphere.center);
-      sphere.radius = float(random.uniform(0.05, 0.4));
-      sphere.tag = tag();
-      object.spheres.push_back(sphere);
+      object.spheres.push_back(sphere_around(center, random.uniform(0.05, 0.4), tag()));
       object.ellipsoids.push_back({device_transform(random_transform(random, random.in_cube(3)).inverse()), tag(), {}});
       device::BoxPrimitive box{};
       box.box_from_object = device_transform(random_transform(random, random.in_cube(3)).inverse());
@@ -123,6 +128,10 @@ FlatScene mixed_scene(std::uint64_t seed) {
       }
       box.tag = tag();
       object.boxes.push_back(box);
+    }
+    for (int i = 0; i < 100; ++i) {
+      device::PrimitiveTag const tag{device::uint(i % 2), device::uint(object.primitive_count())};
+      object.spheres.push_back(sphere_around(Vec3(3) + random.in_cube(1), random.uniform(0.05, 0.2), tag));
     }
   }
   for (int i = 0; i < 12; ++i) scene.instances.push_back({1, random_transform(random, random.in_cube(8))});

@@ -13,7 +13,7 @@ static inline Ray load_ray(ProbeRay ray) { return make_ray(ray.origin.xyz, ray.d
 __kernel void probe_sphere(__global SpherePrimitive const* spheres, __global ProbeRay const* rays,
                            __global float const* t_max, __global float* t) {
   size_t const i = get_global_id(0);
-  t[i] = intersect_sphere(spheres + i, load_ray(rays[i]), t_max[i]);
+  t[i] = intersect_sphere(sphere_of(spheres + i), load_ray(rays[i]), t_max[i]);
 }
 
 __kernel void probe_ellipsoid(__global EllipsoidPrimitive const* ellipsoids, __global ProbeRay const* rays,

@@ -39,9 +39,9 @@ bool same(std::vector<T> const& a, std::vector<T> const& b) {
 bool same_arrays(SceneBuffers const& a, SceneBuffers const& b) {
   return same(a.nodes, b.nodes) && same(a.references, b.references) && same(a.triangles, b.triangles) &&
          same(a.wide_nodes, b.wide_nodes) && same(a.triangle_blocks, b.triangle_blocks) &&
-         same(a.triangle_tags, b.triangle_tags) && same(a.spheres, b.spheres) && same(a.instances, b.instances) &&
-         a.root_node == b.root_node && a.stack_size == b.stack_size && a.content == b.content &&
-         a.unrepresentable == b.unrepresentable;
+         same(a.triangle_tags, b.triangle_tags) && same(a.spheres, b.spheres) &&
+         same(a.sphere_blocks, b.sphere_blocks) && same(a.instances, b.instances) && a.root_node == b.root_node &&
+         a.stack_size == b.stack_size && a.content == b.content && a.unrepresentable == b.unrepresentable;
 }
 
 }  // namespace

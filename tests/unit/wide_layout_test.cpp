@@ -1,0 +1,96 @@
+#include "accel/wide_layout.hpp"
+
+#include <random>
+#include <set>
+
+#include "support/catch.hpp"
+
+using namespace lichtraum;
+
+namespace {
+
+/// Small cubes around random points, of kinds that take turns.
+std::vector<BuildPrimitive> random_primitives(std::size_t count, std::vector<device::uint> const& kinds) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(-10, 10);
+  std::vector<BuildPrimitive> primitives;
+  for (std::size_t i = 0; i < count; ++i) {
+    Vec3 const center(coordinate(random), coordinate(random), coordinate(random));
+    Bounds bounds;
+    bounds.add(center - Vec3(0.3));
+    bounds.add(center + Vec3(0.3));
+    primitives.push_back({bounds, {kinds[i % kinds.size()], device::uint(i)}});
+  }
+  return primitives;
+}
+
+/// Finds every primitive below the root, each within the bounds of its leaf. Fails where a block is met twice or has
+/// members of several kinds.
+std::multiset<device::uint> find_all(WideBvh const& wide, Bvh const& bvh,
+                                     std::vector<BuildPrimitive> const& primitives) {
+  std::multiset<device::uint> found;
+  std::set<device::uint> visited;  // child words: nodes and blocks
+  std::vector<device::uint> open{0};
+  while (!open.empty()) {
+    device::WideNode const& node = wide.nodes.at(open.back());
+    open.pop_back();
+    for (int lane = 0; lane < WIDE_CHILDREN; ++lane) {
+      if (!(node.bounds[WIDE_MIN_X][lane] <= node.bounds[WIDE_MAX_X][lane])) continue;  // absent
+      device::uint const kind = node.children[lane] >> WIDE_INDEX_BITS;
+      device::uint const index = node.children[lane] & WIDE_INDEX_MASK;
+      if (!visited.insert(node.children[lane]).second) FAIL("a child of two nodes");
+      if (kind == WIDE_KIND_NODE) {
+        open.push_back(index);
+        continue;
+      }
+      std::vector<device::uint> members{index};
+      if (kind == PRIMITIVE_TRIANGLE || kind == PRIMITIVE_SPHERE) {
+        auto const& blocks = kind == PRIMITIVE_SPHERE ? wide.sphere_blocks : wide.triangle_blocks;
+        WideBvh::Block const block = blocks.at(index);
+        if (block.count < 1 || block.count > BLOCK_LANES) FAIL("a block of " << block.count);
+        members.clear();
+        for (device::uint i = block.first; i < block.first + block.count; ++i) {
+          if (bvh.references.at(i).kind != kind) FAIL("a block of several kinds");
+          members.push_back(bvh.references[i].index);
+        }
+      }
+      for (device::uint const member : members) {
+        found.insert(member);
+        Bounds const& bounds = primitives.at(member).bounds;
+        for (int axis = 0; axis < 3; ++axis) {
+          if (bounds.min[axis] < node.bounds[2 * axis][lane] || bounds.max[axis] > node.bounds[2 * axis + 1][lane]) {
+            FAIL("a primitive sticks out of its leaf");
+          }
+        }
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("the wide layout holds every primitive once, triangles and spheres in blocks of their own", "[unit][bvh]") {
+  std::vector<std::vector<device::uint>> const mixtures{
+      {PRIMITIVE_SPHERE},
+      {PRIMITIVE_TRIANGLE},
+      {PRIMITIVE_SPHERE, PRIMITIVE_TRIANGLE},
+      {PRIMITIVE_BOX, PRIMITIVE_SPHERE, PRIMITIVE_SPHERE, PRIMITIVE_TRIANGLE, PRIMITIVE_ELLIPSOID},
+  };
+  for (auto const& kinds : mixtures) {
+    for (std::size_t const count : {1, 2, 4, 5, 40, 1000}) {
+      auto const primitives = random_primitives(count, kinds);
+      Bvh const bvh = build_bvh(std::vector(primitives));
+      WideBvh const wide = collapse(bvh);
+      auto const found = find_all(wide, bvh, primitives);
+      CHECK(found.size() == count);
+      CHECK(std::set(found.begin(), found.end()).size() == count);
+    }
+  }
+}
+
+TEST_CASE("blocks are more than half full where all are of one kind", "[unit][bvh]") {
+  std::size_t const count = 10'000;
+  CHECK(collapse(build_bvh(random_primitives(count, {PRIMITIVE_SPHERE}))).sphere_blocks.size() < count / 2);
+  CHECK(collapse(build_bvh(random_primitives(count, {PRIMITIVE_TRIANGLE}))).triangle_blocks.size() < count / 2);
+}

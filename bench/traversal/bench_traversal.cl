@@ -78,6 +78,33 @@ __kernel void closest(SCENE_PARAMETERS, __global float4 const* origins, __global
   }
 }
 
+#ifndef TRAVERSAL_SCALAR
+
+/* The same, a few rays in turn. */
+__kernel void closest_in_turn(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
+                              __global BenchHit* hits) {
+  MAKE_SCENE;
+  size_t next = get_global_id(0) * FREE_RAYS_PER_ITEM;
+  size_t const end = next + FREE_RAYS_PER_ITEM;
+  RayStream stream;
+  size_t numbers[RAYS_IN_TURN];
+  clear_stream(&stream);
+  for (uint i = 0u; i < FREE_RAYS_PER_ITEM + RAYS_IN_TURN; ++i) {
+    uint place = i;
+    if (i >= RAYS_IN_TURN) {
+      Hit hit;
+      place = finish_ray(&scene, &stream, &hit);
+      hits[numbers[place]] = bench_hit(&scene, hit);
+    }
+    if (next < end) {
+      start_ray(&scene, &stream, place, make_ray(origins[next].xyz, directions[next].xyz));
+      numbers[place] = next++;
+    }
+  }
+}
+
+#endif
+
 #else
 
 /* One work-item a packet. */

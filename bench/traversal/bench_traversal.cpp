@@ -269,7 +269,8 @@ int run(Options const& options) {
     if (name == "packet") {
       add_sampled(name, [&] { tracer.closest(sampled, sampled_hits); });
     } else {
-      add_bounce(name, [&] { tracer.closest(bounce, bounce_hits); });
+      if (name == "wide") add_bounce(name, [&] { tracer.closest(bounce, bounce_hits, true); });
+      add_bounce(name == "wide" ? "wide, one by one" : name, [&] { tracer.closest(bounce, bounce_hits, false); });
     }
   }
 

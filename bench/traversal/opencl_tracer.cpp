@@ -40,7 +40,7 @@ struct OpenClTracer::State {
   cl::Context context{device};
   cl::CommandQueue queue{context, device};
   Traversal layout;
-  cl::Kernel primary, shadow, free;
+  cl::Kernel primary, shadow, free, free_in_turn;
   std::vector<cl::Buffer> scene;
   device::uint root_node = 0;
 
@@ -88,6 +88,7 @@ OpenClTracer::OpenClTracer(SceneBuffers& scene, Traversal layout) : state_(std::
   s.primary = cl::Kernel(program, "primary");
   s.shadow = cl::Kernel(program, "shadow");
   if (layout != Traversal::packet) s.free = cl::Kernel(program, "closest");
+  if (layout == Traversal::wide) s.free_in_turn = cl::Kernel(program, "closest_in_turn");
 }
 
 OpenClTracer::~OpenClTracer() = default;
@@ -120,14 +121,15 @@ void OpenClTracer::any(ShadowRays const& rays, std::vector<std::uint8_t>& occlud
   s.run(s.shadow, cl::NDRange(rays.width / side, rays.height / side), cl::NDRange(local, local), out, occluded.size());
 }
 
-void OpenClTracer::closest(FreeRays const& rays, std::vector<RayHit>& hits) {
+void OpenClTracer::closest(FreeRays const& rays, std::vector<RayHit>& hits, bool in_turn) {
   State& s = *state_;
+  cl::Kernel& kernel = in_turn ? s.free_in_turn : s.free;
   cl::Buffer const origins = s.over(rays.origins), directions = s.over(rays.directions), out = s.over(hits);
-  cl_uint argument = s.set_scene(s.free);
-  s.free.setArg(argument++, origins);
-  s.free.setArg(argument++, directions);
-  s.free.setArg(argument++, out);
-  s.run(s.free, cl::NDRange(rays.size() / FreeRays::rays_per_item), cl::NDRange(1), out, sizeof(RayHit) * hits.size());
+  cl_uint argument = s.set_scene(kernel);
+  kernel.setArg(argument++, origins);
+  kernel.setArg(argument++, directions);
+  kernel.setArg(argument++, out);
+  s.run(kernel, cl::NDRange(rays.size() / FreeRays::rays_per_item), cl::NDRange(1), out, sizeof(RayHit) * hits.size());
 }
 
 }  // namespace lichtraum::bench

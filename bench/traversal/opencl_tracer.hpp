@@ -15,7 +15,8 @@ class OpenClTracer {
 
   void closest(PrimaryRays const& rays, std::vector<RayHit>& hits);
   void any(ShadowRays const& rays, std::vector<std::uint8_t>& occluded);
-  void closest(FreeRays const& rays, std::vector<RayHit>& hits);  ///< not for packets
+  /// Not for packets. In turn, a few rays at a time, only for Traversal::wide.
+  void closest(FreeRays const& rays, std::vector<RayHit>& hits, bool in_turn);
 
  private:
   struct State;

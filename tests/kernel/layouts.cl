@@ -26,6 +26,37 @@ __kernel void probe_closest(SCENE_PARAMETERS, __global float4 const* origins, __
   hits[i] = probe_hit(&scene, trace_closest(&scene, make_ray(origins[i].xyz, directions[i].xyz), INFINITY));
 }
 
+#ifndef TRAVERSAL_SCALAR
+#include "traversal/wide_stream.clh"
+
+#define RAYS_A_STREAM 64u
+
+/* One work-item a stream; the first has one ray in turn, the next two, and so on. */
+__kernel void probe_stream_closest(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
+                                   __global ProbeHit* hits) {
+  MAKE_SCENE;
+  uint const places = 1u + (uint)get_global_id(0) % RAYS_IN_TURN;
+  uint next = (uint)get_global_id(0) * RAYS_A_STREAM;
+  uint const end = next + RAYS_A_STREAM;
+  uint numbers[RAYS_IN_TURN];
+  RayStream stream;
+  clear_stream(&stream);
+  for (uint place = 0u; place < places; ++place, ++next) {
+    start_ray(&scene, &stream, place, make_ray(origins[next].xyz, directions[next].xyz));
+    numbers[place] = next;
+  }
+  for (uint finished = 0u; finished < RAYS_A_STREAM; ++finished) {
+    Hit hit;
+    uint const place = finish_ray(&scene, &stream, &hit);
+    hits[numbers[place]] = probe_hit(&scene, hit);
+    if (next < end) {
+      start_ray(&scene, &stream, place, make_ray(origins[next].xyz, directions[next].xyz));
+      numbers[place] = next++;
+    }
+  }
+}
+#endif
+
 /* Bit 0: something lies before t_max; bit 1: something opaque does. */
 __kernel void probe_hidden(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
                            float const t_max, __global uint* hidden) {

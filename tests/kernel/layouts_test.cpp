@@ -47,23 +47,31 @@ class LayoutProbe {
 
   std::vector<ProbeHit> closest(Rays const& rays) const {
     std::vector<ProbeHit> hits(rays.size());
-    run(packets_ ? "probe_packet_closest" : "probe_closest", rays, {out(hits)});
+    run(packets_ ? "probe_packet_closest" : "probe_closest", rays, {out(hits)}, packets_ ? packet_size : 1);
+    return hits;
+  }
+  /// Of the same rays, a few in turn.
+  std::vector<ProbeHit> closest_in_turn(Rays const& rays) const {
+    std::vector<ProbeHit> hits(rays.size());
+    run("probe_stream_closest", rays, {out(hits)}, packet_size);
     return hits;
   }
   std::vector<device::uint> hidden(Rays const& rays, float t_max) const {
     std::vector<device::uint> hidden(rays.size());
-    run(packets_ ? "probe_packet_hidden" : "probe_hidden", rays, {value(t_max), out(hidden)});
+    run(packets_ ? "probe_packet_hidden" : "probe_hidden", rays, {value(t_max), out(hidden)},
+        packets_ ? packet_size : 1);
     return hidden;
   }
   SceneBuffers const& scene() const { return scene_; }
 
  private:
-  void run(std::string const& kernel, Rays const& rays, std::vector<ProbeArgument> const& last) const {
+  void run(std::string const& kernel, Rays const& rays, std::vector<ProbeArgument> const& last,
+           std::size_t rays_per_item) const {
     std::vector<ProbeArgument> arguments = layout_arguments(scene_);
     arguments.insert(arguments.end(), {in(rays.origins), in(rays.directions)});
     arguments.insert(arguments.end(), last.begin(), last.end());
     // Small groups: each work-item has much memory of its own.
-    program_.run(kernel, packets_ ? rays.size() / packet_size : rays.size(), arguments, 1, packets_ ? 1 : 16, 1);
+    program_.run(kernel, rays.size() / rays_per_item, arguments, 1, rays_per_item > 1 ? 1 : 16, 1);
   }
 
   SceneBuffers scene_;
@@ -271,6 +279,19 @@ TEST_CASE("what a ray of a packet hits does not depend on the others", "[kernel]
   CHECK(different == 0);
 }
 
+TEST_CASE("a ray hits among others in turn what it hits alone", "[kernel][layouts]") {
+  NEEDS_OPENCL_DEVICE();
+  Rays rays = mixed_rays(8, scaled_count(400));
+  Random random(1);
+  for (float4& direction : rays.directions) {
+    if (random.index(50) == 0) direction = random.index(2) == 0 ? float4{} : float4{float_nan, 1, 1, 0};  // no rays
+  }
+  auto const expected = LayoutProbe(mixed_scene(1), Traversal::wide).closest(rays);
+  for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
+    CHECK(count_different(LayoutProbe(mixed_scene(1), traversal).closest_in_turn(rays), expected) == 0);
+  }
+}
+
 TEST_CASE("no ray slips through a closed mesh", "[kernel][layouts]") {
   NEEDS_OPENCL_DEVICE();
   for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
@@ -356,5 +377,6 @@ TEST_CASE("a traversal never needs more stack than the host computes", "[kernel]
     LayoutProbe const probe(scene, traversal);
     CHECK(probe.scene().stack_size > 50);  // it is a hard case
     CHECK(count_different(probe.closest(rays), expected) == 0);
+    CHECK(count_different(probe.closest_in_turn(rays), expected) == 0);
   }
 }

@@ -44,8 +44,8 @@ struct OpenClTracer::State {
   std::vector<cl::Buffer> scene;
   device::uint root_node = 0;
 
-  template <class T>
-  cl::Buffer over(std::vector<T> const& data) {
+  template <class T, class Allocator>
+  cl::Buffer over(std::vector<T, Allocator> const& data) {
     if (data.empty()) return cl::Buffer(context, CL_MEM_READ_ONLY, 64);
     return cl::Buffer(context, CL_MEM_USE_HOST_PTR, sizeof(T) * data.size(), const_cast<T*>(data.data()));
   }

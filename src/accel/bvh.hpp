@@ -1,7 +1,8 @@
 #pragma once
 
-#include <vector>
+#include <span>
 
+#include "core/big_vector.hpp"
 #include "scene/bounds.hpp"
 #include "shared/bvh.h"
 
@@ -14,17 +15,18 @@ struct BuildPrimitive {
 };
 
 /// The canonical hierarchy of one object: binary, with its root at nodes[0]. Nodes lie in depth-first order, and each
-/// leaf's references next to each other. A leaf has up to four triangles, or one of anything else. Without primitives
-/// the root has two absent children.
+/// leaf's references next to each other. A leaf has up to four triangles, up to four spheres, or one of anything else;
+/// no node but the root has only as much below it as a leaf can hold. Without primitives the root has two absent
+/// children.
 struct Bvh {
-  std::vector<device::BvhNode> nodes;
-  std::vector<device::PrimitiveReference> references;
+  BigVector<device::BvhNode> nodes;
+  BigVector<device::PrimitiveReference> references;
   Bounds bounds;
 };
 
 /// Top-down with the surface area heuristic over bins of centroids (Wald 2007, "On fast construction of SAH-based
 /// bounding volume hierarchies"), on every core. The same tree whatever the number of threads; no path of it is longer
 /// than BVH_MAX_DEPTH. Takes O(n log n) time for any input, identical primitives included. Reorders its argument.
-Bvh build_bvh(std::vector<BuildPrimitive>&& primitives);
+Bvh build_bvh(std::span<BuildPrimitive> primitives);
 
 }  // namespace lichtraum

@@ -9,6 +9,7 @@
 
 #include "accel/bins.hpp"
 #include "accel/bvh.hpp"
+#include "core/parallel_ranges.hpp"
 
 namespace lichtraum {
 namespace {
@@ -135,10 +136,11 @@ class Builder {
 
   bool is_leaf(Range const& range) const {
     if (range.size() == 1) return true;
+    if (range.size() > max_leaf_size) return false;
     auto const members = primitives(range);
-    return range.size() <= max_leaf_size && std::all_of(members.begin(), members.end(), [](auto const& primitive) {
-             return primitive.reference.kind == PRIMITIVE_TRIANGLE;
-           });
+    device::uint const kind = members[0].reference.kind;
+    return (kind == PRIMITIVE_TRIANGLE || kind == PRIMITIVE_SPHERE) &&
+           std::all_of(members.begin(), members.end(), [&](auto const& p) { return p.reference.kind == kind; });
   }
 
   void append(Range const& range, std::size_t depth, Nodes& nodes) {
@@ -216,27 +218,30 @@ class Builder {
   std::size_t spawn_depth_;
 };
 
-Nodes join(Subtree&& tree) {
-  Nodes nodes;
-  nodes.reserve(tree.size);
-  for (Nodes const& piece : tree.pieces) {
-    device::uint const offset = device::uint(nodes.size());
-    for (device::BvhNode node : piece) {
-      for (device::BvhChild& child : node.children) {
-        if (child.count == 0) child.first += offset;
-      }
-      nodes.push_back(node);
+BigVector<device::BvhNode> join(Subtree&& tree) {
+  BigVector<device::BvhNode> nodes(tree.size);
+  std::vector<std::size_t> first{0};
+  for (Nodes const& piece : tree.pieces) first.push_back(first.back() + piece.size());
+  for_parallel_ranges(tree.pieces.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      std::transform(tree.pieces[i].begin(), tree.pieces[i].end(), nodes.data() + first[i], [&](device::BvhNode node) {
+        for (device::BvhChild& child : node.children) {
+          if (child.count == 0) child.first += device::uint(first[i]);
+        }
+        return node;
+      });
+      tree.pieces[i] = {};
     }
-  }
+  });
   return nodes;
 }
 
 }  // namespace
 
-Bvh build_bvh(std::vector<BuildPrimitive>&& primitives) {
+Bvh build_bvh(std::span<BuildPrimitive> primitives) {
   Bvh bvh;
   bvh.references.resize(primitives.size());
-  std::vector<BuildPrimitive> space(primitives.size());
+  BigVector<BuildPrimitive> space(primitives.size());
   Builder builder(primitives, space, bvh.references);
   Range const all = builder.enclose(0, primitives.size(), 0);
   bvh.bounds = all.extents.bounds.bounds();

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <future>
 #include <limits>
 
-#include "core/huge_pages.hpp"
+#include "accel/collapse_plan.hpp"
+#include "core/parallel_ranges.hpp"
 
 namespace lichtraum {
 namespace {
@@ -13,204 +15,157 @@ namespace {
 using device::BvhChild;
 using device::uint;
 
-/// What lies below a binary node, or in a binary leaf.
-struct Content {
-  static constexpr uint mixed_kind = 0xffffffffu;
-
-  uint first = 0;  ///< reference
-  uint count = 0;
-  uint kind = PRIMITIVE_TRIANGLE;  ///< of all
-
-  bool is_block() const { return count <= BLOCK_LANES && (kind == PRIMITIVE_TRIANGLE || kind == PRIMITIVE_SPHERE); }
-  void add(Content const& other) {
-    kind = count == 0 || kind == other.kind ? other.kind : mixed_kind;
-    first = count == 0 ? other.first : first;  // left to right
-    count += other.count;
-  }
-};
-
-/// A child of a wide node that is being made.
-struct Candidate {
-  BvhChild child;
-  Content content;
-};
-
 /// The children of a wide node that is being made, from left to right.
-class Candidates {
+class Children {
  public:
   std::size_t size() const { return size_; }
-  Candidate const& operator[](std::size_t i) const { return items_[i]; }
-  void push_back(Candidate const& candidate) { items_[size_++] = candidate; }
+  BvhChild const& operator[](std::size_t i) const { return *items_[i]; }
+  void push_back(BvhChild const& child) { items_[size_++] = &child; }
 
  private:
-  std::array<Candidate, WIDE_CHILDREN> items_;
+  std::array<BvhChild const*, WIDE_CHILDREN> items_;
   std::size_t size_ = 0;
 };
 
-/// What a subtree of the binary tree costs as at most n children of one wide node: the area of all wide nodes in it.
-/// Nothing for a leaf, as blocks are the same whatever the nodes above them.
-struct Costs {
-  std::array<float, WIDE_CHILDREN> as{};               ///< by n; [0] is not used
-  std::array<std::uint8_t, WIDE_CHILDREN> for_left{};  ///< how many of the n its left child gets; 0: it stays one child
-};
-
-float half_area_of_both(BvhChild const& a, BvhChild const& b) {
-  std::array<float, 3> size;
-  for (std::size_t i = 0; i < 3; ++i) size[i] = std::max(a.max[i], b.max[i]) - std::min(a.min[i], b.min[i]);
-  return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
-}
-
 bool is_absent(BvhChild const& child) { return !(child.min[0] <= child.max[0]); }
 
+/// Makes the wide nodes. Plans say how many are in each subtree: so each knows where it goes.
 class Collapser {
  public:
-  explicit Collapser(Bvh const& bvh) : bvh_(bvh), contents_(bvh.nodes.size()), costs_(bvh.nodes.size()) {
-    examine(0, bvh.nodes.size());
+  explicit Collapser(Bvh const& bvh) : bvh_(bvh) {
+    bool const is_tree = !is_absent(bvh.nodes[0].children[1]);
+    if (is_tree) plans_ = plan_collapse(bvh);
+    wide_.nodes.resize(is_tree ? plans_[0].wide_nodes : 1);
+    BlockCounts const blocks = is_tree ? plans_[0].blocks : blocks_in(bvh, bvh.nodes[0].children[0]);
+    wide_.triangle_blocks.resize(blocks.triangles);
+    wide_.sphere_blocks.resize(blocks.spheres);
   }
 
   WideBvh run() {
-    struct Open {
-      uint binary;
-      std::size_t parent;
-      int lane;
-      std::size_t stack_size;  ///< that the path to the parent needs
-    };
-    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-    std::vector<Open> open{{0, none, 0, 0}};
-    reserve_in_huge_pages(wide_.nodes, bvh_.nodes.size() / 8);
+    std::vector<Subtree> open{{}};
+    std::vector<Subtree> parts;
     while (!open.empty()) {
-      Open const top = open.back();
+      Subtree const top = open.back();
       open.pop_back();
-      std::size_t const self = wide_.nodes.size();
-      if (top.parent != none)
-        wide_.nodes[top.parent].children[top.lane] = WIDE_KIND_NODE << WIDE_INDEX_BITS | uint(self);
-      Candidates const children = gather(top.binary);
-      device::WideNode& node = wide_.nodes.emplace_back();
-      std::size_t const stack_size = top.stack_size + (std::max<std::size_t>(children.size(), 1) - 1);
-      wide_.stack_size = std::max(wide_.stack_size, stack_size);
-      std::size_t const first_open = open.size();
-      for (int lane = 0; lane < WIDE_CHILDREN; ++lane) {
-        bool const present = std::size_t(lane) < children.size();
-        for (int axis = 0; axis < 3; ++axis) {
-          node.bounds[2 * axis][lane] = present ? children[std::size_t(lane)].child.min[axis] : Bounds::infinity;
-          node.bounds[2 * axis + 1][lane] = present ? children[std::size_t(lane)].child.max[axis] : -Bounds::infinity;
-        }
-        if (!present) continue;
-        Candidate const& candidate = children[std::size_t(lane)];
-        if (candidate.content.is_block()) {
-          auto& blocks = candidate.content.kind == PRIMITIVE_SPHERE ? wide_.sphere_blocks : wide_.triangle_blocks;
-          node.children[lane] = candidate.content.kind << WIDE_INDEX_BITS | uint(blocks.size());
-          blocks.push_back({candidate.content.first, candidate.content.count});
-        } else if (candidate.content.count == 1) {
-          auto const& reference = bvh_.references[candidate.content.first];
-          node.children[lane] = reference.kind << WIDE_INDEX_BITS | reference.index;
-        } else {
-          open.push_back({candidate.child.first, self, lane, stack_size});
-        }
+      if (plans_.empty() || plans_[top.binary].wide_nodes > part_size) {
+        make_node(top, open);
+      } else {
+        parts.push_back(top);
       }
-      std::reverse(open.begin() + std::ptrdiff_t(first_open), open.end());
     }
+    std::atomic<std::size_t> next = 0;
+    for_parallel_ranges(parts.size(), 1, [&](std::size_t, std::size_t) {
+      for (std::size_t i = next++; i < parts.size(); i = next++) make_subtree(parts[i]);
+    });
+    wide_.stack_size = stack_size_;
     return std::move(wide_);
   }
 
  private:
-  /// Finds contents and costs of the subtree that is nodes [root, end): nodes lie in depth-first order.
-  void examine(std::size_t root, std::size_t end) {
-    constexpr std::size_t part_size = 1 << 14;
-    auto const& [left, right] = bvh_.nodes[root].children;
-    std::size_t first_by_itself = end;
-    if (end - root > part_size && left.count == 0 && right.count == 0) {
-      auto other = std::async(std::launch::async, [&] { examine(right.first, end); });
-      examine(left.first, right.first);
-      other.get();
-      first_by_itself = root + 1;
-    }
-    for (std::size_t i = first_by_itself; i-- > root;) {  // children before their parents
-      for (BvhChild const& child : bvh_.nodes[i].children) {
-        if (!is_absent(child)) contents_[i].add(content_of(child));
-      }
-      find_costs(i);
-    }
-  }
-
-  Content content_of(BvhChild const& child) const {
-    if (child.count == 0) return contents_[child.first];
-    Content content;
-    for (uint i = child.first; i < child.first + child.count; ++i) content.add({i, 1, bvh_.references[i].kind});
-    return content;
-  }
-
-  bool is_leaf(BvhChild const& child) const { return child.count > 0 || contents_[child.first].is_block(); }
-
-  Costs const& costs_of(BvhChild const& child) const {
-    static constexpr Costs leaf{};
-    return is_leaf(child) ? leaf : costs_[child.first];
-  }
-
-  struct Share {
-    float cost = std::numeric_limits<float>::infinity();
-    std::uint8_t for_left = 1;
+  /// That is to be made.
+  struct Subtree {
+    uint binary = 0;             ///< its root in the binary tree
+    uint first_node = 0;         ///< where its wide nodes go
+    BlockCounts first_block;     ///< where its blocks go
+    std::size_t stack_size = 0;  ///< that the path to its root needs
   };
-  /// The cheapest way to share n children among the two of a binary node.
-  static Share best_share(Costs const& left, Costs const& right, std::size_t n) {
-    Share best;
-    for (std::size_t k = 1; k < n; ++k) {
-      float const cost = left.as[k] + right.as[n - k];
-      if (cost < best.cost) best = {cost, std::uint8_t(k)};
+  /// In wide nodes: smaller ones are not worth a thread's attention.
+  static constexpr std::size_t part_size = 256;
+
+  void make_subtree(Subtree const& subtree) {
+    std::vector<Subtree> open{subtree};
+    while (!open.empty()) {
+      Subtree const top = open.back();
+      open.pop_back();
+      make_node(top, open);
     }
-    return best;
   }
 
-  void find_costs(std::size_t binary) {
-    auto const& [left, right] = bvh_.nodes[binary].children;
-    if (is_absent(right) || contents_[binary].is_block()) return;
-    Costs const& of_left = costs_of(left);
-    Costs const& of_right = costs_of(right);
-    Costs& costs = costs_[binary];
-    costs.as[1] = half_area_of_both(left, right) + best_share(of_left, of_right, WIDE_CHILDREN).cost;
-    for (std::size_t n = 2; n < WIDE_CHILDREN; ++n) {
-      Share const share = best_share(of_left, of_right, n);
-      bool const is_shared = share.cost < costs.as[1];
-      costs.as[n] = is_shared ? share.cost : costs.as[1];
-      costs.for_left[n] = is_shared ? share.for_left : std::uint8_t(0);
+  /// Makes the root of a subtree. Adds those of its children that are nodes to `open`, the first one last.
+  void make_node(Subtree const& subtree, std::vector<Subtree>& open) {
+    Children const children = gather(subtree.binary);
+    device::WideNode node;
+    for (std::size_t lane = 0; lane < WIDE_CHILDREN; ++lane) {
+      bool const is_present = lane < children.size();
+      for (int axis = 0; axis < 3; ++axis) {
+        node.bounds[2 * axis][lane] = is_present ? children[lane].min[axis] : Bounds::infinity;
+        node.bounds[2 * axis + 1][lane] = is_present ? children[lane].max[axis] : -Bounds::infinity;
+      }
+      node.children[lane] = 0;
+    }
+    Subtree next{0, subtree.first_node + 1, subtree.first_block,
+                 subtree.stack_size + std::max<std::size_t>(children.size(), 1) - 1};
+    note_stack_size(next.stack_size);
+    for (std::size_t lane = 0; lane < children.size(); ++lane) {
+      if (children[lane].count > 0) node.children[lane] = make_leaf(children[lane], next.first_block);
+    }
+    std::size_t const first_open = open.size();
+    for (std::size_t lane = 0; lane < children.size(); ++lane) {
+      if (children[lane].count > 0) continue;
+      next.binary = children[lane].first;
+      open.push_back(next);
+      node.children[lane] = WIDE_KIND_NODE << WIDE_INDEX_BITS | next.first_node;
+      next.first_node += plans_[next.binary].wide_nodes;
+      next.first_block.add(plans_[next.binary].blocks);
+    }
+    std::reverse(open.begin() + std::ptrdiff_t(first_open), open.end());
+    wide_.nodes[subtree.first_node] = node;
+  }
+
+  uint make_leaf(BvhChild const& leaf, BlockCounts& next) {
+    auto const [kind, index] = bvh_.references[leaf.first];
+    if (kind == PRIMITIVE_TRIANGLE) {
+      wide_.triangle_blocks[next.triangles] = {leaf.first, leaf.count};
+      return kind << WIDE_INDEX_BITS | next.triangles++;
+    }
+    if (kind == PRIMITIVE_SPHERE) {
+      wide_.sphere_blocks[next.spheres] = {leaf.first, leaf.count};
+      return kind << WIDE_INDEX_BITS | next.spheres++;
+    }
+    return kind << WIDE_INDEX_BITS | index;
+  }
+
+  void note_stack_size(std::size_t size) {
+    std::size_t known = stack_size_;
+    while (known < size && !stack_size_.compare_exchange_weak(known, size)) {
     }
   }
 
   /// The children of the wide node that begins at a binary node.
-  Candidates gather(uint binary) const {
-    Candidates children;
-    auto const& [left, right] = bvh_.nodes[binary].children;
-    if (is_absent(right)) {  // a root
-      if (!is_absent(left)) children.push_back({left, content_of(left)});
+  Children gather(uint binary) const {
+    Children children;
+    device::BvhNode const& root = bvh_.nodes[binary];
+    if (plans_.empty()) {
+      if (!is_absent(root.children[0])) children.push_back(root.children[0]);
       return children;
     }
     struct Part {
-      BvhChild child;
+      BvhChild const* child;
       std::size_t share;  ///< it may become so many children
     };
     std::array<Part, WIDE_CHILDREN> open;
     std::size_t size = 0;
     auto const share_out = [&](device::BvhNode const& node, std::size_t n, std::size_t for_left) {
-      open[size++] = {node.children[1], n - for_left};
-      open[size++] = {node.children[0], for_left};
+      open[size++] = {&node.children[1], n - for_left};
+      open[size++] = {&node.children[0], for_left};
     };
-    share_out(bvh_.nodes[binary], WIDE_CHILDREN, best_share(costs_of(left), costs_of(right), WIDE_CHILDREN).for_left);
+    share_out(root, WIDE_CHILDREN, plans_[binary].share_of_left(WIDE_CHILDREN));
     while (size > 0) {
-      Part const part = open[--size];
-      std::size_t const for_left = costs_of(part.child).for_left[part.share];
+      auto const [child, share] = open[--size];
+      std::size_t const for_left = child->count > 0 ? 0 : plans_[child->first].share_of_left(share);
       if (for_left == 0) {
-        children.push_back({part.child, content_of(part.child)});
+        children.push_back(*child);
       } else {
-        share_out(bvh_.nodes[part.child.first], part.share, for_left);
+        share_out(bvh_.nodes[child->first], share, for_left);
       }
     }
     return children;
   }
 
   Bvh const& bvh_;
-  std::vector<Content> contents_;
-  std::vector<Costs> costs_;  // of nodes that do not become blocks
+  BigVector<CollapsePlan> plans_;  // none of a tree without a second leaf
   WideBvh wide_;
+  std::atomic<std::size_t> stack_size_ = 0;
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "accel/bvh.hpp"
 #include "shared/geometry.h"
@@ -12,25 +11,22 @@ namespace lichtraum {
 
 /// The hierarchy of one object with sixteen children a node. nodes[0] is the root.
 struct WideBvh {
-  std::vector<device::WideNode> nodes;
+  BigVector<device::WideNode> nodes;
   /// Which references share a block: references[first, first + count) of the binary hierarchy.
   struct Block {
     device::uint first = 0;
     device::uint count = 0;
   };
-  std::vector<Block> triangle_blocks;
-  std::vector<Block> sphere_blocks;
+  BigVector<Block> triangle_blocks;
+  BigVector<Block> sphere_blocks;
   /// The entries that a traversal's stack needs for this tree: it visits one child and keeps the others.
   std::size_t stack_size = 0;
 };
 
-/// Collapses a binary hierarchy: a wide node takes the place of up to fifteen binary ones. Of all ways to do so, the
-/// one whose nodes have the least surface in sum (dynamic programming as in Ylitie, Karras and Laine, "Efficient
-/// Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", 2017, section 3.1). Subtrees of at most four
-/// triangles, or four spheres, become one block. A leaf child's index is that of the block among those of its kind, or
-/// the primitive's own (see shared/wide.h). Nodes lie in depth-first order, blocks in the order of the binary tree's
-/// leaves. The same result
-/// whatever the number of threads.
+/// Collapses a binary hierarchy: a wide node takes the place of up to fifteen binary ones, as accel/collapse_plan.hpp
+/// plans it. A leaf of triangles or spheres becomes a block. A leaf child's index is that of the block among those of
+/// its kind, or the primitive's own (see shared/wide.h). Nodes lie in depth-first order, and so do blocks: those of a
+/// node next to each other. The same result whatever the number of threads.
 WideBvh collapse(Bvh const& bvh);
 
 /// Gathers the triangles of blocks.

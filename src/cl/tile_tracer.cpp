@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <span>
 
 #include "cl/error.hpp"
 #include "cl/opencl_devices.hpp"
@@ -43,7 +44,7 @@ cl::Device find_device(DeviceInfo const& wanted) {
 template <class T>
 class HostBuffer {
  public:
-  void create(cl::Context const& context, cl_mem_flags flags, std::vector<T> const& data) {
+  void create(cl::Context const& context, cl_mem_flags flags, std::span<T const> data) {
     // A buffer of no bytes is not allowed; the kernels do not touch it.
     if (data.empty()) {
       buffer_ = cl::Buffer(context, flags, sizeof(T));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <iterator>
 #include <memory>
 #include <span>
@@ -11,7 +12,8 @@
 #include "accel/wide_layout.hpp"
 #include "compile/light_table.hpp"
 #include "compile/material_table.hpp"
-#include "core/huge_pages.hpp"
+#include "core/big_vector.hpp"
+#include "core/parallel_ranges.hpp"
 #include "lichtraum/error.hpp"
 #include "scene/device_conversion.hpp"
 #include "shared/frame.h"
@@ -19,8 +21,8 @@
 namespace lichtraum {
 namespace {
 
-template <class T>
-void append(std::vector<T>& all, std::vector<T>&& more) {
+template <class T, class Allocator>
+void append(std::vector<T, Allocator>& all, std::vector<T, Allocator>&& more) {
   if (all.empty()) {
     all = std::move(more);
   } else {
@@ -28,8 +30,8 @@ void append(std::vector<T>& all, std::vector<T>&& more) {
   }
 }
 
-template <class T>
-void append(std::vector<T>& all, std::span<T const> more) {
+template <class T, class Allocator>
+void append(std::vector<T, Allocator>& all, std::span<T const> more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
@@ -99,8 +101,7 @@ class Compiler {
     Bounds const bounds = map_bounds(instance.world_from_object, object.bounds);
     buffers_.object_numbers.add_instance(instance, flat, !bounds.is_empty());
     if (bounds.is_empty()) return;
-    buffers_.unrepresentable +=
-        refer(bounds, {PRIMITIVE_INSTANCE, device::uint(buffers_.instances.size())}, world.instances);
+    world.instances.push_back({bounds, {PRIMITIVE_INSTANCE, device::uint(buffers_.instances.size())}});
     device::Instance const placed{device_transform(instance.world_from_object.inverse()), object.root_node, {}};
     world.content.add(placed.object_from_world);
     world.content.add(bounds);
@@ -125,14 +126,6 @@ class Compiler {
   ContentHasher& scene_content() { return scene_content_; }
 
  private:
-  /// Adds a thing to a hierarchy's input, unless its bounds do not fit a float. Returns how many it left out.
-  static std::uint64_t refer(Bounds const& bounds, device::PrimitiveReference reference,
-                             std::vector<BuildPrimitive>& out) {
-    if (!bounds.is_finite()) return 1;
-    out.push_back({bounds, reference});
-    return 0;
-  }
-
   /// Those of the triangles taken last.
   void take_attributes(FlatObject&& object, std::size_t first_triangle) {
     if (object.triangle_attributes.empty()) return;
@@ -148,28 +141,37 @@ class Compiler {
     append(buffers_.vertex_data, std::move(object.vertex_data));
   }
 
+  static bool is_unrepresentable(BuildPrimitive const& primitive) { return !primitive.bounds.is_finite(); }
+
+  /// The input of a hierarchy for primitives [begin, end) of a kind. Returns how many are not representable.
   template <class T>
-  static std::uint64_t refer(std::vector<T> const& primitives, device::uint kind, Range range,
-                             std::vector<BuildPrimitive>& out) {
-    std::uint64_t left_out = 0;
-    for (std::size_t i = range.first; i < range.first + range.count; ++i) {
-      left_out += refer(bounds_of(primitives[i]), {kind, device::uint(i)}, out);
-    }
-    return left_out;
+  static std::uint64_t refer(std::vector<T> const& primitives, device::uint kind, std::size_t begin, std::size_t end,
+                             BuildPrimitive* out) {
+    for (std::size_t i = begin; i < end; ++i) out[i - begin] = {bounds_of(primitives[i]), {kind, device::uint(i)}};
+    return std::uint64_t(std::count_if(out, out + (end - begin), is_unrepresentable));
   }
 
   /// Builds its hierarchy.
   CompiledObject add(Pending&& pending) {
-    std::vector<BuildPrimitive> all;
-    all.reserve(pending.triangles.count + pending.spheres.count + pending.ellipsoids.count + pending.boxes.count +
-                pending.instances.size());
-    std::uint64_t left_out = refer(buffers_.triangles, PRIMITIVE_TRIANGLE, pending.triangles, all);
-    left_out += refer(buffers_.spheres, PRIMITIVE_SPHERE, pending.spheres, all);
-    left_out += refer(buffers_.ellipsoids, PRIMITIVE_ELLIPSOID, pending.ellipsoids, all);
-    left_out += refer(buffers_.boxes, PRIMITIVE_BOX, pending.boxes, all);
-    append(all, std::move(pending.instances));
-    CompiledObject object =
-        buffers_.traversal == Traversal::scalar ? add_binary(std::move(all)) : add_wide(std::move(all));
+    auto const& [content, triangles, spheres, ellipsoids, boxes, instances] = pending;
+    BigVector<BuildPrimitive> all(triangles.count + spheres.count + ellipsoids.count + boxes.count + instances.size());
+    BuildPrimitive* out = all.data();
+    std::atomic<std::uint64_t> left_out = 0;
+    for_parallel_ranges(triangles.count, 1 << 14, [&, first = triangles.first](std::size_t begin, std::size_t end) {
+      left_out += refer(buffers_.triangles, PRIMITIVE_TRIANGLE, first + begin, first + end, out + begin);
+    });
+    out += triangles.count;
+    auto const refer_all = [&](auto const& primitives, device::uint kind, Range range) {
+      left_out += refer(primitives, kind, range.first, range.first + range.count, out);
+      out += range.count;
+    };
+    refer_all(buffers_.spheres, PRIMITIVE_SPHERE, spheres);
+    refer_all(buffers_.ellipsoids, PRIMITIVE_ELLIPSOID, ellipsoids);
+    refer_all(buffers_.boxes, PRIMITIVE_BOX, boxes);
+    std::copy(instances.begin(), instances.end(), out);
+    left_out += std::uint64_t(std::count_if(instances.begin(), instances.end(), is_unrepresentable));
+    if (left_out > 0) std::erase_if(all, is_unrepresentable);
+    CompiledObject object = buffers_.traversal == Traversal::scalar ? add_binary(all) : add_wide(all);
     object.unrepresentable = left_out;
     return object;
   }
@@ -181,8 +183,8 @@ class Compiler {
     return found == previous_->objects.end() ? nullptr : &*found;
   }
 
-  CompiledObject add_binary(std::vector<BuildPrimitive>&& primitives) {
-    Bvh bvh = build_bvh(std::move(primitives));
+  CompiledObject add_binary(std::span<BuildPrimitive> primitives) {
+    Bvh bvh = build_bvh(primitives);
     CompiledObject object;
     object.root_node = device::uint(buffers_.nodes.size());
     object.node_count = device::uint(bvh.nodes.size());
@@ -195,8 +197,8 @@ class Compiler {
     return object;
   }
 
-  CompiledObject add_wide(std::vector<BuildPrimitive>&& primitives) {
-    Bvh const bvh = build_bvh(std::move(primitives));
+  CompiledObject add_wide(std::span<BuildPrimitive> primitives) {
+    Bvh const bvh = build_bvh(primitives);
     WideBvh wide = collapse(bvh);
     CompiledObject object;
     object.root_node = device::uint(buffers_.wide_nodes.size());
@@ -212,7 +214,6 @@ class Compiler {
                        std::span(buffers_.sphere_blocks).subspan(object.first_sphere_block));
     append(buffers_.wide_nodes, std::move(wide.nodes));
     move_nodes(object, object.root_node, object.first_leaf, object.first_sphere_block);
-    reserve_in_huge_pages(buffers_.triangle_blocks, object.first_leaf + wide.triangle_blocks.size());
     buffers_.triangle_blocks.resize(object.first_leaf + wide.triangle_blocks.size());
     buffers_.triangle_tags.resize(BLOCK_LANES * buffers_.triangle_blocks.size());
     fill_triangle_blocks(wide.triangle_blocks, bvh.references, buffers_.triangles,
@@ -240,7 +241,6 @@ class Compiler {
     } else {
       object.root_node = device::uint(buffers_.wide_nodes.size());
       object.first_leaf = device::uint(buffers_.triangle_blocks.size());
-      reserve_in_huge_pages(buffers_.triangle_blocks, object.first_leaf + known.leaf_count);
       object.first_sphere_block = device::uint(buffers_.sphere_blocks.size());
       append(buffers_.sphere_blocks,
              part(previous_->sphere_blocks, known.first_sphere_block, known.sphere_block_count));

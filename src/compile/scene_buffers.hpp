@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/big_vector.hpp"
 #include "core/content_hash.hpp"
 #include "lichtraum/renderer.hpp"
 #include "lichtraum/scene_edits.hpp"
@@ -43,16 +44,16 @@ struct ShadingTables {
 struct SceneBuffers : ShadingTables {
   Traversal traversal = Traversal::scalar;  ///< which arrays are filled
   /// Only for the scalar layout.
-  std::vector<device::BvhNode> nodes;
-  std::vector<device::PrimitiveReference> references;
+  BigVector<device::BvhNode> nodes;
+  BigVector<device::PrimitiveReference> references;
   std::vector<device::TrianglePrimitive> triangles;
   std::vector<device::SpherePrimitive> spheres;
   /// Only for the others.
-  std::vector<device::WideNode> wide_nodes;
-  std::vector<device::TriangleBlock> triangle_blocks;
-  std::vector<device::PrimitiveTag> triangle_tags;  ///< BLOCK_LANES a block
-  std::size_t stack_size = 0;                       ///< that a traversal needs
-  std::vector<device::SphereBlock> sphere_blocks;
+  BigVector<device::WideNode> wide_nodes;
+  BigVector<device::TriangleBlock> triangle_blocks;
+  BigVector<device::PrimitiveTag> triangle_tags;  ///< BLOCK_LANES a block
+  BigVector<device::SphereBlock> sphere_blocks;
+  std::size_t stack_size = 0;  ///< that a traversal needs
   /// For all.
   std::vector<device::EllipsoidPrimitive> ellipsoids;
   std::vector<device::BoxPrimitive> boxes;

@@ -48,7 +48,7 @@ struct SceneArrays {
   }
   /// The root node and the bounds of what was added since the last call.
   std::pair<device::uint, Bounds> close_object() {
-    Bvh bvh = build_bvh(std::move(open_));
+    Bvh bvh = build_bvh(open_);
     open_.clear();
     root_node = device::uint(nodes.size());
     for (auto& node : bvh.nodes) {

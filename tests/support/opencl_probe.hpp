@@ -23,8 +23,8 @@ struct ProbeArgument {
   std::size_t bytes;
 };
 
-template <class T>
-ProbeArgument in(std::vector<T> const& data) {
+template <class T, class Allocator>
+ProbeArgument in(std::vector<T, Allocator> const& data) {
   return {ProbeArgument::Kind::input, const_cast<T*>(data.data()), data.size() * sizeof(T)};
 }
 /// Not defined before the probe writes it: an Oclgrind run reports an element that is read.

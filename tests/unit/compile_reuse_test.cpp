@@ -31,8 +31,8 @@ struct TwoParts {
   Shapes roots() const { return {left, right, ball}; }
 };
 
-template <class T>
-bool same(std::vector<T> const& a, std::vector<T> const& b) {
+template <class T, class Allocator>
+bool same(std::vector<T, Allocator> const& a, std::vector<T, Allocator> const& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), sizeof(T) * a.size()) == 0);
 }
 

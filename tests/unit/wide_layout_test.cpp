@@ -80,7 +80,8 @@ TEST_CASE("the wide layout holds every primitive once, triangles and spheres in 
   for (auto const& kinds : mixtures) {
     for (std::size_t const count : {1, 2, 4, 5, 40, 1000}) {
       auto const primitives = random_primitives(count, kinds);
-      Bvh const bvh = build_bvh(std::vector(primitives));
+      auto reordered = primitives;
+      Bvh const bvh = build_bvh(reordered);
       WideBvh const wide = collapse(bvh);
       auto const found = find_all(wide, bvh, primitives);
       CHECK(found.size() == count);
@@ -91,6 +92,8 @@ TEST_CASE("the wide layout holds every primitive once, triangles and spheres in 
 
 TEST_CASE("blocks are more than half full where all are of one kind", "[unit][bvh]") {
   std::size_t const count = 10'000;
-  CHECK(collapse(build_bvh(random_primitives(count, {PRIMITIVE_SPHERE}))).sphere_blocks.size() < count / 2);
-  CHECK(collapse(build_bvh(random_primitives(count, {PRIMITIVE_TRIANGLE}))).triangle_blocks.size() < count / 2);
+  auto spheres = random_primitives(count, {PRIMITIVE_SPHERE}),
+       triangles = random_primitives(count, {PRIMITIVE_TRIANGLE});
+  CHECK(collapse(build_bvh(spheres)).sphere_blocks.size() < count / 2);
+  CHECK(collapse(build_bvh(triangles)).triangle_blocks.size() < count / 2);
 }

@@ -19,9 +19,6 @@ using namespace lichtraum;
 
 namespace {
 
-/// Pictures of plain scenes, and of all others, with the layout and the limits that they have unless asked otherwise.
-constexpr RenderProgram usual_programs[] = {{.is_plain = true}, {.is_plain = false}};
-
 /// A launch makes the code for work-groups of this size, which PoCL adds to the program's binary.
 std::vector<unsigned char> compile(cl::Device const& device, RenderProgram const& wanted) {
   cl::Context const context(device);
@@ -55,7 +52,7 @@ int main(int argument_count, char** arguments) try {
   std::vector<std::string> warnings;
   for (OpenClDevice const& found : find_opencl_devices(warnings)) {
     if (found.info.kind != DeviceKind::cpu) continue;  // drivers of other devices keep compiled programs themselves
-    for (RenderProgram const& program : usual_programs) {
+    for (RenderProgram const& program : usual_render_programs) {
       auto const binary = compile(found.device, program);
       auto const literal = [](std::string_view bytes) {
         return fmt::format("{{\"{}\", {}}}", escaped(bytes), bytes.size());

@@ -23,6 +23,15 @@ struct RenderProgram {
   std::string options() const;
 };
 
+/// Those that are compiled with lichtraum: of pictures, and of what their first surfaces are (which the window asks
+/// for, too), for plain scenes and for all, with the layout and the limits that they have unless asked otherwise.
+inline constexpr RenderProgram usual_render_programs[] = {
+    {.is_plain = true},
+    {.is_plain = false},
+    {.traversal = Traversal::wide, .first_surface = true, .is_plain = true},
+    {.traversal = Traversal::wide, .first_surface = true, .is_plain = false},
+};
+
 /// The entries of the ray stack that a depth needs, as one of a few sizes: each is a program of its own.
 /// Throws Error{usage} when there is no such size.
 unsigned ray_stack_size(unsigned max_depth);

@@ -164,14 +164,16 @@ TEST_CASE("programs compiled with lichtraum draw the same bytes as their source"
   lichtraum.folder.write("square.glb", square().glb());
   lichtraum.folder.write("ball.sdf", ball_scene);
   auto const picture = [&](std::string const& words, bool from_source) {
-    Process process = lichtraum.process("render -q -o a.ppm " + words);
+    Process process = lichtraum.process("render -q -o a.pfm " + words);
     if (from_source) process.environment = {{"LICHTRAUM_KERNEL_DIR", LICHTRAUM_SOURCE_DIR "/kernels"}};
     auto const result = run_process(process);
     INFO(result.err);
     REQUIRE(result.exit_code == 0);
-    return lichtraum.folder.read("a.ppm");
+    return lichtraum.folder.read("a.pfm");
   };
-  for (std::string const words : {"ball.sdf --samples 4", "square.glb --camera far --size 40x30"}) {
+  for (std::string const words : {"ball.sdf --samples 4", "square.glb --camera far --size 40x30",
+                                  "ball.sdf --aov depth", "square.glb --aov normal --size 40x30"}) {
+    INFO(words);
     CHECK(picture(words, false) == picture(words, true));
   }
 }

@@ -70,8 +70,7 @@ TEST_CASE("what was compiled with lichtraum fits the device that it was compiled
   bool const is_their_platform = programs[0].target.starts_with(found.info.platform);
   if (!is_their_platform) SKIP_TEST("they are for another OpenCL platform");
   cl::Context const context(found.device);
-  for (bool const is_plain : {false, true}) {
-    RenderProgram const usual{.is_plain = is_plain};
+  for (RenderProgram const& usual : usual_render_programs) {
     CHECK_FALSE(is_from_source(build_program(context, found.device, usual.name, usual.options(), programs)));
   }
 }

@@ -82,7 +82,7 @@ struct RayCounts {
 
 struct RenderStatistics {
   RayCounts rays;
-  double program_ms = 0;  ///< getting the device's program: from its cache, or compiled
+  double program_ms = 0;  ///< getting the device's program: from the library, a cache, or compiled
   double trace_ms = 0;    ///< tracing alone
 };
 

@@ -5,8 +5,7 @@
 
 #include "compile/scene_buffers.hpp"
 #include "layout_arguments.hpp"
-#include "reference.hpp"
-#include "scene/device_conversion.hpp"
+#include "layout_scenes.hpp"
 #include "support/catch.hpp"
 #include "support/opencl_probe.hpp"
 #include "support/skip.hpp"
@@ -16,25 +15,11 @@ using namespace lichtraum::test;
 
 namespace {
 
-constexpr std::size_t packet_size = 64;
-
 struct ProbeHit {
   float t;
   device::uint shape;
   device::uint instance;
   device::uint padding;
-};
-
-/// Rays in packets of one origin each.
-struct Rays {
-  std::vector<float4> origins, directions;
-  void add_packet(Vec3 const& origin, auto&& direction) {
-    for (std::size_t i = 0; i < packet_size; ++i) {
-      origins.push_back(to_float4(origin));
-      directions.push_back(to_float4(direction(), 1));
-    }
-  }
-  std::size_t size() const { return origins.size(); }
 };
 
 /// One compiled scene in one layout, and the probes for it.
@@ -79,97 +64,6 @@ class LayoutProbe {
   ProbeProgram program_;
 };
 
-device::TrianglePrimitive triangle(Vec3 const& a, Vec3 const& b, Vec3 const& c, device::uint shape) {
-  device::TrianglePrimitive t{};
-  store(a, t.vertices[0]);
-  store(b, t.vertices[1]);
-  store(c, t.vertices[2]);
-  t.tag = {shape % 2, shape};
-  return t;
-}
-
-void add_triangles(Random& random, std::size_t count, FlatObject& object) {
-  for (std::size_t i = 0; i < count; ++i) {
-    Vec3 const a = random.in_cube(3);
-    Vec3 const b = a + random.in_cube(0.5);
-    // Some degenerate: a point, a line, a flat one.
-    Vec3 const c = i % 17 == 0 ? a : i % 19 == 0 ? 0.5 * (a + b) : a + random.in_cube(i % 23 == 0 ? 1e-6 : 0.5);
-    object.triangles.push_back(triangle(a, b, c, device::uint(object.primitive_count())));
-  }
-}
-
-Transform random_transform(Random& random, Vec3 const& offset) {
-  Mat3 const m = random.rotation() * Mat3(random.uniform(0.3, 1.2), 0, 0, 0, random.uniform(0.3, 1.2), 0, 0, 0, 0.7);
-  Mat4 matrix(m);
-  matrix[3] = glm::dvec4(offset, 1);
-  return Transform::from_matrix(matrix);
-}
-
-device::SpherePrimitive sphere_around(Vec3 const& center, double radius, device::PrimitiveTag const& tag) {
-  device::SpherePrimitive sphere{};
-  store(center, sphere.center);
-  sphere.radius = float(radius);
-  sphere.tag = tag;
-  return sphere;
-}
-
-/// Every kind of primitive, half of them of glass, overlapping, and a cluster of spheres only; and instances of half of
-/// them.
-FlatScene mixed_scene(std::uint64_t seed) {
-  Random random(seed);
-  FlatScene scene;
-  scene.objects.resize(2);
-  for (FlatObject& object : scene.objects) {
-    add_triangles(random, 400, object);
-    for (int i = 0; i < 40; ++i) {
-      auto const tag = [&] {
-        return device::PrimitiveTag{device::uint(i % 2), device::uint(object.primitive_count())};
-      };
-      Vec3 const center = random.in_cube(3);
-      object.spheres.push_back(sphere_around(center, random.uniform(0.05, 0.4), tag()));
-      object.ellipsoids.push_back({device_transform(random_transform(random, random.in_cube(3)).inverse()), tag(), {}});
-      device::BoxPrimitive box{};
-      box.box_from_object = device_transform(random_transform(random, random.in_cube(3)).inverse());
-      for (int axis = 0; axis < 3; ++axis) {
-        box.min[axis] = float(random.uniform(-0.4, 0));
-        box.max[axis] = i % 5 == axis ? box.min[axis] : float(random.uniform(0, 0.4));  // some flat
-      }
-      box.tag = tag();
-      object.boxes.push_back(box);
-    }
-    for (int i = 0; i < 100; ++i) {
-      device::PrimitiveTag const tag{device::uint(i % 2), device::uint(object.primitive_count())};
-      object.spheres.push_back(sphere_around(Vec3(3) + random.in_cube(1), random.uniform(0.05, 0.2), tag));
-    }
-  }
-  for (int i = 0; i < 12; ++i) scene.instances.push_back({1, random_transform(random, random.in_cube(8))});
-  scene.materials = {std::make_shared<Material>(), std::make_shared<Material>()};
-  auto glass = std::make_shared<Material>();
-  glass->set_mirror_and_glass(0, 0.5, 1.5);
-  scene.materials[1] = glass;
-  return scene;
-}
-
-/// Narrow packets from outside, wide ones from inside, some along axes and some within planes of them.
-Rays mixed_rays(std::uint64_t seed, std::size_t packets) {
-  Random random(seed);
-  Rays rays;
-  for (std::size_t i = 0; i < packets; ++i) {
-    bool const outside = i % 2 == 0;
-    Vec3 const origin = outside ? random.direction() * 20. : random.in_cube(3);
-    Vec3 const center = random.in_cube(3) - origin;
-    double const spread = outside ? 0.5 : 8;
-    rays.add_packet(origin, [&] {
-      Vec3 d = center + random.in_cube(spread);
-      for (int axis = 0; axis < 3; ++axis) {
-        if (i % 11 == std::size_t(axis) || i % 13 == std::size_t(axis)) d[axis] = 0;
-      }
-      return d;
-    });
-  }
-  return rays;
-}
-
 std::size_t count_different(std::vector<ProbeHit> const& a, std::vector<ProbeHit> const& b) {
   std::size_t different = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -197,8 +91,8 @@ std::vector<Vec3> mesh_corners(Vec3 const& center, int n, std::vector<device::Tr
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < 2 * n; ++j) {
       Vec3 const a = corner(i, j), b = corner(i, j + 1), c = corner(i + 1, j + 1), d = corner(i + 1, j);
-      if (i > 0) triangles.push_back(triangle(a, b, c, device::uint(triangles.size())));
-      if (i + 1 < n) triangles.push_back(triangle(a, c, d, device::uint(triangles.size())));
+      if (i > 0) triangles.push_back(tagged_triangle(a, b, c, device::uint(triangles.size())));
+      if (i + 1 < n) triangles.push_back(tagged_triangle(a, c, d, device::uint(triangles.size())));
       for (Vec3 const& p : {a, b, c, d}) corners.push_back(p);
     }
   }
@@ -317,7 +211,7 @@ TEST_CASE("odd scenes are traced in every layout", "[kernel][layouts]") {
     scene.materials = {std::make_shared<Material>(), std::make_shared<Material>()};
     return scene;
   };
-  auto const one = triangle({-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, 0);
+  auto const one = tagged_triangle({-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, 0);
   auto broken = one;
   broken.vertices[1][2] = float_nan;
   auto infinite = one;
@@ -362,7 +256,7 @@ TEST_CASE("a traversal never needs more stack than the host computes", "[kernel]
   scene.objects.resize(1);
   for (device::uint i = 0; i < 3000; ++i) {
     double const x = std::pow(1.02, double(i % 1500));
-    scene.objects[0].triangles.push_back(triangle({x, -x, 0}, {x, x, -x}, {x * 1.0001, x, x}, i));
+    scene.objects[0].triangles.push_back(tagged_triangle({x, -x, 0}, {x, x, -x}, {x * 1.0001, x, x}, i));
   }
   scene.materials = {std::make_shared<Material>(), std::make_shared<Material>()};
   Rays const rays = [] {

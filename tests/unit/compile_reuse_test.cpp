@@ -73,6 +73,35 @@ TEST_CASE("a scene compiled after another is the same as compiled alone", "[unit
   }
 }
 
+TEST_CASE("an object that stays is found again behind one whose blocks have become more", "[unit][compile]") {
+  // Groups of spheres, far from each other.
+  auto const row = [](std::vector<int> const& groups) {
+    auto composite = std::make_shared<Composite>("row");
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      for (int i = 0; i < groups[g]; ++i) {
+        composite->add(std::make_shared<Sphere>("s", Vec3(100. * double(g) + i, 0, 0), 0.3, nullptr));
+      }
+    }
+    return composite;
+  };
+  auto const twice = [](std::shared_ptr<Composite> const& part, double z) {
+    auto moved = std::make_shared<Composite>("moved");
+    moved->add(part);
+    moved->translate({0, 0, z});
+    auto both = std::make_shared<Composite>("both");
+    both->add(part);
+    both->add(moved);
+    return both;
+  };
+  auto const staying = twice(row({4, 4, 4, 4}), 20);
+  Shapes const before_roots{twice(row({4, 4, 4, 4, 4}), 10), staying};
+  Shapes const after_roots{twice(row({3, 3, 3, 3, 3, 3, 2}), 10), staying};
+  SceneBuffers const before = compile_scene(flatten(before_roots), {}, Traversal::wide);
+  SceneBuffers const alone = compile_scene(flatten(after_roots), {}, Traversal::wide);
+  REQUIRE(before.sphere_blocks.size() < alone.sphere_blocks.size());
+  CHECK(same_arrays(compile_scene(flatten(after_roots), {}, Traversal::wide, &before), alone));
+}
+
 TEST_CASE("what is left out of a hierarchy is counted though the hierarchy is taken over", "[unit][compile]") {
   TwoParts parts;
   // Center and radius fit a float, their sum does not.

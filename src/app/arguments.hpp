@@ -44,6 +44,13 @@ void add_value(CLI::App& parser, std::string const& names, Target& target, Parse
       ->group(group);
 }
 
+/// The words that are not options: one for a string, any number for a vector. `placeholder` stands for them in the
+/// help. CLI11's own name for them must be no option's, which 2.2 and later insist on.
+template <class Target>
+void add_inputs(CLI::App& parser, Target& target, std::string const& placeholder) {
+  parser.add_option("inputs", target)->required()->type_name(placeholder);
+}
+
 /// A text that is taken as it is, but not empty.
 std::string parse_name(std::string_view text);
 

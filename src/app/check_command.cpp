@@ -44,7 +44,7 @@ int check_command(Arguments const& arguments, Console& console) {
   std::vector<std::string> scenes;
   LoadOptions load;
   auto const parser = make_parser("check", description, examples);
-  parser->add_option("scene", scenes, "eSDF files, models")->required()->type_name("SCENE...");
+  add_inputs(*parser, scenes, "SCENE...");
   add_language_options(*parser, load.language);
   add_model_options(*parser, load.model);
   add_verbosity(*parser, console);

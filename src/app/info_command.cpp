@@ -26,7 +26,7 @@ int info_command(Arguments const& arguments, Console& console) {
   bool json = false;
   LoadOptions load;
   auto const parser = make_parser("info", description, examples);
-  parser->add_option("file", file, "an eSDF file, a model")->required()->type_name("FILE");
+  add_inputs(*parser, file, "FILE");
   parser->add_flag("--json", json, "Print JSON")->group("Output");
   add_language_options(*parser, load.language);
   add_model_options(*parser, load.model);

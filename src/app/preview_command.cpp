@@ -46,7 +46,7 @@ bool parse_preview(Arguments const& arguments, PreviewOptions& options, Console&
   render.sampling = Sampling{Sampling::Pattern::grid, 9};
   std::string scene;
   auto const parser = make_parser("preview", description, examples);
-  parser->add_option("scene", scene, "an eSDF file, a glTF model")->required()->type_name("SCENE");
+  add_inputs(*parser, scene, "SCENE");
   std::string const group = "Picture";
   add_value(*parser, "--size", render.size, parse_size, "CxR",
             "Columns and rows of characters at most\n(default: the terminal's)", group);

@@ -90,7 +90,7 @@ void add_picture_options(CLI::App& parser, RenderOptions& options) {
 /// `window_arguments`: with --show, what `lichtraum view` is told besides the scene.
 bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments& window_arguments, Console& console) {
   auto const parser = make_parser("render", description, examples);
-  parser->add_option("scene", options.scenes, "eSDF files, models")->required()->type_name("SCENE...");
+  add_inputs(*parser, options.scenes, "SCENE...");
   add_output_options(*parser, options);
   add_picture_options(*parser, options);
   add_sequence_options(*parser, options);

@@ -30,7 +30,7 @@ std::filesystem::path window_program() {
 std::unique_ptr<CLI::App> view_parser(ViewOptions& options, Console& console) {
   RenderOptions& render = options.render;
   auto parser = make_parser("view", description, examples);
-  parser->add_option("scene", options.scene, "an eSDF file, a glTF model")->required()->type_name("SCENE");
+  add_inputs(*parser, options.scene, "SCENE");
   std::string const group = "Window";
   parser->add_flag("--watch", options.watch, "Read the scene again when its file, or one that it\nincludes, is saved")
       ->group(group);

@@ -11,7 +11,7 @@ using namespace lichtraum::test;
 namespace {
 
 template <class T>
-T const& shape(Scene const& scene, std::string const& name) {
+T const& shape(Scene const& scene, std::string_view name) {
   auto const* const found = scene.shapes.find(name);
   REQUIRE(found);
   auto const* const cast = dynamic_cast<T const*>(found->get());
@@ -19,19 +19,19 @@ T const& shape(Scene const& scene, std::string const& name) {
   return *cast;
 }
 
-Material const& material(Scene const& scene, std::string const& name) {
+Material const& material(Scene const& scene, std::string_view name) {
   auto const* const found = scene.materials.find(name);
   REQUIRE(found);
   return **found;
 }
 
-Light const& light(Scene const& scene, std::string const& name) {
+Light const& light(Scene const& scene, std::string_view name) {
   auto const* const found = scene.lights.find(name);
   REQUIRE(found);
   return *found;
 }
 
-Camera const& camera(Scene const& scene, std::string const& name) {
+Camera const& camera(Scene const& scene, std::string_view name) {
   auto const* const found = scene.cameras.find(name);
   REQUIRE(found);
   return *found;

@@ -222,7 +222,9 @@ bool Accessors::apply_sparse(int index, Layout const& layout, std::string_view p
       index_type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
     return fail(fmt::format("indices of component type {}", index_type));
   }
-  if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) {
+  // Signed in tinygltf 2.5, unsigned in 2.9.
+  auto const is_negative = [](auto number) { return std::int64_t(number) < 0; };
+  if (is_negative(sparse.count) || is_negative(sparse.indices.byteOffset) || is_negative(sparse.values.byteOffset)) {
     return fail("a count or offset is too large");
   }
   auto const count = std::size_t(sparse.count);

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "lichtraum/error.hpp"
 
@@ -18,6 +19,15 @@ Graphics& graphics_of(GLFWwindow* window) { return *static_cast<Graphics*>(glfwG
   throw Error(ErrorKind::unavailable,
               "there is no display with OpenGL 3.3 to open a window on (lichtraum preview shows a scene in the "
               "terminal)");
+}
+
+/// GLFW 3.4 tries Wayland too, whose library prints a line of its own where it cannot have a socket.
+void leave_out_hopeless_platforms() {
+#ifdef GLFW_PLATFORM
+  char const* const display = std::getenv("WAYLAND_DISPLAY");
+  bool const may_have_socket = std::getenv("XDG_RUNTIME_DIR") || (display && display[0] == '/');
+  if (!may_have_socket) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
 }
 
 }  // namespace
@@ -38,6 +48,7 @@ void ShownPicture::upload(Resolution const& new_size, std::vector<unsigned char>
 
 Graphics::Graphics() {
   glfwSetErrorCallback([](int, char const*) {});
+  leave_out_hopeless_platforms();
   if (glfwInit() != GLFW_TRUE) no_display();
 }
 

@@ -6,6 +6,7 @@
 
 #include "cl/child_probe.hpp"
 #include "cl/opencl_devices.hpp"
+#include "cl/pocl_cache.hpp"
 #include "lichtraum/device.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/renderer.hpp"
@@ -56,6 +57,7 @@ bool matches(DeviceInfo const& device, std::string const& selector) {
 DeviceList find_devices(ProbeInChild probe) {
   DeviceList list;
   auto const add_opencl_devices = [&] {
+    std::optional<std::string> const no_cache = ensure_pocl_cache();
     if (probe == ProbeInChild::always || is_opencl_suspicious()) {
       if (auto const reason = opencl_kills_a_child()) {
         list.warnings.push_back(
@@ -64,7 +66,8 @@ DeviceList find_devices(ProbeInChild probe) {
       }
     }
     for (OpenClDevice& found : find_opencl_devices(list.warnings)) list.devices.push_back(std::move(found.info));
-    if (list.devices.empty()) list.warnings.push_back(fmt::format("no OpenCL device was found: {}", install_hint));
+    if (list.devices.empty())
+      list.warnings.push_back(fmt::format("no OpenCL device was found: {}", no_cache.value_or(install_hint)));
   };
   add_opencl_devices();
   std::stable_sort(list.devices.begin(), list.devices.end(),

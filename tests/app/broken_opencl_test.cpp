@@ -61,3 +61,43 @@ TEST_CASE("70: a kernel that does not compile is a fault of ours, with the compi
   CHECK_THAT(result.err, contains_text("undeclared_function_of_ours"));
   CHECK(!std::filesystem::exists(lichtraum.folder / "ball.ppm"));
 }
+
+TEST_CASE("compiled programs go to a folder of the user's in the temporary directory where HOME cannot be written",
+          "[app][devices]") {
+  if (lichtraum::find_devices().devices.size() == 1) SKIP_TEST("there is no OpenCL device");
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene);
+  std::filesystem::path const temporary = lichtraum.folder / "tmp";
+  std::filesystem::create_directory(temporary);
+  // Not even root can make folders in /proc.
+  std::map<std::string, std::string> const unwritable{
+      {"HOME", "/proc/nobody"}, {"XDG_CACHE_HOME", ""}, {"POCL_CACHE_DIR", ""}};
+  Process process = lichtraum.process("render a.sdf -q --json");
+  process.environment = unwritable;
+  process.environment["TMPDIR"] = temporary.string();
+  auto const drawn = [&] {
+    auto const result = run_process(process);
+    INFO(result.err);
+    CHECK(result.exit_code == 0);
+    CHECK(result.err.empty());
+    CHECK_THAT(result.out, !contains_text("\"kind\": \"reference\""));
+  };
+  drawn();
+  std::filesystem::path const cache = temporary / ("lichtraum-" + std::to_string(geteuid()));
+  CHECK(std::filesystem::status(cache).permissions() == std::filesystem::perms::owner_all);
+
+  SECTION("a home that is missing altogether") {
+    for (auto& [name, value] : process.environment) value = name == "TMPDIR" ? value : "";
+    drawn();
+  }
+  SECTION("no folder at all: the reason is told as it is") {
+    // Somebody else could have made it: it is not used.
+    std::filesystem::permissions(cache, std::filesystem::perms::all);
+    process.arguments = lichtraum.process("render a.sdf").arguments;
+    auto const result = run_process(process);
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.err, contains_text("/proc/nobody/.cache/pocl/kcache") && contains_text(cache.string()) &&
+                               contains_text("set POCL_CACHE_DIR"));
+    CHECK_THAT(result.err, !contains_text("pocl-opencl-icd"));
+  }
+}

@@ -58,11 +58,11 @@ int check_command(Arguments const& arguments, Console& console) {
       console.show(script.diagnostics());
       line = summary(scene, script.diagnostics());
     } catch (SceneError const& error) {
-      console.show(error.diagnostics());
+      console.show(error);
       line = summary(scene, error.diagnostics());
       if (code == 0) code = exit_code(error.kind());
     } catch (Error const& error) {
-      console.error(error.what());
+      console.show(error);
       if (code == 0) code = exit_code(error.kind());
     }
     if (!console.is_quiet()) write_standard_output(line);

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "app/fault_report.hpp"
+
 namespace lichtraum::app {
 namespace {
 
@@ -42,7 +44,10 @@ Label label_of(Severity severity) {
 
 }  // namespace
 
-Console::Console() : is_terminal_(::isatty(STDERR_FILENO) == 1), is_coloured_(is_terminal_ && wants_colour()) {}
+Console::Console(std::vector<std::string> command_line)
+    : command_line_(std::move(command_line)),
+      is_terminal_(::isatty(STDERR_FILENO) == 1),
+      is_coloured_(is_terminal_ && wants_colour()) {}
 
 void Console::labelled(std::string_view label, std::string_view colour, std::string_view message) const {
   write_standard_error(is_coloured_ ? fmt::format("lichtraum: {}{}{} {}\n", colour, label, plain, message)
@@ -79,6 +84,18 @@ void Console::show(std::vector<Diagnostic> const& diagnostics) const {
     write_standard_error(text);
   }
 }
+
+void Console::show(Error const& error) const {
+  if (auto const* const scene_error = dynamic_cast<SceneError const*>(&error)) {
+    show(scene_error->diagnostics());
+  } else if (error.kind() == ErrorKind::internal) {
+    fault(error.what());
+  } else {
+    this->error(error.what());
+  }
+}
+
+void Console::fault(std::string_view what) const { error(fault_report(what, command_line_)); }
 
 void write_standard_output(std::string_view bytes) {
   while (!bytes.empty()) {

@@ -14,7 +14,8 @@ enum class Verbosity { quiet, normal, verbose };
 /// a terminal, unless NO_COLOR is set (https://no-color.org).
 class Console {
  public:
-  Console();
+  /// `command_line` is what reports of faults tell: the program's name and its arguments.
+  explicit Console(std::vector<std::string> command_line = {});
 
   void set_verbosity(Verbosity verbosity) { verbosity_ = verbosity; }
   bool is_verbose() const { return verbosity_ == Verbosity::verbose; }
@@ -29,10 +30,15 @@ class Console {
 
   /// Errors always, warnings unless --quiet, notes only with --verbose.
   void show(std::vector<Diagnostic> const& diagnostics) const;
+  /// A scene's diagnostics, the message of others; a report of a fault for ErrorKind::internal.
+  void show(Error const& error) const;
+  /// A report for an exception that nobody expected.
+  void fault(std::string_view what) const;
 
  private:
   void labelled(std::string_view label, std::string_view colour, std::string_view message) const;
 
+  std::vector<std::string> command_line_;
   bool is_terminal_;
   bool is_coloured_;
   Verbosity verbosity_ = Verbosity::normal;

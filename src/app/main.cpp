@@ -64,5 +64,8 @@ int run(Arguments arguments, Console& console) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
-  return run_program([&](Console& console) { return run(Arguments(argv + 1, argv + argc), console); });
+  Arguments const arguments(argv + 1, argv + argc);
+  Arguments command_line{"lichtraum"};
+  command_line.insert(command_line.end(), arguments.begin(), arguments.end());
+  return run_program(command_line, [&](Console& console) { return run(arguments, console); });
 }

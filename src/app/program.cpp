@@ -1,7 +1,6 @@
 #include "app/program.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <new>
@@ -23,23 +22,20 @@ void open_standard_streams() {
 
 }  // namespace
 
-int run_program(std::function<int(Console&)> const& work) {
+int run_program(std::vector<std::string> const& command_line, std::function<int(Console&)> const& work) {
   open_standard_streams();
   handle_signals();
-  Console console;
+  Console console(command_line);
   try {
     return work(console);
-  } catch (SceneError const& error) {
-    console.show(error.diagnostics());
-    return exit_code(error.kind());
   } catch (Error const& error) {
-    console.error(error.what());
+    console.show(error);
     return exit_code(error.kind());
   } catch (std::bad_alloc const&) {
     console.error("there is not enough memory");
     return exit_code(ErrorKind::internal);
   } catch (std::exception const& error) {
-    console.error(fmt::format("this is a fault in lichtraum: {}", error.what()));
+    console.fault(error.what());
     return exit_code(ErrorKind::internal);
   }
 }

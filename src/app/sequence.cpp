@@ -50,13 +50,9 @@ class Sequence {
       try {
         draw_input(input);
         continue;
-      } catch (SceneError const& error) {
-        bar_.clear();
-        console_.show(error.diagnostics());
-        note_failure(error);
       } catch (Error const& error) {
         bar_.clear();
-        console_.error(error.what());
+        console_.show(error);
         note_failure(error);
       }
       if (is_film_ || code_ == exit_code(ErrorKind::interrupted)) break;
@@ -261,7 +257,7 @@ class Sequence {
                                   film->frame_count / options_.frame_rate(), options_.frame_rate()));
       }
     } catch (Error const& error) {
-      console_.error(error.what());
+      console_.show(error);
       note_failure(error);
     }
   }

@@ -58,7 +58,10 @@ TEST_CASE("70: a kernel that does not compile is a fault of ours, with the compi
   process.environment = {{"LICHTRAUM_KERNEL_DIR", lichtraum.folder.path().string()}};
   auto const result = run_process(process);
   CHECK(result.exit_code == 70);
-  CHECK_THAT(result.err, contains_text("undeclared_function_of_ours"));
+  CHECK_THAT(result.err,
+             contains_text("this is a fault in lichtraum: ") && contains_text("undeclared_function_of_ours"));
+  CHECK_THAT(result.err, contains_text("\n  command: lichtraum render a.sdf\n"));
+  CHECK_THAT(result.err, contains_text("\n  version: lichtraum ") && contains_text("\n  Please report it, "));
   CHECK(!std::filesystem::exists(lichtraum.folder / "ball.ppm"));
 }
 

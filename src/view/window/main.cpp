@@ -4,9 +4,12 @@
 
 int main(int argc, char* argv[]) {
   using namespace lichtraum;
-  return app::run_program([&](app::Console& console) {
+  app::Arguments const arguments(argv + 1, argv + argc);
+  app::Arguments command_line{"lichtraum", "view"};
+  command_line.insert(command_line.end(), arguments.begin(), arguments.end());
+  return app::run_program(command_line, [&](app::Console& console) {
     app::ViewOptions options;
-    if (!app::parse_view(app::Arguments(argv + 1, argv + argc), options, console)) return 0;
+    if (!app::parse_view(arguments, options, console)) return 0;
     app::SceneSource const source(options.scene);
     view::Window(source, options, console).run();
     return 0;

@@ -81,9 +81,11 @@ void become_window(Arguments const& arguments) {
   words.push_back(nullptr);
   ::execv(program.c_str(), words.data());
   if (errno == ENOENT) {
-    throw Error(ErrorKind::unavailable,
-                "the window was left out of this build: it needs libglfw3-dev, libgl-dev and libimgui-dev (lichtraum "
-                "preview shows a scene in the terminal)");
+    throw Error(
+        ErrorKind::unavailable,
+        fmt::format("there is no '{}': the window is left out of builds that find no libglfw3-dev, libgl-dev and "
+                    "libimgui-dev (lichtraum preview shows a scene in the terminal)",
+                    program));
   }
   throw Error(ErrorKind::unavailable, fmt::format("cannot start '{}': {}", program, std::strerror(errno)));
 }

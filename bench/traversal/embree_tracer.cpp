@@ -1,7 +1,5 @@
 #include "embree_tracer.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -11,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+
+#include "embree_api.hpp"
 
 namespace lichtraum::bench {
 namespace {
@@ -119,9 +119,7 @@ std::size_t EmbreeTracer::device_bytes() const { return std::size_t(state_->byte
 void EmbreeTracer::closest(PrimaryRays const& rays, std::vector<RayHit>& hits, bool packets) const {
   auto const& camera = rays.camera;
   float const origin[3] = {camera.origin.x, camera.origin.y, camera.origin.z};
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  EmbreeQuery const coherent(Coherence::coherent);
   auto const direction = [&](int px, int py, float(&d)[3]) {
     float const x = (float(px) + 0.5f) * rays.pixels_per_ray, y = (float(py) + 0.5f) * rays.pixels_per_ray;
     d[0] = camera.corner.x + x * camera.step_x.x + y * camera.step_y.x;
@@ -136,8 +134,8 @@ void EmbreeTracer::closest(PrimaryRays const& rays, std::vector<RayHit>& hits, b
       query.ray = make_ray(origin, d, infinity);
       query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
       query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-      auto own = context;
-      rtcIntersect1(state_->scene, &own, &query);
+      auto own = coherent;
+      own.closest(state_->scene, query);
       hits[std::size_t(y) * std::size_t(rays.width) + std::size_t(x)] =
           hit_of(query.ray.tfar, query.hit.geomID, query.hit.primID);
     });
@@ -155,8 +153,8 @@ void EmbreeTracer::closest(PrimaryRays const& rays, std::vector<RayHit>& hits, b
       query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
       query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
     }
-    auto own = context;
-    rtcIntersect16(valid, state_->scene, &own, &query);
+    auto own = coherent;
+    own.closest(valid, state_->scene, query);
     for (unsigned i = 0; i < 16; ++i) {
       if (!valid[i]) continue;
       int const px = x + int(i) % packet_width, py = y + int(i) / packet_width;
@@ -167,9 +165,7 @@ void EmbreeTracer::closest(PrimaryRays const& rays, std::vector<RayHit>& hits, b
 }
 
 void EmbreeTracer::any(ShadowRays const& rays, std::vector<std::uint8_t>& occluded, bool packets) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  EmbreeQuery const coherent(Coherence::coherent);
   int const step = packets ? packet_width : 1;
   parallel_blocks(rays.width, rays.height, step, state_->threads, [&](int x, int y) {
     auto const index = [&](int i) {
@@ -181,7 +177,7 @@ void EmbreeTracer::any(ShadowRays const& rays, std::vector<std::uint8_t>& occlud
       d[0] = rays.light.x - p.x, d[1] = rays.light.y - p.y, d[2] = rays.light.z - p.z;
     };
     float o[3], d[3];
-    auto own = context;
+    auto own = coherent;
     if (!packets) {
       if (rays.points[index(0)].w == 0) {
         occluded[index(0)] = 0;
@@ -189,7 +185,7 @@ void EmbreeTracer::any(ShadowRays const& rays, std::vector<std::uint8_t>& occlud
       }
       to_light(index(0), o, d);
       RTCRay ray = make_ray(o, d, 1.0f);
-      rtcOccluded1(state_->scene, &own, &ray);
+      own.any(state_->scene, ray);
       occluded[index(0)] = ray.tfar < 0;
       return;
     }
@@ -203,7 +199,7 @@ void EmbreeTracer::any(ShadowRays const& rays, std::vector<std::uint8_t>& occlud
       }
       set_ray(query, unsigned(i), o, d, 1.0f);
     }
-    rtcOccluded16(valid, state_->scene, &own, &query);
+    own.any(valid, state_->scene, query);
     for (int i = 0; i < 16; ++i) {
       bool const inside = x + i % packet_width < rays.width && y + i / packet_width < rays.height;
       if (inside) occluded[index(i)] = valid[i] && query.tfar[i] < 0;
@@ -214,8 +210,7 @@ void EmbreeTracer::any(ShadowRays const& rays, std::vector<std::uint8_t>& occlud
 void EmbreeTracer::closest(FreeRays const& rays, std::vector<RayHit>& hits, bool packets) const {
   constexpr std::size_t chunk = 1024;
   parallel((rays.size() + chunk - 1) / chunk, state_->threads, [&](std::size_t part) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    EmbreeQuery incoherent(Coherence::incoherent);
     std::size_t const end = std::min(rays.size(), (part + 1) * chunk);
     for (std::size_t first = part * chunk; first < end; first += packets ? 16 : 1) {
       float o[3], d[3];
@@ -231,7 +226,7 @@ void EmbreeTracer::closest(FreeRays const& rays, std::vector<RayHit>& hits, bool
         query.ray = make_ray(o, d, infinity);
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        if (traced) rtcIntersect1(state_->scene, &context, &query);
+        if (traced) incoherent.closest(state_->scene, query);
         hits[first] = hit_of(query.ray.tfar, query.hit.geomID, query.hit.primID);
         continue;
       }
@@ -243,7 +238,7 @@ void EmbreeTracer::closest(FreeRays const& rays, std::vector<RayHit>& hits, bool
         query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
       }
-      rtcIntersect16(valid, state_->scene, &context, &query);
+      incoherent.closest(valid, state_->scene, query);
       for (unsigned i = 0; i < 16 && first + i < end; ++i) {
         hits[first + i] = hit_of(query.ray.tfar[i], query.hit.geomID[i], query.hit.primID[i]);
       }

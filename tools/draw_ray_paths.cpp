@@ -41,41 +41,40 @@ void draw_text(Vec3 const& at, std::string const& text) {
   std::cout << fmt::format("<text x='{:.1f}' y='{:.1f}'>{}</text>\n", svg_x(at), svg_y(at), text);
 }
 
-class OutlineDrawer final : public ShapeVisitor {
- public:
-  void visit(Sphere const& sphere) override {
-    auto const [fill, opacity] = look(sphere);
-    Vec3 const center = sphere.world_from_object().point(sphere.center());
-    std::cout << fmt::format("<circle class='shape' cx='{:.1f}' cy='{:.1f}' r='{:.1f}' fill='{}' fill-opacity='{}'/>\n",
-                             svg_x(center), svg_y(center), sphere.radius() * pixels_per_unit, fill, opacity);
-    draw_text(center, sphere.name());
-  }
-  void visit(Box const& box) override {
-    if (box.max().y < 0) return;  // below the plane: the floor
-    auto const [fill, opacity] = look(box);
-    Vec3 const low = box.min(), high = box.max();
-    std::string points;
-    for (Vec3 const& corner : {low, Vec3(high.x, 0, low.z), high, Vec3(low.x, 0, high.z)}) {
-      Vec3 const p = box.world_from_object().point(corner);
-      points += fmt::format("{:.1f},{:.1f} ", svg_x(p), svg_y(p));
-    }
-    std::cout << fmt::format("<polygon class='shape' points='{}' fill='{}' fill-opacity='{}'/>\n", points, fill,
-                             opacity);
-    bool const is_upright = high.z - low.z > high.x - low.x;  // on paper: its name goes beside it
-    draw_text(box.world_from_object().point((low + high) / 2.0) + (is_upright ? Vec3(-0.7, 0, 0) : Vec3(0, 0, 0.12)),
-              box.name());
-  }
-  void visit(Triangle const&) override {}
-  void visit(Mesh const&) override {}
-  void visit(Composite const& composite) override {
-    for (auto const& child : composite.children()) child->accept(*this);
-  }
+std::string fill_of(Shape const& shape) {
+  Rgb const color = shape.material()->is_opaque() ? shape.material()->kd() : Rgb(0.6, 0.85, 0.9);
+  return fmt::format("class='shape' fill='{}' fill-opacity='0.75'", css_color(color));
+}
 
- private:
-  static std::pair<std::string, double> look(Shape const& shape) {
-    return {css_color(shape.material()->is_opaque() ? shape.material()->kd() : Rgb(0.6, 0.85, 0.9)), 0.75};
+void draw_circle(Sphere const& sphere) {
+  Vec3 const center = sphere.world_from_object().point(sphere.center());
+  std::cout << fmt::format("<circle {} cx='{:.1f}' cy='{:.1f}' r='{:.1f}'/>\n", fill_of(sphere), svg_x(center),
+                           svg_y(center), sphere.radius() * pixels_per_unit);
+  draw_text(center, sphere.name());
+}
+
+void draw_rectangle(Box const& box) {
+  if (box.max().y < 0) return;  // below the plane: the floor
+  Vec3 const low = box.min(), high = box.max();
+  std::string points;
+  for (Vec3 const& corner : {low, Vec3(high.x, 0, low.z), high, Vec3(low.x, 0, high.z)}) {
+    Vec3 const p = box.world_from_object().point(corner);
+    points += fmt::format("{:.1f},{:.1f} ", svg_x(p), svg_y(p));
   }
-};
+  std::cout << fmt::format("<polygon {} points='{}'/>\n", fill_of(box), points);
+  bool const is_upright = high.z - low.z > high.x - low.x;  // on paper: its name goes beside it
+  draw_text(box.world_from_object().point((low + high) / 2.0) + (is_upright ? Vec3(-0.7, 0, 0) : Vec3(0, 0, 0.12)),
+            box.name());
+}
+
+/// Spheres and boxes: the scene has nothing else.
+void draw_outline(Shape const& shape) {
+  if (auto const* const sphere = dynamic_cast<Sphere const*>(&shape)) draw_circle(*sphere);
+  if (auto const* const box = dynamic_cast<Box const*>(&shape)) draw_rectangle(*box);
+  if (auto const* const composite = dynamic_cast<Composite const*>(&shape)) {
+    for (auto const& child : composite->children()) draw_outline(*child);
+  }
+}
 
 std::optional<Hit> find_closest(Scene const& scene, Ray const& ray, double t_max = INFINITY) {
   Hit hit;
@@ -131,8 +130,7 @@ void draw(Scene const& scene, int column_count, char** columns) {
       "text{{font-size:19px;text-anchor:middle;fill:#111;paint-order:stroke;stroke:#fff;stroke-width:4px}} "
       ".key{{text-anchor:start}}</style>\n<rect width='100%' height='100%' fill='#fff'/>\n",
       width, height);
-  OutlineDrawer outlines;
-  for (auto const& root : scene.roots()) root->accept(outlines);
+  for (auto const& root : scene.roots()) draw_outline(*root);
 
   Camera const& camera = scene.cameras.front();
   Resolution const size = camera.resolution().value_or(Resolution{960, 480});

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "lichtraum/bounds.hpp"
 #include "lichtraum/camera.hpp"
 #include "lichtraum/device.hpp"
 #include "lichtraum/image.hpp"
@@ -126,9 +127,7 @@ class PreparedScene {
   virtual ~PreparedScene() = default;
 
   SceneStatistics statistics;  ///< device_bytes and upload_ms are known once a renderer was given the scene
-  /// The box that holds all that is drawn, in the world; min > max when nothing is.
-  Vec3 bounds_min{0};
-  Vec3 bounds_max{0};
+  Bounds bounds;               ///< of all that is drawn, in the world
   /// A hash of everything that decides what rays see. Equal for equal scenes, whatever the device and the traversal,
   /// except that the reference tracer has its own.
   std::string fingerprint;

@@ -4,7 +4,9 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <string_view>
 
+#include "lichtraum/bounds.hpp"
 #include "lichtraum/material.hpp"
 #include "lichtraum/ray.hpp"
 #include "lichtraum/transform.hpp"
@@ -13,6 +15,12 @@ namespace lichtraum {
 
 class Shape;
 class ShapeVisitor;
+
+enum class ShapeKind { sphere, box, triangle, mesh, composite };
+inline constexpr std::size_t shape_kind_count = std::size_t(ShapeKind::composite) + 1;
+
+/// "sphere", "box" and so on, as in eSDF.
+std::string_view name_of(ShapeKind kind);
 
 /// Where a ray meets a surface.
 struct Hit {
@@ -51,6 +59,11 @@ class Shape {
   void scale(Vec3 const& factors) { apply(Transform::scaling(factors)); }
   void apply(Transform const& t);
   void set_world_from_object(Transform const& t);
+
+  virtual ShapeKind kind() const = 0;
+
+  /// A box around all of it, in its own frame. Empty for a composite, whose children have theirs.
+  virtual Bounds bounds() const = 0;
 
   /// Whether the ray (in the parent's frame) hits; then `t` is the distance to the nearest hit in front of its origin,
   /// in units of the direction's length. Without a hit `t` is not touched.

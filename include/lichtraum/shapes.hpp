@@ -18,6 +18,8 @@ class Sphere final : public Shape {
   Vec3 const& center() const { return center_; }
   double radius() const { return radius_; }
 
+  ShapeKind kind() const override { return ShapeKind::sphere; }
+  Bounds bounds() const override { return {center_ - radius_, center_ + radius_}; }
   bool intersect(Ray const& ray, float& t) const override;
   bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
   void accept(ShapeVisitor& visitor) const override;
@@ -35,6 +37,8 @@ class Box final : public Shape {
   Vec3 const& min() const { return min_; }
   Vec3 const& max() const { return max_; }
 
+  ShapeKind kind() const override { return ShapeKind::box; }
+  Bounds bounds() const override { return {min_, max_}; }
   bool intersect(Ray const& ray, float& t) const override;
   bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
   void accept(ShapeVisitor& visitor) const override;
@@ -50,6 +54,8 @@ class Triangle final : public Shape {
   Triangle(std::string name, Vec3 const& a, Vec3 const& b, Vec3 const& c, std::shared_ptr<Material const> material);
   std::array<Vec3, 3> const& vertices() const { return vertices_; }
 
+  ShapeKind kind() const override { return ShapeKind::triangle; }
+  Bounds bounds() const override;
   bool intersect(Ray const& ray, float& t) const override;
   bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
   void accept(ShapeVisitor& visitor) const override;
@@ -66,18 +72,17 @@ class Mesh final : public Shape {
   /// empty nor as long as the positions.
   Mesh(std::string name, std::shared_ptr<MeshGeometry const> geometry, std::shared_ptr<Material const> material);
   std::shared_ptr<MeshGeometry const> const& geometry() const { return geometry_; }
-  /// The box around its positions (those that are finite), in its own frame; min > max when there are none.
-  Vec3 const& min() const { return min_; }
-  Vec3 const& max() const { return max_; }
 
+  ShapeKind kind() const override { return ShapeKind::mesh; }
+  /// Around those of its positions that are finite.
+  Bounds bounds() const override { return bounds_; }
   bool intersect(Ray const& ray, float& t) const override;
   bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
   void accept(ShapeVisitor& visitor) const override;
 
  private:
   std::shared_ptr<MeshGeometry const> geometry_;
-  Vec3 min_;
-  Vec3 max_;
+  Bounds bounds_;
 };
 
 /// A group of shapes under one transform.
@@ -100,6 +105,8 @@ class Composite final : public Shape {
   bool moves_as_one() const { return moves_as_one_; }
   void set_moves_as_one(bool moves_as_one) { moves_as_one_ = moves_as_one; }
 
+  ShapeKind kind() const override { return ShapeKind::composite; }
+  Bounds bounds() const override { return {}; }
   bool intersect(Ray const& ray, float& t) const override;
   bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
   void accept(ShapeVisitor& visitor) const override;

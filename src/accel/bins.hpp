@@ -32,7 +32,7 @@ class Binning {
   }
   /// Whether a primitive's bin on this axis is below `bin`.
   bool is_below(BuildPrimitive const& primitive, int axis, int bin) const {
-    return (primitive.bounds.center(axis) - min_[axis]) * scale_[axis] < float(bin);
+    return (primitive.bounds.center()[axis] - min_[axis]) * scale_[axis] < float(bin);
   }
 
  private:

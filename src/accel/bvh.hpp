@@ -3,14 +3,14 @@
 #include <span>
 
 #include "core/big_vector.hpp"
-#include "scene/bounds.hpp"
+#include "scene/device_bounds.hpp"
 #include "shared/bvh.h"
 
 namespace lichtraum {
 
 /// A primitive as the builder sees it.
 struct BuildPrimitive {
-  Bounds bounds;  ///< finite
+  DeviceBounds bounds;  ///< finite
   device::PrimitiveReference reference;
 };
 
@@ -21,7 +21,7 @@ struct BuildPrimitive {
 struct Bvh {
   BigVector<device::BvhNode> nodes;
   BigVector<device::PrimitiveReference> references;
-  Bounds bounds;
+  DeviceBounds bounds;
 };
 
 /// Top-down with the surface area heuristic over bins of centroids (Wald 2007, "On fast construction of SAH-based

@@ -51,7 +51,7 @@ struct Ranges {
 /// The path below a node of n primitives has at most this many nodes when every split halves.
 std::size_t halving_depth(std::size_t n) { return std::size_t(std::bit_width(n - 1)); }
 
-device::BvhChild make_child(Bounds const& bounds, std::size_t first, std::size_t count) {
+device::BvhChild make_child(DeviceBounds const& bounds, std::size_t first, std::size_t count) {
   return {{bounds.min[0], bounds.min[1], bounds.min[2]},
           device::uint(first),
           {bounds.max[0], bounds.max[1], bounds.max[2]},
@@ -116,7 +116,7 @@ class Builder {
 
   /// The edge to a child, which is a leaf or whose root is at `first`.
   device::BvhChild child(Range const& range, std::size_t first) {
-    Bounds const bounds = range.extents.bounds.bounds();
+    DeviceBounds const bounds = range.extents.bounds.bounds();
     if (!is_leaf(range)) return make_child(bounds, first, 0);
     for (std::size_t i = range.begin; i < range.end; ++i) references_[i] = buffers_[range.buffer][i].reference;
     return make_child(bounds, range.begin, range.size());
@@ -203,8 +203,9 @@ class Builder {
     }
     auto const members = primitives(range);
     auto const half = std::ptrdiff_t(members.size() / 2);
-    std::nth_element(members.begin(), members.begin() + half, members.end(),
-                     [axis](auto const& a, auto const& b) { return a.bounds.center(axis) < b.bounds.center(axis); });
+    std::nth_element(members.begin(), members.begin() + half, members.end(), [axis](auto const& a, auto const& b) {
+      return a.bounds.center()[axis] < b.bounds.center()[axis];
+    });
     std::size_t const middle = range.begin + std::size_t(half);
     return {enclose(range.begin, middle, range.buffer), enclose(middle, range.end, range.buffer)};
   }
@@ -248,7 +249,7 @@ Bvh build_bvh(std::span<BuildPrimitive> primitives) {
   if (primitives.size() >= 2) {
     bvh.nodes = join(builder.build(all, 1));
   } else {
-    device::BvhChild const absent = make_child(Bounds(), 0, 0);
+    device::BvhChild const absent = make_child(DeviceBounds(), 0, 0);
     bvh.nodes.push_back({{primitives.empty() ? absent : builder.child(all, 0), absent}});
   }
   return bvh;

@@ -24,11 +24,11 @@ inline Lanes load(float const* three) {
 
 /// Bounds of a primitive, or around several, for loops over many: an instruction for all three axes.
 struct LaneBounds {
-  Lanes min = Lanes{} + Bounds::infinity;
-  Lanes max = Lanes{} - Bounds::infinity;
+  Lanes min = Lanes{} + DeviceBounds::infinity;
+  Lanes max = Lanes{} - DeviceBounds::infinity;
 
   LaneBounds() = default;
-  explicit LaneBounds(BuildPrimitive const& p) : min(load(p.bounds.min)), max(load(p.bounds.max)) {}
+  explicit LaneBounds(BuildPrimitive const& p) : min(load(&p.bounds.min.x)), max(load(&p.bounds.max.x)) {}
 
   void add(LaneBounds const& other) {
     min = min_of(min, other.min);
@@ -40,9 +40,9 @@ struct LaneBounds {
     max = max_of(max, point);
   }
   Lanes center() const { return 0.5f * min + 0.5f * max; }
-  Bounds bounds() const { return {{min[0], min[1], min[2]}, {max[0], max[1], max[2]}}; }
+  DeviceBounds bounds() const { return {{min[0], min[1], min[2]}, {max[0], max[1], max[2]}}; }
 };
 // Where load reads beyond a primitive's bounds there is its reference.
-static_assert(offsetof(BuildPrimitive, bounds) == 0 && sizeof(BuildPrimitive) >= sizeof(Bounds) + sizeof(float));
+static_assert(offsetof(BuildPrimitive, bounds) == 0 && sizeof(BuildPrimitive) >= sizeof(DeviceBounds) + sizeof(float));
 
 }  // namespace lichtraum

@@ -13,11 +13,11 @@ Transform host_transform(device::AffineTransform const& t) {
   return Transform::from_matrix(glm::transpose(Mat4(row(t.row_x), row(t.row_y), row(t.row_z), glm::dvec4(0, 0, 0, 1))));
 }
 
-Bounds around(Vec3 const& center, Vec3 const& extent) {
+DeviceBounds around(Vec3 const& center, Vec3 const& extent) {
   Vec3 const padded = extent + matrix_rounding * (extent + glm::abs(center));
-  Bounds bounds;
-  bounds.add(center - padded);
-  bounds.add(center + padded);
+  DeviceBounds bounds;
+  add_point(bounds, center - padded);
+  add_point(bounds, center + padded);
   return bounds;
 }
 
@@ -28,23 +28,18 @@ Vec3 mapped_extent(Mat3 const& m, Vec3 const& extent) {
 
 }  // namespace
 
-Bounds bounds_of(device::TrianglePrimitive const& triangle) {
-  Bounds bounds;
-  for (auto const& vertex : triangle.vertices) {
-    for (int axis = 0; axis < 3; ++axis) {  // NaN changes nothing
-      bounds.min[axis] = std::min(bounds.min[axis], vertex[axis]);
-      bounds.max[axis] = std::max(bounds.max[axis], vertex[axis]);
-    }
-  }
+DeviceBounds bounds_of(device::TrianglePrimitive const& triangle) {
+  DeviceBounds bounds;
+  for (auto const& vertex : triangle.vertices) bounds.add({vertex[0], vertex[1], vertex[2]});
   return bounds;
 }
 
-Bounds bounds_of(device::SpherePrimitive const& sphere) {
+DeviceBounds bounds_of(device::SpherePrimitive const& sphere) {
   // The device finds hits up to its own rounding away from the exact sphere.
   return around(vec3(sphere.center), Vec3(sphere.radius));
 }
 
-Bounds bounds_of(device::EllipsoidPrimitive const& ellipsoid) {
+DeviceBounds bounds_of(device::EllipsoidPrimitive const& ellipsoid) {
   Transform const object_from_unit = host_transform(ellipsoid.unit_from_object).inverse();
   // The image of the unit ball reaches as far along an axis as the matrix's row is long.
   Mat3 const rows = glm::transpose(Mat3(object_from_unit.matrix()));
@@ -52,16 +47,16 @@ Bounds bounds_of(device::EllipsoidPrimitive const& ellipsoid) {
   return around(object_from_unit.point(Vec3(0)), extent);
 }
 
-Bounds bounds_of(device::BoxPrimitive const& box) {
+DeviceBounds bounds_of(device::BoxPrimitive const& box) {
   Transform const object_from_box = host_transform(box.box_from_object).inverse();
   Vec3 const min = vec3(box.min), max = vec3(box.max);
   Vec3 const extent = mapped_extent(Mat3(object_from_box.matrix()), 0.5 * (max - min));
   return around(object_from_box.point(0.5 * (min + max)), extent);
 }
 
-Bounds map_bounds(Transform const& world_from_object, Bounds const& object_bounds) {
+DeviceBounds map_bounds(Transform const& world_from_object, DeviceBounds const& object_bounds) {
   if (object_bounds.is_empty()) return {};
-  Vec3 const min = vec3(object_bounds.min), max = vec3(object_bounds.max);
+  Vec3 const min(object_bounds.min), max(object_bounds.max);
   Vec3 const extent = mapped_extent(Mat3(world_from_object.matrix()), 0.5 * (max - min));
   return around(world_from_object.point(0.5 * (min + max)), extent);
 }

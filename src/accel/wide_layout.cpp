@@ -88,8 +88,8 @@ class Collapser {
     for (std::size_t lane = 0; lane < WIDE_CHILDREN; ++lane) {
       bool const is_present = lane < children.size();
       for (int axis = 0; axis < 3; ++axis) {
-        node.bounds[2 * axis][lane] = is_present ? children[lane].min[axis] : Bounds::infinity;
-        node.bounds[2 * axis + 1][lane] = is_present ? children[lane].max[axis] : -Bounds::infinity;
+        node.bounds[2 * axis][lane] = is_present ? children[lane].min[axis] : DeviceBounds::infinity;
+        node.bounds[2 * axis + 1][lane] = is_present ? children[lane].max[axis] : -DeviceBounds::infinity;
       }
       node.children[lane] = 0;
     }

@@ -17,11 +17,11 @@ std::string turn(double angle_degrees, char const* positive, char const* negativ
 
 }  // namespace
 
-std::string describe_direction(Camera const& camera, Vec3 const& bounds_min, Vec3 const& bounds_max) {
-  if (!(bounds_min.x <= bounds_max.x)) return "the scene draws no shapes";
-  Vec3 const center = camera.world_from_camera().inverse().point(0.5 * (bounds_min + bounds_max));
+std::string describe_direction(Camera const& camera, Bounds const& bounds) {
+  if (bounds.is_empty()) return "the scene draws no shapes";
+  Vec3 const center = camera.world_from_camera().inverse().point(bounds.center());
   double const distance = glm::length(center);
-  double const radius = 0.5 * glm::length(camera.world_from_camera().inverse().vector(bounds_max - bounds_min));
+  double const radius = 0.5 * glm::length(camera.world_from_camera().inverse().vector(bounds.max - bounds.min));
   if (distance < 0.01 * radius) return "the camera is in the middle of the scene, and looks past its shapes";
 
   double const right = degrees(std::atan2(center.x, -center.z));

@@ -10,9 +10,9 @@
 
 namespace lichtraum::app {
 
-/// "the scene is 71 degrees to the left of the view": where the box between `bounds_min` and `bounds_max` lies for the
+/// "the scene is 71 degrees to the left of the view": where the box lies for the
 /// camera.
-std::string describe_direction(Camera const& camera, Vec3 const& bounds_min, Vec3 const& bounds_max);
+std::string describe_direction(Camera const& camera, Bounds const& bounds);
 
 /// A reading of the same file under another convention, and the options that choose it: "--rotation left".
 struct Convention {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/scene_summary.hpp"
@@ -9,22 +10,39 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool is_empty(SceneSummary const& s) { return !(s.bounds_min.x <= s.bounds_max.x); }
-
 std::string triple(Vec3 const& v) { return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z); }
 Json triple_json(Vec3 const& v) { return {v.x, v.y, v.z}; }
 
 std::string number(std::uint64_t count) {
-  return count >= SceneSummary::uncountable ? "more than 4e18" : std::to_string(count);
+  return count >= ShapeCounts::uncountable ? "more than 4e18" : std::to_string(count);
 }
 
-Json counts_json(ShapeCounts const& c) {
-  return {{"spheres", c.spheres},
-          {"boxes", c.boxes},
-          {"triangles", c.triangles},
-          {"meshes", c.meshes},
-          {"mesh_triangles", c.mesh_triangles},
-          {"composites", c.composites}};
+std::string plural(ShapeKind kind) {
+  std::string const name(name_of(kind));
+  return name + (name.ends_with('x') || name.ends_with('h') ? "es" : "s");
+}
+
+struct CountRow {
+  std::string what;
+  std::uint64_t count;
+};
+
+std::vector<CountRow> rows_of(ShapeCounts const& counts) {
+  std::vector<CountRow> rows;
+  for (std::size_t i = 0; i < shape_kind_count; ++i) {
+    rows.push_back({plural(ShapeKind(i)), counts.of_kind[i]});
+    if (ShapeKind(i) == ShapeKind::mesh) rows.push_back({"mesh triangles", counts.mesh_triangles});
+  }
+  return rows;
+}
+
+Json counts_json(ShapeCounts const& counts) {
+  Json json = Json::object();
+  for (CountRow row : rows_of(counts)) {
+    std::replace(row.what.begin(), row.what.end(), ' ', '_');
+    json[row.what] = row.count;
+  }
+  return json;
 }
 
 std::string size_text(std::optional<Resolution> const& size) {
@@ -68,16 +86,12 @@ Json contents_json(ModelContents const& contents) {
 std::string to_text(SceneSummary const& summary, std::string const& file) {
   Scene const& scene = *summary.scene;
   std::string text = file + "\n";
-  auto const row = [&](std::string_view what, std::uint64_t defined, std::uint64_t drawn) {
-    if (defined > 0) text += fmt::format("  {:<16}{:>10}  {:>14}\n", what, number(defined), number(drawn));
-  };
   text += fmt::format("  {:<16}{:>10}  {:>14}\n", "shapes", "defined", "drawn");
-  row("spheres", summary.defined.spheres, summary.drawn.spheres);
-  row("boxes", summary.defined.boxes, summary.drawn.boxes);
-  row("triangles", summary.defined.triangles, summary.drawn.triangles);
-  row("meshes", summary.defined.meshes, summary.drawn.meshes);
-  row("mesh triangles", summary.defined.mesh_triangles, summary.drawn.mesh_triangles);
-  row("composites", summary.defined.composites, summary.drawn.composites);
+  std::vector<CountRow> const defined = rows_of(summary.defined), drawn = rows_of(summary.drawn);
+  for (std::size_t i = 0; i < defined.size(); ++i) {
+    if (defined[i].count == 0) continue;
+    text += fmt::format("  {:<16}{:>10}  {:>14}\n", defined[i].what, number(defined[i].count), number(drawn[i].count));
+  }
   text += fmt::format("  materials       {:>10}\n", scene.materials.size());
   for (TextureImage const* image : summary.textures) {
     text += fmt::format("  texture         {}{}{}x{}, {:.3g} MB\n", image->name, image->name.empty() ? "" : ", ",
@@ -95,9 +109,9 @@ std::string to_text(SceneSummary const& summary, std::string const& file) {
   if (summary.contents) text += contents_text(*summary.contents);
   text += fmt::format("  ambient light   {}\n", triple(scene.ambient()));
   text += fmt::format("  background      {}\n", triple(scene.background));
-  text += is_empty(summary)
+  text += summary.bounds.is_empty()
               ? "  bounds          nothing is drawn\n"
-              : fmt::format("  bounds          {} to {}\n", triple(summary.bounds_min), triple(summary.bounds_max));
+              : fmt::format("  bounds          {} to {}\n", triple(summary.bounds.min), triple(summary.bounds.max));
   return text;
 }
 
@@ -129,9 +143,9 @@ std::string to_json(SceneSummary const& summary, std::string const& file) {
   for (TextureImage const* image : summary.textures) {
     textures.push_back({{"name", image->name}, {"size", {image->width, image->height}}, {"bytes", image->rgba.size()}});
   }
-  Json const bounds = is_empty(summary)
+  Json const bounds = summary.bounds.is_empty()
                           ? Json()
-                          : Json{{"min", triple_json(summary.bounds_min)}, {"max", triple_json(summary.bounds_max)}};
+                          : Json{{"min", triple_json(summary.bounds.min)}, {"max", triple_json(summary.bounds.max)}};
   Json const json{{"file", file},
                   {"shapes", {{"defined", counts_json(summary.defined)}, {"drawn", counts_json(summary.drawn)}}},
                   {"materials", scene.materials.size()},

@@ -266,9 +266,8 @@ class Sequence {
   void explain_empty_view(PreparedScene const& scene, RenderRequest const& request, PicturePlan const& plan) {
     if (has_explained_ || console_.is_quiet()) return;
     has_explained_ = true;
-    std::string message =
-        fmt::format("{}: the camera '{}' sees nothing: {}", scene_.source->name(), request.camera.name(),
-                    describe_direction(request.camera, scene.bounds_min, scene.bounds_max));
+    std::string message = fmt::format("{}: the camera '{}' sees nothing: {}", scene_.source->name(),
+                                      request.camera.name(), describe_direction(request.camera, scene.bounds));
     for (Convention const& convention : other_conventions(options_.load.language)) {
       if (scene_.is_model || !shows_something(convention.options, request, plan.scene_number)) continue;
       message += fmt::format("; with {} it is in view", convention.arguments);

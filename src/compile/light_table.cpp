@@ -9,14 +9,14 @@ namespace lichtraum {
 namespace {
 
 /// Whether rays from the point resolve the scene: their t has 24 bits for all of the distance.
-bool is_near(Vec3 const& point, Bounds const& bounds) {
+bool is_near(Vec3 const& point, DeviceBounds const& bounds) {
   constexpr double max_distance = 16;  // in diagonals of the scene
   if (bounds.is_empty()) return false;
-  Vec3 const min(bounds.min[0], bounds.min[1], bounds.min[2]), max(bounds.max[0], bounds.max[1], bounds.max[2]);
+  Vec3 const min(bounds.min), max(bounds.max);
   return glm::distance(point, 0.5 * (min + max)) <= max_distance * glm::distance(min, max);
 }
 
-device::PunctualLight punctual_light(Light const& light, Bounds const& world_bounds) {
+device::PunctualLight punctual_light(Light const& light, DeviceBounds const& world_bounds) {
   device::PunctualLight out{};
   out.ld = device_float4(light.ld());
   if (light.kind() == LightKind::directional) {
@@ -41,7 +41,8 @@ device::PunctualLight punctual_light(Light const& light, Bounds const& world_bou
 
 }  // namespace
 
-std::vector<device::PunctualLight> make_light_table(std::vector<Light> const& lights, Bounds const& world_bounds) {
+std::vector<device::PunctualLight> make_light_table(std::vector<Light> const& lights,
+                                                    DeviceBounds const& world_bounds) {
   std::vector<device::PunctualLight> table;
   for (Light const& light : lights) {
     if (light.kind() != LightKind::ambient) table.push_back(punctual_light(light, world_bounds));

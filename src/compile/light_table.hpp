@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "lichtraum/light.hpp"
-#include "scene/bounds.hpp"
+#include "scene/device_bounds.hpp"
 #include "shared/shading.h"
 
 namespace lichtraum {
 
 /// The lights that cast shadows, as the kernels read them. `world_bounds`: of what is drawn.
-std::vector<device::PunctualLight> make_light_table(std::vector<Light> const& lights, Bounds const& world_bounds);
+std::vector<device::PunctualLight> make_light_table(std::vector<Light> const& lights, DeviceBounds const& world_bounds);
 
 }  // namespace lichtraum

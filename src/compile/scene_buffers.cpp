@@ -98,7 +98,7 @@ class Compiler {
 
   void add_instance(FlatInstance const& instance, FlatObject const& flat, CompiledObject const& object,
                     Pending& world) {
-    Bounds const bounds = map_bounds(instance.world_from_object, object.bounds);
+    DeviceBounds const bounds = map_bounds(instance.world_from_object, object.bounds);
     buffers_.object_numbers.add_instance(instance, flat, !bounds.is_empty());
     if (bounds.is_empty()) return;
     world.instances.push_back({bounds, {PRIMITIVE_INSTANCE, device::uint(buffers_.instances.size())}});

@@ -7,6 +7,7 @@
 #include "core/content_hash.hpp"
 #include "lichtraum/renderer.hpp"
 #include "lichtraum/scene_edits.hpp"
+#include "scene/device_bounds.hpp"
 #include "scene/flat_scene.hpp"
 #include "scene/object_numbers.hpp"
 #include "shared/bvh.h"
@@ -27,7 +28,7 @@ struct CompiledObject {
   device::uint leaf_count = 0;
   device::uint first_sphere_block = 0;  ///< where its `sphere_blocks` begin
   device::uint sphere_block_count = 0;
-  Bounds bounds;
+  DeviceBounds bounds;
   std::size_t stack_size = 0;         ///< that a traversal of it needs; for the wide layout
   std::uint64_t unrepresentable = 0;  ///< of its primitives, whose bounds do not fit a float
 };
@@ -67,7 +68,7 @@ struct SceneBuffers : ShadingTables {
   ObjectNumbers object_numbers;  ///< stays on the host
 
   device::uint root_node = 0;  ///< of the world's hierarchy
-  Bounds world_bounds;         ///< empty when nothing is drawn
+  DeviceBounds world_bounds;   ///< empty when nothing is drawn
   std::vector<CompiledObject> objects;
   ContentHash content;                ///< of all that decides what rays see, whatever the layout
   std::uint64_t unrepresentable = 0;  ///< primitives left out, see FlatScene

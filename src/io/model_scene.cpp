@@ -4,6 +4,7 @@
 
 #include "io/framing.hpp"
 #include "io/names.hpp"
+#include "scene/graph_fold.hpp"
 
 namespace lichtraum {
 
@@ -17,7 +18,7 @@ void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& sce
     children.push_back(std::move(mesh));
   }
   scene.shapes.insert(std::make_shared<Composite>(root_name, std::move(children)));
-  WorldBox const box = bounds_of(scene.roots());
+  Bounds const box = fold_bounds(scene.roots()).total();
   scene.cameras.insert(frame_box("default", box));
   for (Light& light : studio_lights(box)) scene.lights.insert(std::move(light));
 }

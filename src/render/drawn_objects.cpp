@@ -1,18 +1,16 @@
 #include "lichtraum/drawn_objects.hpp"
 
 #include "render/drawn_roots.hpp"
-#include "scene/graph_order.hpp"
+#include "scene/graph_fold.hpp"
 
 namespace lichtraum {
 
 DrawnObjects::DrawnObjects(Scene const& scene, std::string_view root) : roots_(drawn_roots(scene, root)) {
-  for (GraphNode const& node : order_graph(roots_).nodes) {  // children first
-    if (!node.composite) continue;
-    std::uint64_t count = 0;
-    for (auto const& child : node.composite->children()) count = saturating_add(count, count_below(*child));
-    counts_.emplace(node.shape, count);
-  }
-  for (auto const& shape : roots_) count_ = saturating_add(count_, count_below(*shape));
+  auto const counts = fold_graph<std::uint64_t>(
+      roots_, [](Shape const&) { return std::uint64_t(1); },
+      [](std::uint64_t& sum, Shape const&, std::uint64_t count) { sum = saturating_add(sum, count); });
+  counts_ = counts.composites();
+  count_ = counts.total();
 }
 
 std::uint64_t DrawnObjects::count_below(Shape const& shape) const {

@@ -94,9 +94,7 @@ class OpenClRenderer final : public Renderer {
     statistics.instances = buffers.instances.size();
     statistics.bvh_nodes = buffers.nodes.size() + buffers.wide_nodes.size();
     statistics.unrepresentable = buffers.unrepresentable;
-    auto const& [min, max] = buffers.world_bounds;
-    prepared->bounds_min = {min[0], min[1], min[2]};
-    prepared->bounds_max = {max[0], max[1], max[2]};
+    prepared->bounds = {Vec3(buffers.world_bounds.min), Vec3(buffers.world_bounds.max)};
     prepared->fingerprint = scene_fingerprint(buffers.content, prepared->shading);
     return prepared;
   }

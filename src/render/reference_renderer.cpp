@@ -13,6 +13,7 @@
 
 #include "compile/scene_buffers.hpp"
 #include "lichtraum/error.hpp"
+#include "lichtraum/graph_summary.hpp"
 #include "render/check_request.hpp"
 #include "render/fingerprint.hpp"
 #include "render/reference_aov.hpp"
@@ -20,6 +21,7 @@
 #include "render/reference_scene.hpp"
 #include "scene/copy_graph.hpp"
 #include "scene/flatten.hpp"
+#include "scene/graph_order.hpp"
 #include "shared/sampling.h"
 
 namespace lichtraum {
@@ -29,6 +31,13 @@ constexpr std::uint64_t most_primitives = 10'000'000;
 constexpr auto progress_interval = std::chrono::milliseconds(40);
 
 using Clock = std::chrono::steady_clock;
+
+/// How often shapes are shown that are shown more than once.
+std::uint64_t count_instances(std::vector<std::shared_ptr<Shape const>> const& roots) {
+  std::uint64_t count = 0;
+  for (GraphNode const& node : order_graph(roots).nodes) count += node.edges_in > 1 ? node.edges_in : 0;
+  return count;
+}
 
 /// Where sample `index` of a pixel lies, from the pixel's top left corner.
 glm::dvec2 sample_offset(RenderRequest const& request, int x, int y, int index) {
@@ -154,19 +163,22 @@ class ReferenceRenderer final : public Renderer {
     auto prepared = std::make_shared<PreparedGraph>();
     ReferenceScene& drawn = prepared->graph = make_reference_scene(scene, root);
     GraphSummary const summary = summarise(drawn.roots);
-    if (summary.drawn_primitives > most_primitives) {
+    std::uint64_t const primitives = summary.drawn.primitives();
+    if (primitives > most_primitives) {
       throw Error(ErrorKind::no_device,
                   fmt::format("the scene draws {:.3g} primitives, and the reference device, which tests every ray with "
                               "each, takes at most {:.3g}",
-                              double(summary.drawn_primitives), double(most_primitives)));
+                              double(primitives), double(most_primitives)));
     }
     SceneBuffers const compiled = compile_scene(flatten(drawn.roots), scene.lights, Traversal::scalar);
     prepared->fingerprint = scene_fingerprint(compiled.content, drawn);
     auto const copies = copy_graph(drawn.roots);
     drawn.roots.assign(copies.begin(), copies.end());
-    prepared->statistics = summary.statistics;
-    prepared->bounds_min = summary.bounds_min;
-    prepared->bounds_max = summary.bounds_max;
+    prepared->statistics.triangles = summary.defined[ShapeKind::triangle] + summary.defined.mesh_triangles;
+    prepared->statistics.spheres = summary.defined[ShapeKind::sphere];
+    prepared->statistics.boxes = summary.defined[ShapeKind::box];
+    prepared->statistics.instances = count_instances(drawn.roots);
+    prepared->bounds = summary.bounds;
     return prepared;
   }
 

@@ -17,8 +17,8 @@ class NodeCopier final : private ShapeVisitor {
     if (copy) return copy;
     shape.accept(*this);
     if (!shape.world_from_object().is_identity()) made_->set_world_from_object(shape.world_from_object());
-    // Looked up again: `copy` may have moved when a composite's children were.
-    return copies_[&shape] = std::move(made_);
+    copy = std::move(made_);
+    return copy;
   }
 
  private:

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "lichtraum/scene.hpp"
-#include "scene/bounds.hpp"
 #include "shared/geometry.h"
 #include "shared/vertex.h"
 

@@ -1,7 +1,5 @@
 #include "scene/graph_order.hpp"
 
-#include <typeinfo>
-
 namespace lichtraum {
 namespace {
 
@@ -54,12 +52,11 @@ void count_below(GraphNode& node, GraphOrder const& order) {
 
 }  // namespace
 
-// Both classes are final: a comparison of types, where a dynamic_cast would search.
 Composite const* as_composite(Shape const& shape) {
-  return typeid(shape) == typeid(Composite) ? static_cast<Composite const*>(&shape) : nullptr;
+  return shape.kind() == ShapeKind::composite ? static_cast<Composite const*>(&shape) : nullptr;
 }
 Mesh const* as_mesh(Shape const& shape) {
-  return typeid(shape) == typeid(Mesh) ? static_cast<Mesh const*>(&shape) : nullptr;
+  return shape.kind() == ShapeKind::mesh ? static_cast<Mesh const*>(&shape) : nullptr;
 }
 
 GraphOrder order_graph(std::vector<std::shared_ptr<Shape const>> const& roots) {

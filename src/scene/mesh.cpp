@@ -25,10 +25,10 @@ void check(MeshGeometry const& geometry) {
 
 /// Whether the ray meets the box with t_min <= t <= t_max (slabs: Kay and Kajiya 1986). A NaN counts as met: the box is
 /// only there to save time.
-bool may_hit_box(Ray const& ray, Vec3 const& min, Vec3 const& max, double t_min, double t_max) {
+bool may_hit_box(Ray const& ray, Bounds const& box, double t_min, double t_max) {
   for (int axis = 0; axis < 3; ++axis) {
-    double near = (min[axis] - ray.origin[axis]) / ray.direction[axis];
-    double far = (max[axis] - ray.origin[axis]) / ray.direction[axis];
+    double near = (box.min[axis] - ray.origin[axis]) / ray.direction[axis];
+    double far = (box.max[axis] - ray.origin[axis]) / ray.direction[axis];
     if (near > far) std::swap(near, far);
     // A few rounding errors of slack, so that the box is no smaller than the triangles in it.
     constexpr double slack = 1e-14;
@@ -61,13 +61,12 @@ Mesh::Mesh(std::string name, std::shared_ptr<MeshGeometry const> geometry, std::
       if (p[axis] > max[axis] && p[axis] < infinity) max[axis] = p[axis];
     }
   }
-  min_ = to_vec3(min);
-  max_ = to_vec3(max);
+  bounds_ = {to_vec3(min), to_vec3(max)};
 }
 
 bool Mesh::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
   Ray const local = object_from_world(ray);
-  if (!may_hit_box(local, min_, max_, t_min, hit.t)) return false;
+  if (!may_hit_box(local, bounds_, t_min, hit.t)) return false;
   TriangleHit found{hit.t, Vec3(0), Vec3(0)};
   std::size_t const none = geometry_->triangle_count();
   std::size_t nearest = none;

@@ -51,6 +51,22 @@ class Printer final : public ShapeVisitor {
 
 }  // namespace
 
+std::string_view name_of(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::sphere:
+      return "sphere";
+    case ShapeKind::box:
+      return "box";
+    case ShapeKind::triangle:
+      return "triangle";
+    case ShapeKind::mesh:
+      return "mesh";
+    case ShapeKind::composite:
+      return "composite";
+  }
+  return {};
+}
+
 Transform const& Shape::world_from_object() const {
   static Transform const identity;
   return world_from_object_ ? *world_from_object_ : identity;

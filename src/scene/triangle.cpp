@@ -8,6 +8,12 @@ Triangle::Triangle(std::string name, Vec3 const& a, Vec3 const& b, Vec3 const& c
                    std::shared_ptr<Material const> material)
     : Shape(std::move(name), std::move(material)), vertices_{a, b, c} {}
 
+Bounds Triangle::bounds() const {
+  Bounds bounds;
+  for (Vec3 const& vertex : vertices_) bounds.add(vertex);
+  return bounds;
+}
+
 bool Triangle::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
   TriangleHit found{hit.t, Vec3(0), Vec3(0)};
   if (!hit_triangle(object_from_world(ray), vertices_, t_min, found)) return false;

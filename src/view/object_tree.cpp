@@ -5,18 +5,6 @@
 namespace lichtraum::view {
 namespace {
 
-class KindNamer final : public ShapeVisitor {
- public:
-  std::string kind;
-
- private:
-  void visit(Sphere const&) override { kind = "sphere"; }
-  void visit(Box const&) override { kind = "box"; }
-  void visit(Triangle const&) override { kind = "triangle"; }
-  void visit(Mesh const&) override { kind = "mesh"; }
-  void visit(Composite const&) override { kind = "composite"; }
-};
-
 template <class Shapes>
 std::vector<ObjectTree::Row> make_rows(Shapes const& shapes, std::uint32_t depth, std::uint64_t first_object,
                                        DrawnObjects const& objects) {
@@ -90,12 +78,6 @@ std::string ObjectTree::selected_path() const {
     --wanted;
   }
   return path;
-}
-
-std::string kind_of(Shape const& shape) {
-  KindNamer namer;
-  shape.accept(namer);
-  return namer.kind;
 }
 
 }  // namespace lichtraum::view

@@ -53,7 +53,4 @@ class ObjectTree {
   std::optional<std::size_t> selected_;
 };
 
-/// "sphere", "box", "triangle", "mesh" or "composite".
-std::string kind_of(Shape const& shape);
-
 }  // namespace lichtraum::view

@@ -145,8 +145,7 @@ void Worker::load(Renderer& renderer) {
     scene.center = center_of_interest(loaded.scene(), options_.root, scene.request.camera);
     prepared_ = renderer.prepare(loaded.scene(), options_.root, prepared_);
     scene_statistics_ = renderer.set_scene(prepared_);
-    scene.bounds_min = prepared_->bounds_min;
-    scene.bounds_max = prepared_->bounds_max;
+    scene.bounds = prepared_->bounds;
     console_.show(loaded.diagnostics());
     console_.detail(fmt::format("{}: ready after {:.1f} ms", source_.name(), stopwatch.milliseconds()));
     std::lock_guard const lock(mutex_);

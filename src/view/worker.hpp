@@ -32,8 +32,7 @@ struct SceneView {
   RenderRequest request;  ///< through the camera that comes first
   std::vector<Camera> cameras;
   Vec3 center{0};  ///< of what is looked at
-  Vec3 bounds_min{0};
-  Vec3 bounds_max{0};
+  Bounds bounds;
   std::shared_ptr<DrawnObjects const> objects;
   SceneValues values;
   std::shared_ptr<app::LoadedScene const> loaded;  ///< keeps what both of them point to

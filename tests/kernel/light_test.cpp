@@ -25,7 +25,7 @@ TEST_CASE("Lights fall off, have cones and directions as KHR_lights_punctual say
                            Light::spot("", place, direction, ld, {inner, inner + random.uniform(5, 30)}, range),
                            Light::directional("", direction, ld)};
     lights.push_back(kinds[i % 4]);
-    table.push_back(make_light_table({kinds[i % 4]}, Bounds()).front());
+    table.push_back(make_light_table({kinds[i % 4]}, DeviceBounds()).front());
     positions.push_back(to_float4(random.in_cube(4)));
   }
   ProbeProgram("material.cl")

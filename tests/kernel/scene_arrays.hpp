@@ -39,7 +39,7 @@ struct SceneArrays {
   void add(device::EllipsoidPrimitive const& p) { add(ellipsoids, p, PRIMITIVE_ELLIPSOID); }
   void add(device::BoxPrimitive const& p) { add(boxes, p, PRIMITIVE_BOX); }
   /// `bounds` are the object's, in its own frame.
-  void add_instance(Affine const& world_from_object, device::uint object_root, Bounds const& bounds) {
+  void add_instance(Affine const& world_from_object, device::uint object_root, DeviceBounds const& bounds) {
     Mat4 matrix(world_from_object.linear);
     matrix[3] = glm::dvec4(world_from_object.offset, 1);
     instances.push_back({to_device(world_from_object.inverse()), object_root, {}});
@@ -47,7 +47,7 @@ struct SceneArrays {
         {map_bounds(Transform::from_matrix(matrix), bounds), {PRIMITIVE_INSTANCE, device::uint(instances.size() - 1)}});
   }
   /// The root node and the bounds of what was added since the last call.
-  std::pair<device::uint, Bounds> close_object() {
+  std::pair<device::uint, DeviceBounds> close_object() {
     Bvh bvh = build_bvh(open_);
     open_.clear();
     root_node = device::uint(nodes.size());

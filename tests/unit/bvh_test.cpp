@@ -11,10 +11,10 @@ using namespace lichtraum;
 
 namespace {
 
-Bounds around(Vec3 const& center, double half) {
-  Bounds bounds;
-  bounds.add(center - Vec3(half));
-  bounds.add(center + Vec3(half));
+DeviceBounds around(Vec3 const& center, double half) {
+  DeviceBounds bounds;
+  add_point(bounds, center - Vec3(half));
+  add_point(bounds, center + Vec3(half));
   return bounds;
 }
 
@@ -29,7 +29,7 @@ std::vector<BuildPrimitive> random_primitives(std::size_t count) {
   return primitives;
 }
 
-bool contains(device::BvhChild const& outer, Bounds const& inner) {
+bool contains(device::BvhChild const& outer, DeviceBounds const& inner) {
   for (int axis = 0; axis < 3; ++axis) {
     if (outer.min[axis] > inner.min[axis] || outer.max[axis] < inner.max[axis]) return false;
   }

@@ -172,15 +172,15 @@ TEST_CASE("a scene's statistics and bounds come from its graph", "[unit][referen
   CHECK(statistics.triangles == 1);
   CHECK(statistics.boxes == 1);
   CHECK(statistics.instances == 2);
-  CHECK(glm::length(prepared->bounds_min - Vec3(-std::sqrt(2.0), -std::sqrt(2.0), -1)) < 1e-12);
-  CHECK(glm::length(prepared->bounds_max - Vec3(14, std::sqrt(2.0), 1)) < 1e-12);
+  CHECK(glm::length(prepared->bounds.min - Vec3(-std::sqrt(2.0), -std::sqrt(2.0), -1)) < 1e-12);
+  CHECK(glm::length(prepared->bounds.max - Vec3(14, std::sqrt(2.0), 1)) < 1e-12);
 
   prepared = renderer->prepare(scene, "pair");  // alone, under its own transform
-  CHECK(glm::length(prepared->bounds_max - Vec3(4, 1, 1)) < 1e-12);
+  CHECK(glm::length(prepared->bounds.max - Vec3(4, 1, 1)) < 1e-12);
   CHECK(kind_of_failure([&] { renderer->set_scene(scene, "nobody"); }) == ErrorKind::usage);
 
   prepared = renderer->prepare(Scene());
-  CHECK(prepared->bounds_min.x > prepared->bounds_max.x);
+  CHECK(prepared->bounds.is_empty());
 }
 
 TEST_CASE("a graph of astronomically many instances is refused with the numbers", "[unit][reference]") {

@@ -16,9 +16,9 @@ std::vector<BuildPrimitive> random_primitives(std::size_t count, std::vector<dev
   std::vector<BuildPrimitive> primitives;
   for (std::size_t i = 0; i < count; ++i) {
     Vec3 const center(coordinate(random), coordinate(random), coordinate(random));
-    Bounds bounds;
-    bounds.add(center - Vec3(0.3));
-    bounds.add(center + Vec3(0.3));
+    DeviceBounds bounds;
+    add_point(bounds, center - Vec3(0.3));
+    add_point(bounds, center + Vec3(0.3));
     primitives.push_back({bounds, {kinds[i % kinds.size()], device::uint(i)}});
   }
   return primitives;
@@ -56,7 +56,7 @@ std::multiset<device::uint> find_all(WideBvh const& wide, Bvh const& bvh,
       }
       for (device::uint const member : members) {
         found.insert(member);
-        Bounds const& bounds = primitives.at(member).bounds;
+        DeviceBounds const& bounds = primitives.at(member).bounds;
         for (int axis = 0; axis < 3; ++axis) {
           if (bounds.min[axis] < node.bounds[2 * axis][lane] || bounds.max[axis] > node.bounds[2 * axis + 1][lane]) {
             FAIL("a primitive sticks out of its leaf");

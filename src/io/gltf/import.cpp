@@ -12,6 +12,7 @@
 #include "io/gltf/scene_graph.hpp"
 #include "io/gltf/views.hpp"
 #include "lichtraum/gltf.hpp"
+#include "scene/graph_fold.hpp"
 
 namespace lichtraum {
 namespace gltf {
@@ -108,7 +109,7 @@ struct GltfAnimation::State {
   }
 
   void add_view(NodeTree const& tree, Scene& scene) {
-    WorldBox const box = bounds_of(scene.roots());
+    Bounds const box = fold_bounds(scene.roots()).total();
     for (Camera& camera : read_cameras(document.model, tree, findings)) scene.cameras.insert(std::move(camera));
     if (scene.cameras.empty()) scene.cameras.insert(frame_box("default", box));
     std::vector<Light> lights = read_lights(document.model, tree, box, findings);

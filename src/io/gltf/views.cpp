@@ -100,9 +100,9 @@ std::optional<FileLight> read_light(tinygltf::Light const& source, std::string n
 }
 
 /// What a light throws on the middle of the scene, whatever its cone and its range.
-Rgb illuminance(FileLight const& light, WorldBox const& box) {
+Rgb illuminance(FileLight const& light, Bounds const& box) {
   if (light.kind == LightKind::directional) return light.intensity;
-  Vec3 const center = 0.5 * box.min + 0.5 * box.max;
+  Vec3 const center = box.center();
   double const size = std::max(glm::length(box.max - box.min), 1e-30);
   // Within the model there is no telling what is near: then half its size counts.
   double const distance = std::max(glm::length(light.position - center), 0.5 * size);
@@ -147,7 +147,7 @@ std::vector<Camera> read_cameras(tinygltf::Model const& model, NodeTree const& t
   return cameras;
 }
 
-std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tree, WorldBox const& box,
+std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tree, Bounds const& box,
                                Findings& findings) {
   std::vector<FileLight> found;
   Names names;

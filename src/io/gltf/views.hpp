@@ -11,7 +11,7 @@ std::vector<Camera> read_cameras(tinygltf::Model const& model, NodeTree const& t
 
 /// The lights of KHR_lights_punctual that the scene's nodes hold. Whitted's lights know neither units nor fall-off:
 /// each gets the share of the light that it throws on the middle of `box`, and all together 1 there.
-std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tree, WorldBox const& box,
+std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tree, Bounds const& box,
                                Findings& findings);
 
 }  // namespace lichtraum::gltf

@@ -31,7 +31,8 @@ RowAction draw_row(ObjectTree::Row const& row, bool is_selected, SceneValues con
     std::size_t const count = row.composite->children().size();
     ImGui::TextDisabled("%zu part%s", count, count == 1 ? "" : "s");
   } else {
-    ImGui::TextDisabled("%s, %s", kind_of(*row.shape).c_str(), material_name(*row.shape, values).c_str());
+    ImGui::TextDisabled("%s, %s", std::string(name_of(row.shape->kind())).c_str(),
+                        material_name(*row.shape, values).c_str());
   }
   if (row.depth > deepest_indent) {
     ImGui::SameLine();

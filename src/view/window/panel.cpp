@@ -16,7 +16,7 @@ void Panel::set_scene(SceneView const& scene) {
   values_ = scene.values;
   loaded_ = scene.loaded;
   seen_.reset();
-  double const size = glm::distance(scene.bounds_min, scene.bounds_max);
+  double const size = glm::distance(scene.bounds.min, scene.bounds.max);
   scene_size_ = std::isfinite(size) && size > 0 ? size : 1;
 }
 
@@ -79,7 +79,7 @@ void Panel::draw_selection() const {
   if (dynamic_cast<Composite const*>(&shape)) {
     ImGui::Text("composite of %llu objects", static_cast<unsigned long long>(tree_.selected_objects().count));
   } else {
-    ImGui::Text("%s, %s", kind_of(shape).c_str(), material_name(shape, values_).c_str());
+    ImGui::Text("%s, %s", std::string(name_of(shape.kind())).c_str(), material_name(shape, values_).c_str());
   }
   if (!seen_) return;
   ImGui::Text("distance %.4g", seen_->distance);

@@ -197,9 +197,9 @@ void Window::choose_camera(std::size_t number) {
 }
 
 void Window::frame_everything() {
-  if (!(scene_.bounds_min.x <= scene_.bounds_max.x)) return;
-  Vec3 const center = 0.5 * (scene_.bounds_min + scene_.bounds_max);
-  camera_->frame(center, 0.5 * glm::distance(scene_.bounds_min, scene_.bounds_max), shown_size_);
+  Bounds const& box = scene_.bounds;
+  if (box.is_empty()) return;
+  camera_->frame(box.center(), 0.5 * glm::distance(box.min, box.max), shown_size_);
   is_moved_ = true;
   show();
 }

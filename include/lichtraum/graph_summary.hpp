@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lichtraum/shape.hpp"
+
+namespace lichtraum {
+
+/// How many shapes there are of each kind, and how many triangles the meshes have. At most `uncountable` each.
+struct ShapeCounts {
+  static constexpr std::uint64_t uncountable = std::uint64_t(1) << 62;
+
+  std::array<std::uint64_t, shape_kind_count> of_kind{};
+  std::uint64_t mesh_triangles = 0;
+
+  std::uint64_t operator[](ShapeKind kind) const { return of_kind[std::size_t(kind)]; }
+  /// Everything that a ray may meet: shapes that are neither meshes nor composites, and the triangles of meshes.
+  std::uint64_t primitives() const;
+};
+
+/// What a scene graph comes to.
+struct GraphSummary {
+  ShapeCounts defined;  ///< each shape that can be reached, once
+  ShapeCounts drawn;    ///< once for each path from a root: with all instances
+  /// Around all that is drawn, in the world. A composite's box is the box around its children's boxes: where those are
+  /// turned it may be larger than its contents.
+  Bounds bounds;
+};
+
+/// Linear in the size of the graph, however many instances it unfolds to.
+GraphSummary summarise(std::vector<std::shared_ptr<Shape const>> const& roots);
+
+}  // namespace lichtraum

@@ -1,0 +1,66 @@
+#include "lichtraum/graph_summary.hpp"
+
+#include <unordered_set>
+
+#include "lichtraum/shapes.hpp"
+#include "scene/graph_fold.hpp"
+
+namespace lichtraum {
+namespace {
+
+static_assert(ShapeCounts::uncountable == GraphNode::uncountable);
+
+void add(ShapeCounts& counts, ShapeCounts const& more) {
+  for (std::size_t i = 0; i < shape_kind_count; ++i) {
+    counts.of_kind[i] = saturating_add(counts.of_kind[i], more.of_kind[i]);
+  }
+  counts.mesh_triangles = saturating_add(counts.mesh_triangles, more.mesh_triangles);
+}
+
+/// The shape itself, without what is below it.
+ShapeCounts one(Shape const& shape) {
+  ShapeCounts counts;
+  counts.of_kind[std::size_t(shape.kind())] = 1;
+  if (Mesh const* const mesh = as_mesh(shape)) counts.mesh_triangles = mesh->geometry()->triangle_count();
+  return counts;
+}
+
+ShapeCounts count_each_once(std::vector<std::shared_ptr<Shape const>> const& roots) {
+  ShapeCounts counts;
+  std::unordered_set<Shape const*> seen;
+  auto const count = [&](auto const& shapes) {
+    for (auto const& shape : shapes) {
+      if (seen.insert(shape.get()).second) add(counts, one(*shape));
+    }
+  };
+  count(roots);
+  for (GraphNode const& node : order_graph(roots).nodes) {
+    if (node.composite) count(node.composite->children());
+  }
+  return counts;
+}
+
+}  // namespace
+
+std::uint64_t ShapeCounts::primitives() const {
+  std::uint64_t sum = mesh_triangles;
+  for (std::size_t i = 0; i < shape_kind_count; ++i) {
+    auto const kind = ShapeKind(i);
+    if (kind != ShapeKind::mesh && kind != ShapeKind::composite) sum = saturating_add(sum, of_kind[i]);
+  }
+  return sum;
+}
+
+GraphSummary summarise(std::vector<std::shared_ptr<Shape const>> const& roots) {
+  GraphSummary summary;
+  summary.defined = count_each_once(roots);
+  summary.drawn =
+      fold_graph<ShapeCounts>(roots, one, [](ShapeCounts& counts, Shape const& child, ShapeCounts const& below) {
+        if (as_composite(child)) add(counts, one(child));
+        add(counts, below);
+      }).total();
+  summary.bounds = fold_bounds(roots).total();
+  return summary;
+}
+
+}  // namespace lichtraum

@@ -10,9 +10,8 @@
  *
  * With -D FIRST_SURFACE it is a program that writes what frame->aov says instead, of one sample; not for packets.
  *
- * An array of the scene without elements may be any buffer, but not null. Compile with -D RAY_STACK_SIZE=n, n >
- * frame->max_depth (8 without), and with the layout (see
- * traversal/traversal.clh), on which the three arrays of the tree depend. */
+ * Compile with -D RAY_STACK_SIZE=n, n > frame->max_depth (8 without), and with the layout (see
+ * traversal/traversal.clh), on which the arrays of the tree depend. */
 #include "camera/generate_packet.clh"
 #include "camera/generate_ray.clh"
 #include "film/tone_map.clh"
@@ -42,49 +41,9 @@ static inline void finish_pixel(__global FrameParameters const* frame, bool is_l
   pixel[2] = sum.z;
 }
 
-#ifdef TRAVERSAL_SCALAR
-#define TREE_PARAMETERS                                                         \
-  __global BvhNode const *nodes, __global PrimitiveReference const *references, \
-      __global TrianglePrimitive const *triangles, __global SpherePrimitive const *spheres
-#else
-#define TREE_PARAMETERS                                                               \
-  __global WideNode const *wide_nodes, __global TriangleBlock const *triangle_blocks, \
-      __global PrimitiveTag const *triangle_tags, __global SphereBlock const *sphere_blocks
-#endif
-
-__kernel void render_tile(__global FrameParameters const* frame, Tile const tile, TREE_PARAMETERS,
-                          __global EllipsoidPrimitive const* ellipsoids, __global BoxPrimitive const* boxes,
-                          __global Instance const* instances, __global PhongMaterial const* materials,
-                          __global PunctualLight const* lights, __global PbrMaterial const* pbr_materials,
-                          __global Texture const* textures, __global uint const* texels,
-                          __global TriangleAttributes const* triangle_attributes, __global float const* vertex_data,
+__kernel void render_tile(SCENE_PARAMETERS, __global FrameParameters const* frame, Tile const tile,
                           __global float* film, __global WorkItemRays* rays) {
-  Scene scene;
-#ifdef TRAVERSAL_SCALAR
-  scene.nodes = nodes;
-  scene.references = references;
-  scene.triangles = triangles;
-  scene.spheres = spheres;
-#else
-  scene.wide_nodes = wide_nodes;
-  scene.triangle_blocks = triangle_blocks;
-  scene.triangle_tags = triangle_tags;
-  scene.sphere_blocks = sphere_blocks;
-#endif
-  scene.ellipsoids = ellipsoids;
-  scene.boxes = boxes;
-  scene.instances = instances;
-  scene.materials = materials;
-  scene.lights = lights;
-  scene.pbr_materials = pbr_materials;
-  scene.textures = textures;
-  scene.texels = texels;
-  scene.triangle_attributes = triangle_attributes;
-  scene.vertex_data = vertex_data;
-  scene.light_count = frame->light_count;
-  scene.root_node = frame->root_node;
-  scene.ray_epsilon = frame->ray_epsilon;
-  scene.features = frame->features;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   uint const end_sample = tile.first_sample + tile.sample_count;
   bool const is_last = end_sample == frame->sample_count;
   WorkItemRays counts = {0u, 0u, 0u, 0u};

@@ -14,6 +14,7 @@
 #include "cl/opencl_devices.hpp"
 #include "cl/program.hpp"
 #include "cl/render_program.hpp"
+#include "shared/scene_arrays.h"
 
 using namespace lichtraum;
 
@@ -26,10 +27,13 @@ std::vector<unsigned char> compile(cl::Device const& device, RenderProgram const
   auto const program = build_program(context, device, wanted.name, wanted.options(), {});
   cl::Kernel kernel(program, wanted.kernel_name);
   cl::Buffer const anything(context, CL_MEM_READ_WRITE, 4096);
-  for (cl_uint i = 0; i < kernel.getInfo<CL_KERNEL_NUM_ARGS>(); ++i) {
-    if (i != RenderProgram::tile_argument) kernel.setArg(i, anything);
+  cl_uint const scene_arguments = kernel.getInfo<CL_KERNEL_NUM_ARGS>() - RenderProgram::own_arguments;
+  for (cl_uint i = 0; i + 1 < scene_arguments; ++i) kernel.setArg(i, anything);
+  kernel.setArg(scene_arguments - 1, device::SceneConstants());
+  for (cl_uint const i : {RenderProgram::frame_argument, RenderProgram::film_argument, RenderProgram::rays_argument}) {
+    kernel.setArg(scene_arguments + i, anything);
   }
-  launch_on_nothing(queue, kernel, wanted.traversal);
+  warm_up(queue, kernel, scene_arguments, wanted.traversal);
   return program.getInfo<CL_PROGRAM_BINARIES>().at(0);
 }
 

@@ -7,30 +7,6 @@ typedef struct {
   uint primitive;
 } BenchHit;
 
-#ifdef TRAVERSAL_SCALAR
-#define SCENE_PARAMETERS                                                        \
-  __global BvhNode const *nodes, __global PrimitiveReference const *references, \
-      __global TrianglePrimitive const *triangles, uint const root_node
-#define MAKE_SCENE               \
-  Scene scene;                   \
-  scene.nodes = nodes;           \
-  scene.references = references; \
-  scene.triangles = triangles;   \
-  scene.features = 0u;           \
-  scene.root_node = root_node
-#else
-#define SCENE_PARAMETERS                                                              \
-  __global WideNode const *wide_nodes, __global TriangleBlock const *triangle_blocks, \
-      __global PrimitiveTag const *triangle_tags, uint const root_node
-#define MAKE_SCENE                         \
-  Scene scene;                             \
-  scene.wide_nodes = wide_nodes;           \
-  scene.triangle_blocks = triangle_blocks; \
-  scene.triangle_tags = triangle_tags;     \
-  scene.features = 0u;                     \
-  scene.root_node = root_node
-#endif
-
 static inline BenchHit bench_hit(Scene const* scene, Hit hit) {
   BenchHit out = {INFINITY, 0xffffffffu};
   if (hit.kind != NO_PRIMITIVE) {
@@ -49,7 +25,7 @@ static inline Ray camera_ray(__global PinholeCamera const* camera, float x, floa
 
 __kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, uint const width,
                       float const pixels_per_ray, __global BenchHit* hits) {
-  MAKE_SCENE;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   uint const x = (uint)get_global_id(0);
   uint const y = (uint)get_global_id(1);
   Ray const ray = camera_ray(camera, ((float)x + 0.5f) * pixels_per_ray, ((float)y + 0.5f) * pixels_per_ray);
@@ -58,7 +34,7 @@ __kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, ui
 
 __kernel void shadow(SCENE_PARAMETERS, __global float4 const* points, float4 const light, uint const width,
                      __global uchar* occluded) {
-  MAKE_SCENE;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   uint const i = (uint)(get_global_id(1) * width + get_global_id(0));
   float4 const point = points[i];
   bool hidden = false;
@@ -71,7 +47,7 @@ __kernel void shadow(SCENE_PARAMETERS, __global float4 const* points, float4 con
 /* One work-item a run of rays: a loop within it costs less than PoCL's own over the work-items of a group. */
 __kernel void closest(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
                       __global BenchHit* hits) {
-  MAKE_SCENE;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   size_t const first = get_global_id(0) * FREE_RAYS_PER_ITEM;
   for (size_t i = first; i < first + FREE_RAYS_PER_ITEM; ++i) {
     hits[i] = bench_hit(&scene, trace_closest(&scene, make_ray(origins[i].xyz, directions[i].xyz), INFINITY));
@@ -83,7 +59,7 @@ __kernel void closest(SCENE_PARAMETERS, __global float4 const* origins, __global
 /* The same, a few rays in turn. */
 __kernel void closest_in_turn(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
                               __global BenchHit* hits) {
-  MAKE_SCENE;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   size_t next = get_global_id(0) * FREE_RAYS_PER_ITEM;
   size_t const end = next + FREE_RAYS_PER_ITEM;
   RayStream stream;
@@ -110,7 +86,7 @@ __kernel void closest_in_turn(SCENE_PARAMETERS, __global float4 const* origins, 
 /* One work-item a packet. */
 __kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, uint const width,
                       float const pixels_per_ray, __global BenchHit* hits) {
-  MAKE_SCENE;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   uint const x = (uint)get_global_id(0) * PACKET_SIDE;
   uint const y = (uint)get_global_id(1) * PACKET_SIDE;
   Packet packet;
@@ -137,7 +113,7 @@ __kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, ui
 
 __kernel void shadow(SCENE_PARAMETERS, __global float4 const* points, float4 const light, uint const width,
                      __global uchar* occluded) {
-  MAKE_SCENE;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   uint const x = (uint)get_global_id(0) * PACKET_SIDE;
   uint const y = (uint)get_global_id(1) * PACKET_SIDE;
   Packet packet;

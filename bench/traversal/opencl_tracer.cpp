@@ -42,7 +42,7 @@ struct OpenClTracer::State {
   Traversal layout;
   cl::Kernel primary, shadow, free, free_in_turn;
   std::vector<cl::Buffer> scene;
-  device::uint root_node = 0;
+  device::SceneConstants constants{};
 
   template <class T, class Allocator>
   cl::Buffer over(std::vector<T, Allocator> const& data) {
@@ -52,7 +52,7 @@ struct OpenClTracer::State {
   cl_uint set_scene(cl::Kernel& kernel) {
     cl_uint argument = 0;
     for (cl::Buffer const& buffer : scene) kernel.setArg(argument++, buffer);
-    kernel.setArg(argument++, root_node);
+    kernel.setArg(argument++, constants);
     return argument;
   }
   /// A launch and what it wrote made visible.
@@ -68,12 +68,10 @@ struct OpenClTracer::State {
 OpenClTracer::OpenClTracer(SceneBuffers& scene, Traversal layout) : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.layout = layout;
-  s.root_node = scene.root_node;
-  if (layout == Traversal::scalar) {
-    s.scene = {s.over(scene.nodes), s.over(scene.references), s.over(scene.triangles)};
-  } else {
-    s.scene = {s.over(scene.wide_nodes), s.over(scene.triangle_blocks), s.over(scene.triangle_tags)};
-  }
+  s.constants = scene_constants(scene, scene.shading);
+  auto const add = [&](auto const& array) { s.scene.push_back(s.over(array)); };
+  for_each_array(scene, add);
+  for_each_array(scene.shading, add);
   char const* const names[] = {"", "TRAVERSAL_SCALAR", "TRAVERSAL_WIDE", "TRAVERSAL_PACKET"};
   cl::Program program(s.context, read(LICHTRAUM_BENCH_KERNEL));
   std::size_t const stack_size = round_up(std::max<std::size_t>(scene.stack_size, 1), 96);

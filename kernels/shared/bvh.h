@@ -1,16 +1,9 @@
 #ifndef LICHTRAUM_SHARED_BVH_H
 #define LICHTRAUM_SHARED_BVH_H
 
-#include "shared/types.h"
+#include "shared/geometry.h"
 
 DEVICE_NAMESPACE_BEGIN
-
-/* The kinds of thing a leaf holds. */
-#define PRIMITIVE_TRIANGLE 0u
-#define PRIMITIVE_SPHERE 1u
-#define PRIMITIVE_ELLIPSOID 2u
-#define PRIMITIVE_BOX 3u
-#define PRIMITIVE_INSTANCE 4u
 
 /* A leaf's entry: `index` counts within the array of that kind. */
 typedef struct {

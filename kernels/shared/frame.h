@@ -31,18 +31,6 @@ DEVICE_STRUCT_SIZE(PinholeCamera, 64);
 /* Mirrored and refracted rays that can change a pixel by less than this share of what they see are not followed. */
 #define MIN_RAY_WEIGHT 0.0009765625f
 
-/* For FrameParameters.ray_epsilon: 16 rounding units of float, several times what the device code can be off. */
-#define DEFAULT_RAY_EPSILON 9.5367431640625e-7f
-
-/* FrameParameters.features: what some of the scene has. What none of it has costs no time. */
-#define SCENE_TRANSPARENCY 1u /* a material lets light through */
-#define SCENE_CUTOUTS 2u      /* a material is there, or lets light through, in some points only */
-#define SCENE_ATTRIBUTES 4u   /* triangles have vertices with normals, colours or texture coordinates */
-#define SCENE_PBR 8u          /* a material is derived from a physically based one */
-#define SCENE_LIGHT_KINDS 16u /* a light is not LIGHT_CONSTANT */
-/* What eSDF's own shapes, materials and lights can have. */
-#define SCENE_PLAIN SCENE_TRANSPARENCY
-
 /* Everything about the picture that is the same for each of its pixels. */
 typedef struct {
   PinholeCamera camera;
@@ -55,16 +43,12 @@ typedef struct {
   uint seed_low;
   uint seed_high;
   uint max_depth;
-  uint light_count;
-  uint tone_map;     /* TONE_MAP_... */
-  uint transfer;     /* TRANSFER_... */
-  float ray_epsilon; /* how far, relative to its coordinates, a computed hit point may lie off its surface */
-  uint root_node;    /* of the world's hierarchy */
-  uint features;     /* SCENE_... */
-  uint aov;          /* AOV_..., in programs for first surfaces */
+  uint tone_map; /* TONE_MAP_... */
+  uint transfer; /* TRANSFER_... */
+  uint aov;      /* AOV_..., in programs for first surfaces */
   uint padding[2];
 } FrameParameters;
-DEVICE_STRUCT_SIZE(FrameParameters, 160);
+DEVICE_STRUCT_SIZE(FrameParameters, 144);
 
 /* What one launch computes: a rectangle of pixels, a range of their samples. */
 typedef struct {

@@ -5,6 +5,13 @@
 
 DEVICE_NAMESPACE_BEGIN
 
+/* The kinds of thing a leaf holds. */
+#define PRIMITIVE_TRIANGLE 0u
+#define PRIMITIVE_SPHERE 1u
+#define PRIMITIVE_ELLIPSOID 2u
+#define PRIMITIVE_BOX 3u
+#define PRIMITIVE_INSTANCE 4u
+
 /* Rows of a 3x4 matrix: (row.xyz . p + row.w) is a coordinate of the mapped point. */
 typedef struct {
   float4 row_x;
@@ -25,6 +32,7 @@ typedef struct {
   PrimitiveTag tag;
 } TrianglePrimitive;
 DEVICE_STRUCT_SIZE(TrianglePrimitive, 44);
+DEVICE_PRIMITIVE(TrianglePrimitive, PRIMITIVE_TRIANGLE);
 
 /* A sphere that its transforms left a sphere. */
 typedef struct {
@@ -33,6 +41,7 @@ typedef struct {
   PrimitiveTag tag;
 } SpherePrimitive;
 DEVICE_STRUCT_SIZE(SpherePrimitive, 24);
+DEVICE_PRIMITIVE(SpherePrimitive, PRIMITIVE_SPHERE);
 
 /* The unit sphere under an affine map. */
 typedef struct {
@@ -41,6 +50,7 @@ typedef struct {
   uint padding[2];
 } EllipsoidPrimitive;
 DEVICE_STRUCT_SIZE(EllipsoidPrimitive, 64);
+DEVICE_PRIMITIVE(EllipsoidPrimitive, PRIMITIVE_ELLIPSOID);
 
 /* Axis-parallel in a frame of its own; flat where min == max. The frame is the box's own as written, so that a flat box
  * needs no singular matrix. */
@@ -51,6 +61,7 @@ typedef struct {
   PrimitiveTag tag;
 } BoxPrimitive;
 DEVICE_STRUCT_SIZE(BoxPrimitive, 80);
+DEVICE_PRIMITIVE(BoxPrimitive, PRIMITIVE_BOX);
 
 /* One occurrence of a shared object in the world. */
 typedef struct {

@@ -14,6 +14,7 @@
 #define DEVICE_NAMESPACE_END
 #define SHARED_FUNCTION static inline
 #define SHARED_TABLE __constant
+#define DEVICE_PRIMITIVE(type, kind) /* for the host */
 
 #else
 
@@ -25,12 +26,18 @@
 #define DEVICE_NAMESPACE_END }
 #define SHARED_FUNCTION inline
 #define SHARED_TABLE inline constexpr
+/* After a primitive's struct: which kind it is, primitive_kind<type>. */
+#define DEVICE_PRIMITIVE(type, kind) \
+  template <>                        \
+  inline constexpr uint primitive_kind<type> = kind
 
 namespace lichtraum::device {
 using uint = std::uint32_t;
 struct alignas(16) float4 {
   float x, y, z, w;
 };
+template <class Primitive>
+inline constexpr uint primitive_kind = ~0u;
 }  // namespace lichtraum::device
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "lichtraum/error.hpp"
 #include "shared/frame.h"
-#include "shared/wide.h"
+#include "shared/scene_arrays.h"
 
 namespace lichtraum {
 namespace {
@@ -46,9 +46,9 @@ std::size_t traversal_stack_size(std::size_t needed) {
   return 2 * WIDE_STACK_SIZE;  // no two levels need more
 }
 
-void launch_on_nothing(cl::CommandQueue const& queue, cl::Kernel& kernel, Traversal traversal) {
+void warm_up(cl::CommandQueue const& queue, cl::Kernel& kernel, cl_uint scene_arguments, Traversal traversal) {
   device::Tile const nothing{};
-  kernel.setArg(RenderProgram::tile_argument, sizeof nothing, &nothing);
+  kernel.setArg(scene_arguments + RenderProgram::tile_argument, nothing);
   cl::NDRange const one_group(work_group_side(traversal), work_group_side(traversal));
   queue.enqueueNDRangeKernel(kernel, cl::NullRange, one_group, one_group);
   queue.finish();

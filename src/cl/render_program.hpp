@@ -11,7 +11,9 @@ namespace lichtraum {
 struct RenderProgram {
   static constexpr char const* name = "render";
   static constexpr char const* kernel_name = "render_tile";
-  static constexpr cl_uint tile_argument = 1, rays_argument = 17;
+  /// Counted from the first after the scene's.
+  static constexpr cl_uint frame_argument = 0, tile_argument = 1, film_argument = 2, rays_argument = 3;
+  static constexpr cl_uint own_arguments = 4;
 
   Traversal traversal = Traversal::packet;
   bool first_surface = false;  ///< writes what the first surface is, instead of its light
@@ -44,7 +46,7 @@ std::size_t traversal_stack_size(std::size_t needed);
 constexpr std::size_t work_group_side(Traversal traversal) { return traversal == Traversal::packet ? 1 : 8; }
 
 /// Launches the kernel for a tile of no pixels, and waits. PoCL loads a kernel's machine code, or makes it, when it is
-/// first launched. All arguments but the tile must be set.
-void launch_on_nothing(cl::CommandQueue const& queue, cl::Kernel& kernel, Traversal traversal);
+/// first launched. All arguments but the tile must be set; `scene_arguments` come first.
+void warm_up(cl::CommandQueue const& queue, cl::Kernel& kernel, cl_uint scene_arguments, Traversal traversal);
 
 }  // namespace lichtraum

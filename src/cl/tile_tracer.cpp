@@ -40,23 +40,15 @@ cl::Device find_device(DeviceInfo const& wanted) {
                     CL_DEVICE_NOT_FOUND);
 }
 
-/// A device buffer over a vector of the host.
-template <class T>
-class HostBuffer {
- public:
-  void create(cl::Context const& context, cl_mem_flags flags, std::span<T const> data) {
-    // A buffer of no bytes is not allowed; the kernels do not touch it.
-    if (data.empty()) {
-      buffer_ = cl::Buffer(context, flags, sizeof(T));
-      return;
-    }
-    buffer_ = cl::Buffer(context, flags | CL_MEM_USE_HOST_PTR, sizeof(T) * data.size(), const_cast<T*>(data.data()));
-  }
-  cl::Buffer const& get() const { return buffer_; }
-
- private:
-  cl::Buffer buffer_;
-};
+/// A device buffer over an array of the host.
+template <class Array>
+cl::Buffer buffer_over(cl::Context const& context, cl_mem_flags flags, Array const& data) {
+  using Element = typename Array::value_type;
+  // A buffer of no bytes is not allowed; the kernels do not touch it.
+  if (data.empty()) return cl::Buffer(context, flags, sizeof(Element));
+  return cl::Buffer(context, flags | CL_MEM_USE_HOST_PTR, sizeof(Element) * data.size(),
+                    const_cast<Element*>(data.data()));
+}
 
 }  // namespace
 
@@ -72,75 +64,30 @@ struct TileTracer::State {
   std::map<std::string, KnownKernel> kernels;  // by their programs' options
 
   std::shared_ptr<SceneBuffers const> scene = std::make_shared<SceneBuffers>();
-  std::shared_ptr<ShadingTables const> tables = scene;
+  std::shared_ptr<ShadingTables const> tables = std::make_shared<ShadingTables>();
   bool is_uploaded = false;
   std::uint64_t device_bytes = 0;
-  HostBuffer<device::BvhNode> nodes;
-  HostBuffer<device::PrimitiveReference> references;
-  HostBuffer<device::TrianglePrimitive> triangles;
-  HostBuffer<device::SpherePrimitive> spheres;
-  HostBuffer<device::SphereBlock> sphere_blocks;
-  HostBuffer<device::EllipsoidPrimitive> ellipsoids;
-  HostBuffer<device::BoxPrimitive> boxes;
-  HostBuffer<device::Instance> instances;
-  HostBuffer<device::WideNode> wide_nodes;
-  HostBuffer<device::TriangleBlock> triangle_blocks;
-  HostBuffer<device::PrimitiveTag> triangle_tags;
-  HostBuffer<device::PhongMaterial> materials;
-  HostBuffer<device::PunctualLight> lights;
-  HostBuffer<device::PbrMaterial> pbr_materials;
-  HostBuffer<device::Texture> textures;
-  HostBuffer<device::uint> texels;
-  HostBuffer<device::TriangleAttributes> triangle_attributes;
-  HostBuffer<float> vertex_data;
+  std::vector<cl::Buffer> geometry, shading;  // in the order of the kernel's parameters
 
   std::vector<device::FrameParameters> frame;
-  HostBuffer<device::FrameParameters> frame_buffer;
+  cl::Buffer frame_buffer;
   Image* image = nullptr;
   cl::Buffer film;
   std::vector<device::WorkItemRays> rays;
-  HostBuffer<device::WorkItemRays> rays_buffer;
+  cl::Buffer rays_buffer;
   cl::Kernel kernel;
-
-  /// Calls f(vector, buffer) for each array of the scene, in the order of the kernel's arguments.
-  template <class F>
-  void for_each_array(F&& f) {
-    if (scene->traversal == Traversal::scalar) {
-      f(scene->nodes, nodes);
-      f(scene->references, references);
-      f(scene->triangles, triangles);
-      f(scene->spheres, spheres);
-    } else {
-      f(scene->wide_nodes, wide_nodes);
-      f(scene->triangle_blocks, triangle_blocks);
-      f(scene->triangle_tags, triangle_tags);
-      f(scene->sphere_blocks, sphere_blocks);
-    }
-    f(scene->ellipsoids, ellipsoids);
-    f(scene->boxes, boxes);
-    f(scene->instances, instances);
-    for_each_table(f);
-    f(scene->textures, textures);
-    f(scene->texels, texels);
-    f(scene->triangle_attributes, triangle_attributes);
-    f(scene->vertex_data, vertex_data);
-  }
-
-  template <class F>
-  void for_each_table(F&& f) {
-    f(tables->materials, materials);
-    f(tables->lights, lights);
-    f(tables->pbr_materials, pbr_materials);
-  }
+  cl_uint arguments_before = 0;  // the scene's
 
   void check_size() {
     std::uint64_t largest = 0;
     device_bytes = 0;
-    for_each_array([&](auto const& data, auto&) {
+    auto const add = [&](auto const& data) {
       std::uint64_t const bytes = data.size() * sizeof(data[0]);
       largest = std::max(largest, bytes);
       device_bytes += bytes;
-    });
+    };
+    for_each_array(*scene, add);
+    for_each_array(*tables, add);
     if (device_bytes <= info.global_memory_bytes && largest <= info.max_allocation_bytes) return;
     throw Error(
         ErrorKind::no_device,
@@ -171,16 +118,16 @@ struct TileTracer::State {
   void load(KnownKernel& known) {
     if (known.is_loaded) return;
     make_room_for_rays(1);
-    launch_on_nothing(queue, kernel, frame_traversal());
+    warm_up(queue, kernel, arguments_before, frame_traversal());
     known.is_loaded = true;
   }
 
   void make_room_for_rays(std::size_t work_items) {
     if (rays.size() < work_items) {
       rays.resize(work_items);
-      rays_buffer.create(context, CL_MEM_WRITE_ONLY, rays);
+      rays_buffer = buffer_over(context, CL_MEM_WRITE_ONLY, rays);
     }
-    kernel.setArg(RenderProgram::rays_argument, rays_buffer.get());
+    kernel.setArg(arguments_before + RenderProgram::rays_argument, rays_buffer);
   }
 };
 
@@ -198,17 +145,22 @@ TileTracer::~TileTracer() = default;
 void TileTracer::upload(std::shared_ptr<SceneBuffers const> scene, std::shared_ptr<ShadingTables const> tables) {
   bool const has_scene = state_->is_uploaded && scene == state_->scene;
   if (has_scene && tables == state_->tables) return;
-  auto const create = [&](auto const& data, auto& buffer) { buffer.create(state_->context, CL_MEM_READ_ONLY, data); };
   state_->is_uploaded = false;
   state_->scene = std::move(scene);
   state_->tables.swap(tables);  // the old ones go when no buffer is over them any more
   state_->check_size();
-  checked([&] { has_scene ? state_->for_each_table(create) : state_->for_each_array(create); });
+  checked([&] {
+    auto const add_to = [&](std::vector<cl::Buffer>& buffers) {
+      buffers.clear();
+      return [&](auto const& data) { buffers.push_back(buffer_over(state_->context, CL_MEM_READ_ONLY, data)); };
+    };
+    if (!has_scene) for_each_array(*state_->scene, add_to(state_->geometry));
+    for_each_array(*state_->tables, add_to(state_->shading));
+  });
   state_->is_uploaded = true;
 }
 
 SceneBuffers const& TileTracer::scene() const { return *state_->scene; }
-ShadingTables const& TileTracer::tables() const { return *state_->tables; }
 std::uint64_t TileTracer::device_bytes() const { return state_->device_bytes; }
 
 void TileTracer::begin_frame(device::FrameParameters const& frame, Image& image) {
@@ -224,13 +176,16 @@ void TileTracer::begin_frame(device::FrameParameters const& frame, Image& image)
   checked([&] {
     auto& known = state.kernel_for(frame);
     state.kernel = known.kernel;
-    state.frame_buffer.create(state.context, CL_MEM_READ_ONLY, state.frame);
+    state.frame_buffer = buffer_over(state.context, CL_MEM_READ_ONLY, state.frame);
     state.film = cl::Buffer(state.context, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, film_bytes, image.data().data());
     cl_uint argument = 0;
-    state.kernel.setArg(argument++, state.frame_buffer.get());
-    ++argument;  // the tile
-    state.for_each_array([&](auto const&, auto const& buffer) { state.kernel.setArg(argument++, buffer.get()); });
-    state.kernel.setArg(argument++, state.film);
+    for (auto const* const buffers : {&state.geometry, &state.shading}) {
+      for (cl::Buffer const& buffer : *buffers) state.kernel.setArg(argument++, buffer);
+    }
+    state.kernel.setArg(argument++, scene_constants(*state.scene, *state.tables));
+    state.arguments_before = argument;
+    state.kernel.setArg(argument + RenderProgram::frame_argument, state.frame_buffer);
+    state.kernel.setArg(argument + RenderProgram::film_argument, state.film);
     state.load(known);
   });
 }
@@ -243,12 +198,12 @@ RayCounts TileTracer::trace(device::Tile const& tile) {
   RayCounts counts;
   checked([&] {
     state.make_room_for_rays(work_items);
-    state.kernel.setArg(RenderProgram::tile_argument, sizeof tile, &tile);
+    state.kernel.setArg(state.arguments_before + RenderProgram::tile_argument, tile);
     state.queue.enqueueNDRangeKernel(state.kernel, cl::NullRange,
                                      cl::NDRange(round_up(size.width, local_side), round_up(size.height, local_side)),
                                      cl::NDRange(local_side, local_side));
     std::size_t const bytes = work_items * sizeof(device::WorkItemRays);
-    void* const mapped = state.queue.enqueueMapBuffer(state.rays_buffer.get(), CL_TRUE, CL_MAP_READ, 0, bytes);
+    void* const mapped = state.queue.enqueueMapBuffer(state.rays_buffer, CL_TRUE, CL_MAP_READ, 0, bytes);
     auto const* rays = static_cast<device::WorkItemRays const*>(mapped);
     for (std::size_t i = 0; i < work_items; ++i) {
       counts.shadow += rays[i].shadow;
@@ -256,7 +211,7 @@ RayCounts TileTracer::trace(device::Tile const& tile) {
       counts.camera_hits += rays[i].camera_hits;
     }
     counts.camera = std::uint64_t(tile.width) * tile.height * tile.sample_count;
-    state.queue.enqueueUnmapMemObject(state.rays_buffer.get(), mapped);
+    state.queue.enqueueUnmapMemObject(state.rays_buffer, mapped);
   });
   return counts;
 }

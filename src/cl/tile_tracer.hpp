@@ -18,12 +18,10 @@ class TileTracer {
 
   /// Makes the scene the device's own. CPU devices read it where it is, without a copy; nothing happens for the scene
   /// that is there already. Throws Error{no_device} with the numbers when it does not fit.
-  void upload(std::shared_ptr<SceneBuffers const> scene) { upload(scene, scene); }
-  /// The same with other tables, which are all that is made again where the scene is there already.
+  /// `tables`: the scene's own, or others instead; where the scene is there already they are all that is made again.
   void upload(std::shared_ptr<SceneBuffers const> scene, std::shared_ptr<ShadingTables const> tables);
   /// The one uploaded last, else an empty one.
   SceneBuffers const& scene() const;
-  ShadingTables const& tables() const;
   std::uint64_t device_bytes() const;
 
   /// Starts a picture. `image` must stay until end_frame, which makes the device's work visible in it.

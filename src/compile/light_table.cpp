@@ -41,9 +41,8 @@ device::PunctualLight punctual_light(Light const& light, DeviceBounds const& wor
 
 }  // namespace
 
-std::vector<device::PunctualLight> make_light_table(std::vector<Light> const& lights,
-                                                    DeviceBounds const& world_bounds) {
-  std::vector<device::PunctualLight> table;
+BigVector<device::PunctualLight> make_light_table(std::vector<Light> const& lights, DeviceBounds const& world_bounds) {
+  BigVector<device::PunctualLight> table;
   for (Light const& light : lights) {
     if (light.kind() != LightKind::ambient) table.push_back(punctual_light(light, world_bounds));
   }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/big_vector.hpp"
 #include "lichtraum/light.hpp"
 #include "scene/device_bounds.hpp"
 #include "shared/shading.h"
@@ -9,6 +10,6 @@
 namespace lichtraum {
 
 /// The lights that cast shadows, as the kernels read them. `world_bounds`: of what is drawn.
-std::vector<device::PunctualLight> make_light_table(std::vector<Light> const& lights, DeviceBounds const& world_bounds);
+BigVector<device::PunctualLight> make_light_table(std::vector<Light> const& lights, DeviceBounds const& world_bounds);
 
 }  // namespace lichtraum

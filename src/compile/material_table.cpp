@@ -10,7 +10,7 @@
 #include "scene/pbr_evaluation.hpp"
 #include "scene/texture_lookup.hpp"
 #include "scene/used_texcoords.hpp"
-#include "shared/frame.h"
+#include "shared/scene_arrays.h"
 
 namespace lichtraum {
 namespace {
@@ -180,10 +180,10 @@ MaterialTable make_material_table(std::vector<std::shared_ptr<Material const>> c
     table.phong.push_back(phong_material(shown));
     table.features |= features_of(shown);
     if (!shown.pbr()) continue;
-    table.pbr.resize(table.phong.size());  // what comes between has none
+    table.pbr.resize(table.phong.size(), {});  // what comes between has none
     table.pbr.back() = pbr_material(*shown.pbr(), textures);
   }
-  if (!table.pbr.empty()) table.pbr.resize(table.phong.size());
+  if (!table.pbr.empty()) table.pbr.resize(table.phong.size(), {});
   return table;
 }
 

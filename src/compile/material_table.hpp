@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/big_vector.hpp"
 #include "lichtraum/material.hpp"
 #include "shared/pbr_material.h"
 #include "shared/shading.h"
@@ -11,11 +12,11 @@ namespace lichtraum {
 
 /// Materials and their textures as the kernels read them.
 struct MaterialTable {
-  std::vector<device::PhongMaterial> phong;
-  std::vector<device::PbrMaterial> pbr;  ///< as many, or none where no material has one
-  std::vector<device::Texture> textures;
-  std::vector<device::uint> texels;  ///< RGBA8, each picture once
-  device::uint features = 0;         ///< SCENE_...
+  BigVector<device::PhongMaterial> phong;
+  BigVector<device::PbrMaterial> pbr;  ///< as many, or none where no material has one
+  BigVector<device::Texture> textures;
+  BigVector<device::uint> texels;  ///< RGBA8, each picture once
+  device::uint features = 0;       ///< SCENE_...
 };
 
 device::PhongMaterial phong_material(Material const& material);

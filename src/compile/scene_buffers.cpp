@@ -1,7 +1,6 @@
 #include "compile/scene_buffers.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <iterator>
 #include <memory>
@@ -12,11 +11,9 @@
 #include "accel/wide_layout.hpp"
 #include "compile/light_table.hpp"
 #include "compile/material_table.hpp"
-#include "core/big_vector.hpp"
 #include "core/parallel_ranges.hpp"
 #include "lichtraum/error.hpp"
 #include "scene/device_conversion.hpp"
-#include "shared/frame.h"
 
 namespace lichtraum {
 namespace {
@@ -38,14 +35,11 @@ void append(std::vector<T, Allocator>& all, std::span<T const> more) {
 ContentHash hash_of_primitives(FlatObject const& object) {
   ContentHasher hasher;
   hasher.add(object.triangle_attributes);
-  hasher.add(object.triangles);
-  hasher.add(object.spheres);
-  hasher.add(object.ellipsoids);
-  hasher.add(object.boxes);
+  device::for_each_kind(object, [&](auto const& primitives) { hasher.add(primitives); });
   return hasher.finish();
 }
 
-device::uint features_of(std::vector<device::PunctualLight> const& lights) {
+device::uint features_of(BigVector<device::PunctualLight> const& lights) {
   auto const is_plain = [](device::PunctualLight const& light) { return light.kind == LIGHT_CONSTANT; };
   return std::all_of(lights.begin(), lights.end(), is_plain) ? 0 : SCENE_LIGHT_KINDS;
 }
@@ -61,7 +55,7 @@ class Compiler {
   /// An object's primitives are in the buffers, its hierarchy is not built yet.
   struct Pending {
     ContentHasher content;
-    Range triangles, spheres, ellipsoids, boxes;
+    std::vector<Range> ranges;  // of each kind
     std::vector<BuildPrimitive> instances;
   };
 
@@ -71,18 +65,15 @@ class Compiler {
     ContentHash const primitives = hash_of_primitives(object);
     pending->content.add(primitives);
     scene_content_.add(primitives);
+    std::size_t const first_triangle = buffers_.triangles.size();
+    device::for_each_kind(buffers_, object, [&](auto& all, auto& more) {
+      pending->ranges.push_back({all.size(), more.size()});
+      append(all, std::move(more));
+    });
     // Leaves name primitives by where they are in all of the scene.
-    pending->content.add(std::array{buffers_.triangles.size(), buffers_.spheres.size(), buffers_.ellipsoids.size(),
-                                    buffers_.boxes.size(), buffers_.vertex_data.size()});
-    pending->triangles = {buffers_.triangles.size(), object.triangles.size()};
-    pending->spheres = {buffers_.spheres.size(), object.spheres.size()};
-    pending->ellipsoids = {buffers_.ellipsoids.size(), object.ellipsoids.size()};
-    pending->boxes = {buffers_.boxes.size(), object.boxes.size()};
-    append(buffers_.triangles, std::move(object.triangles));
-    append(buffers_.spheres, std::move(object.spheres));
-    append(buffers_.ellipsoids, std::move(object.ellipsoids));
-    append(buffers_.boxes, std::move(object.boxes));
-    take_attributes(std::move(object), pending->triangles.first);
+    for (Range const& range : pending->ranges) pending->content.add(range.first);
+    pending->content.add(buffers_.vertex_data.size());
+    take_attributes(std::move(object), first_triangle);
     return pending;
   }
 
@@ -114,12 +105,12 @@ class Compiler {
   void finish() {
     if (attributes_.empty()) return;
     if (buffers_.traversal == Traversal::scalar) {
-      attributes_.resize(buffers_.triangles.size());
+      attributes_.resize(buffers_.triangles.size(), {});
       buffers_.triangle_attributes = std::move(attributes_);
     } else {
-      buffers_.triangle_attributes.resize(buffers_.triangle_tags.size());
+      buffers_.triangle_attributes.resize(buffers_.triangle_tags.size(), {});
     }
-    buffers_.features |= SCENE_ATTRIBUTES;
+    buffers_.shading.features |= SCENE_ATTRIBUTES;
   }
 
   SceneBuffers& buffers() { return buffers_; }
@@ -136,38 +127,41 @@ class Compiler {
     for (device::TriangleAttributes& triangle : object.triangle_attributes) {
       for (device::uint& corner : triangle.corners) corner += device::uint(first);
     }
-    attributes_.resize(first_triangle);
+    attributes_.resize(first_triangle, {});
     append(attributes_, std::move(object.triangle_attributes));
     append(buffers_.vertex_data, std::move(object.vertex_data));
   }
 
   static bool is_unrepresentable(BuildPrimitive const& primitive) { return !primitive.bounds.is_finite(); }
 
-  /// The input of a hierarchy for primitives [begin, end) of a kind. Returns how many are not representable.
+  /// The input of a hierarchy for a range of primitives of a kind. Returns how many are not representable.
   template <class T>
-  static std::uint64_t refer(std::vector<T> const& primitives, device::uint kind, std::size_t begin, std::size_t end,
-                             BuildPrimitive* out) {
-    for (std::size_t i = begin; i < end; ++i) out[i - begin] = {bounds_of(primitives[i]), {kind, device::uint(i)}};
-    return std::uint64_t(std::count_if(out, out + (end - begin), is_unrepresentable));
+  static std::uint64_t refer(BigVector<T> const& primitives, Range const& range, BuildPrimitive* out) {
+    std::atomic<std::uint64_t> left_out = 0;
+    for_parallel_ranges(range.count, 1 << 14, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        std::size_t const index = range.first + i;
+        out[i] = {bounds_of(primitives[index]), {device::primitive_kind<T>, device::uint(index)}};
+      }
+      left_out += std::uint64_t(std::count_if(out + begin, out + end, is_unrepresentable));
+    });
+    return left_out;
   }
 
   /// Builds its hierarchy.
   CompiledObject add(Pending&& pending) {
-    auto const& [content, triangles, spheres, ellipsoids, boxes, instances] = pending;
-    BigVector<BuildPrimitive> all(triangles.count + spheres.count + ellipsoids.count + boxes.count + instances.size());
+    std::size_t count = pending.instances.size();
+    for (Range const& range : pending.ranges) count += range.count;
+    BigVector<BuildPrimitive> all(count);
     BuildPrimitive* out = all.data();
-    std::atomic<std::uint64_t> left_out = 0;
-    for_parallel_ranges(triangles.count, 1 << 14, [&, first = triangles.first](std::size_t begin, std::size_t end) {
-      left_out += refer(buffers_.triangles, PRIMITIVE_TRIANGLE, first + begin, first + end, out + begin);
+    std::uint64_t left_out = 0;
+    auto range = pending.ranges.begin();
+    device::for_each_kind(buffers_, [&](auto const& primitives) {
+      left_out += refer(primitives, *range, out);
+      out += range->count;
+      ++range;
     });
-    out += triangles.count;
-    auto const refer_all = [&](auto const& primitives, device::uint kind, Range range) {
-      left_out += refer(primitives, kind, range.first, range.first + range.count, out);
-      out += range.count;
-    };
-    refer_all(buffers_.spheres, PRIMITIVE_SPHERE, spheres);
-    refer_all(buffers_.ellipsoids, PRIMITIVE_ELLIPSOID, ellipsoids);
-    refer_all(buffers_.boxes, PRIMITIVE_BOX, boxes);
+    auto const& instances = pending.instances;
     std::copy(instances.begin(), instances.end(), out);
     left_out += std::uint64_t(std::count_if(instances.begin(), instances.end(), is_unrepresentable));
     if (left_out > 0) std::erase_if(all, is_unrepresentable);
@@ -220,7 +214,7 @@ class Compiler {
                          std::span(buffers_.triangle_blocks).subspan(object.first_leaf),
                          std::span(buffers_.triangle_tags).subspan(BLOCK_LANES * object.first_leaf));
     if (!attributes_.empty()) {
-      buffers_.triangle_attributes.resize(buffers_.triangle_tags.size());
+      buffers_.triangle_attributes.resize(buffers_.triangle_tags.size(), {});
       fill_block_attributes(wide.triangle_blocks, bvh.references, attributes_,
                             std::span(buffers_.triangle_attributes).subspan(BLOCK_LANES * object.first_leaf));
     }
@@ -249,7 +243,7 @@ class Compiler {
       append(buffers_.triangle_tags,
              part(previous_->triangle_tags, BLOCK_LANES * known.first_leaf, BLOCK_LANES * known.leaf_count));
       if (!attributes_.empty() && !previous_->triangle_attributes.empty()) {
-        buffers_.triangle_attributes.resize(BLOCK_LANES * object.first_leaf);
+        buffers_.triangle_attributes.resize(BLOCK_LANES * object.first_leaf, {});
         append(buffers_.triangle_attributes,
                part(previous_->triangle_attributes, BLOCK_LANES * known.first_leaf, BLOCK_LANES * known.leaf_count));
       }
@@ -280,7 +274,7 @@ class Compiler {
   SceneBuffers const* previous_;
   SceneBuffers buffers_;
   ContentHasher scene_content_;
-  std::vector<device::TriangleAttributes> attributes_;  // of the triangles taken so far, as those are counted
+  BigVector<device::TriangleAttributes> attributes_;  // of the triangles taken so far, as those are counted
 };
 
 }  // namespace
@@ -311,33 +305,37 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tra
     buffers.spheres = {};
   }
   MaterialTable table = make_material_table(scene.materials);
-  buffers.materials = std::move(table.phong);
-  buffers.pbr_materials = std::move(table.pbr);
   buffers.textures = std::move(table.textures);
   buffers.texels = std::move(table.texels);
-  buffers.features |= table.features;
-  buffers.lights = make_light_table({lights.begin(), lights.end()}, buffers.world_bounds);
-  buffers.features |= features_of(buffers.lights);
+  ShadingTables& shading = buffers.shading;
+  shading.materials = std::move(table.phong);
+  shading.pbr_materials = std::move(table.pbr);
+  shading.lights = make_light_table({lights.begin(), lights.end()}, buffers.world_bounds);
+  shading.features |= table.features | features_of(shading.lights);
   buffers.unrepresentable += scene.unrepresentable;
   compiler.scene_content().add(buffers.vertex_data);
-  compiler.scene_content().add(buffers.materials);
-  compiler.scene_content().add(buffers.pbr_materials);
+  compiler.scene_content().add(shading.materials);
+  compiler.scene_content().add(shading.pbr_materials);
   compiler.scene_content().add(buffers.textures);
   compiler.scene_content().add(buffers.texels);
-  compiler.scene_content().add(buffers.lights);
+  compiler.scene_content().add(shading.lights);
   buffers.content = compiler.scene_content().finish();
   return std::move(buffers);
 }
 
+device::SceneConstants scene_constants(SceneBuffers const& scene, ShadingTables const& shading) {
+  return {scene.root_node, device::uint(shading.lights.size()), shading.features, DEFAULT_RAY_EPSILON};
+}
+
 ShadingTables edit_tables(SceneBuffers const& scene, std::vector<Material const*> const& materials,
                           SceneEdits const& edits) {
-  ShadingTables tables = scene;  // and nothing but these
+  ShadingTables tables = scene.shading;
   for (std::size_t i = 0; i < materials.size(); ++i) {
     auto const edited = edits.materials.find(materials[i]);
     if (edited == edits.materials.end()) continue;
     tables.materials[i] = phong_material(edited->second);
     if (i < tables.pbr_materials.size() && edited->second.pbr()) {
-      tables.pbr_materials[i] = pbr_material(*edited->second.pbr(), scene.pbr_materials[i]);
+      tables.pbr_materials[i] = pbr_material(*edited->second.pbr(), scene.shading.pbr_materials[i]);
     }
     tables.features |= features_of(edited->second);
   }

@@ -3,19 +3,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/big_vector.hpp"
+#include "compile/scene_arrays.hpp"
 #include "core/content_hash.hpp"
 #include "lichtraum/renderer.hpp"
 #include "lichtraum/scene_edits.hpp"
 #include "scene/device_bounds.hpp"
 #include "scene/flat_scene.hpp"
 #include "scene/object_numbers.hpp"
-#include "shared/bvh.h"
-#include "shared/geometry.h"
-#include "shared/pbr_material.h"
-#include "shared/shading.h"
-#include "shared/vertex.h"
-#include "shared/wide.h"
 
 namespace lichtraum {
 
@@ -34,36 +28,15 @@ struct CompiledObject {
 };
 
 /// What surfaces and lights are like: all of a scene that can change without a look at its shapes.
-struct ShadingTables {
-  std::vector<device::PhongMaterial> materials;
-  std::vector<device::PbrMaterial> pbr_materials;  ///< as many as materials; empty unless the scene needs them
-  std::vector<device::PunctualLight> lights;
+struct ShadingTables : device::ShadingArrays {
   device::uint features = 0;  ///< SCENE_...
 };
 
 /// A scene as the kernels read it: plain arrays, the hierarchies of all objects in one.
-struct SceneBuffers : ShadingTables {
+struct SceneBuffers : device::GeometryArrays {
+  ShadingTables shading;
   Traversal traversal = Traversal::scalar;  ///< which arrays are filled
-  /// Only for the scalar layout.
-  BigVector<device::BvhNode> nodes;
-  BigVector<device::PrimitiveReference> references;
-  std::vector<device::TrianglePrimitive> triangles;
-  std::vector<device::SpherePrimitive> spheres;
-  /// Only for the others.
-  BigVector<device::WideNode> wide_nodes;
-  BigVector<device::TriangleBlock> triangle_blocks;
-  BigVector<device::PrimitiveTag> triangle_tags;  ///< BLOCK_LANES a block
-  BigVector<device::SphereBlock> sphere_blocks;
-  std::size_t stack_size = 0;  ///< that a traversal needs
-  /// For all.
-  std::vector<device::EllipsoidPrimitive> ellipsoids;
-  std::vector<device::BoxPrimitive> boxes;
-  std::vector<device::Instance> instances;
-  /// Empty unless the scene needs them.
-  std::vector<device::Texture> textures;
-  std::vector<device::uint> texels;
-  std::vector<device::TriangleAttributes> triangle_attributes;  ///< one a triangle, as the layout counts them
-  std::vector<float> vertex_data;
+  std::size_t stack_size = 0;               ///< that a traversal needs; for the wide layout
 
   ObjectNumbers object_numbers;  ///< stays on the host
 
@@ -75,6 +48,15 @@ struct SceneBuffers : ShadingTables {
   std::uint64_t triangle_count = 0;
   std::uint64_t sphere_count = 0;
 };
+
+/// Calls f(array) for each array but the shading that kernels take, in the order of their parameters.
+template <class F>
+void for_each_array(SceneBuffers const& scene, F const& f) {
+  device::for_each_array(scene, scene.traversal == Traversal::scalar, f);
+}
+
+/// What kernels take after them.
+device::SceneConstants scene_constants(SceneBuffers const& scene, ShadingTables const& shading);
 
 /// Builds a hierarchy per object and puts everything into the device's arrays. `traversal` is not `automatic`. Objects
 /// that are the same in `previous` (a scene compiled for the same traversal; null: none) get theirs from there.

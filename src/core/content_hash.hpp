@@ -34,9 +34,9 @@ class ContentHasher {
   requires std::is_trivially_copyable_v<T>
   void add(T const& value) { add_bytes(&value, sizeof value); }
   /// With its length: what follows cannot be taken for a part of it.
-  template <class T>
+  template <class T, class Allocator>
   requires std::is_trivially_copyable_v<T>
-  void add(std::vector<T> const& values) {
+  void add(std::vector<T, Allocator> const& values) {
     add(std::uint64_t(values.size()));
     add_bytes(values.data(), sizeof(T) * values.size());
   }

@@ -27,8 +27,7 @@ static_assert(int(Aov::depth) == AOV_DEPTH && int(Aov::normal) == AOV_NORMAL && 
 
 }  // namespace
 
-device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene,
-                                         device::uint root_node, device::uint light_count) {
+device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene) {
   check_request(request);
   device::FrameParameters frame{};
   frame.camera = pinhole_camera(request.camera, request.resolution);
@@ -41,11 +40,8 @@ device::FrameParameters frame_parameters(RenderRequest const& request, SceneShad
   frame.seed_low = device::uint(request.seed);
   frame.seed_high = device::uint(request.seed >> 32);
   frame.max_depth = device::uint(request.max_depth);
-  frame.light_count = light_count;
   frame.tone_map = device_tone_map(request.tone_map == ToneMap::automatic ? scene.tone_map : request.tone_map);
   frame.transfer = request.transfer == Transfer::srgb ? TRANSFER_SRGB : TRANSFER_LINEAR;
-  frame.ray_epsilon = DEFAULT_RAY_EPSILON;
-  frame.root_node = root_node;
   frame.aov = device::uint(request.aov);
   if (request.aov != Aov::picture) {
     frame.sampling = SAMPLING_GRID;

@@ -6,9 +6,8 @@
 
 namespace lichtraum {
 
-/// The request as the kernel reads it. `root_node`: of the world's hierarchy. `light_count`: point lights.
-/// Throws Error{usage} for a request that makes no sense: an empty or outside region, a grid that is no square, ...
-device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene,
-                                         device::uint root_node, device::uint light_count);
+/// The request as the kernel reads it.
+/// Throws Error{usage} for a request that makes no sense: an empty or outside region, a grid that is not square, ...
+device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene);
 
 }  // namespace lichtraum

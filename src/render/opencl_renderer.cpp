@@ -85,7 +85,7 @@ class OpenClRenderer final : public Renderer {
     prepared->buffers = std::make_shared<SceneBuffers>(
         compile_scene(std::move(flat), scene.lights, traversal_, old ? old->buffers.get() : nullptr));
     if (old && old->buffers->content == prepared->buffers->content) prepared->buffers = old->buffers;
-    prepared->tables = prepared->buffers;
+    prepared->tables = {prepared->buffers, &prepared->buffers->shading};
     SceneBuffers const& buffers = *prepared->buffers;
     statistics.build_ms = 1e3 * seconds_since(start);
     statistics.triangles = buffers.triangle_count;
@@ -121,7 +121,7 @@ class OpenClRenderer final : public Renderer {
   }
 
   RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress) override {
-    auto const frame = parameters(request);
+    auto const frame = frame_parameters(request, scene_->shading);
     if (image.size() != request.resolution) image = Image(request.resolution);
     clear(image, request.region);
     return trace(request, frame, 0, int(frame.sample_count), image, progress);
@@ -135,7 +135,7 @@ class OpenClRenderer final : public Renderer {
     if (!is_sum) return render(request, image, progress);
     if (sums.count == 0) sums.sums = Image(request.resolution);
     // A picture of more samples than are ever traced stays a sum.
-    auto frame = parameters(request);
+    auto frame = frame_parameters(request, scene_->shading);
     frame.sample_count = std::numeric_limits<device::uint>::max();
     RenderResult const result = trace(request, frame, sums.count, request.sampling.count, sums.sums, progress);
     if (!result.complete) {
@@ -149,16 +149,9 @@ class OpenClRenderer final : public Renderer {
   }
 
  private:
-  device::FrameParameters parameters(RenderRequest const& request) const {
-    auto frame = frame_parameters(request, scene_->shading, tracer_.scene().root_node,
-                                  device::uint(tracer_.tables().lights.size()));
-    frame.features = tracer_.tables().features;
-    return frame;
-  }
-
   /// Sums of all samples to a picture, by tiles without any more samples: so their arithmetic is that of `render`.
   void develop(RenderRequest const& request, Image& image) {
-    tracer_.begin_frame(parameters(request), image);
+    tracer_.begin_frame(frame_parameters(request, scene_->shading), image);
     TilePlan plan(request.region, 1, request.sampling.count);
     while (!plan.is_done()) {
       device::Tile tile = plan.next(max_budget);

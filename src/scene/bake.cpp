@@ -127,7 +127,7 @@ class Baker final : public ShapeVisitor {
 
  private:
   template <class T>
-  void append(T const& primitive, bool fits, std::vector<T>& list) {
+  void append(T const& primitive, bool fits, BigVector<T>& list) {
     if (fits) {
       list.push_back(primitive);
     } else {

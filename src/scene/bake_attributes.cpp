@@ -70,7 +70,7 @@ float* write(Vec3 const& v, float* out) {
 }
 
 void append_vertices(MeshGeometry const& geometry, VertexLayout const& layout, Transform const& object_from_mesh,
-                     std::vector<float>& data) {
+                     BigVector<float>& data) {
   Mat3 const normals = scaled_to_one(glm::transpose(Mat3(object_from_mesh.inverse_matrix())));
   Mat3 const vectors = scaled_to_one(Mat3(object_from_mesh.matrix()));
   float const handedness = glm::determinant(vectors) < 0 ? -1.0f : 1.0f;
@@ -111,7 +111,7 @@ void bake_attributes(Mesh const& mesh, Transform const& object_from_mesh, std::v
   append_vertices(geometry, layout, object_from_mesh, object.vertex_data);
 
   reserve_in_huge_pages(object.triangle_attributes, object.triangles.size());
-  object.triangle_attributes.resize(object.triangles.size());
+  object.triangle_attributes.resize(object.triangles.size(), {});
   device::TriangleAttributes* const attributes = object.triangle_attributes.data() + first;
   auto const write_triangle = [&](std::size_t i, device::TriangleAttributes& out) {
     for (std::size_t corner = 0; corner < 3; ++corner) {

@@ -5,25 +5,24 @@
 #include <vector>
 
 #include "lichtraum/scene.hpp"
-#include "shared/geometry.h"
-#include "shared/vertex.h"
+#include "scene/primitive_arrays.hpp"
 
 namespace lichtraum {
 
 /// Primitives in one common frame, in the structs that the device reads.
-struct FlatObject {
-  std::vector<device::TrianglePrimitive> triangles;
-  std::vector<device::SpherePrimitive> spheres;
-  std::vector<device::EllipsoidPrimitive> ellipsoids;
-  std::vector<device::BoxPrimitive> boxes;
+struct FlatObject : device::PrimitiveArrays {
   /// What shading interpolates. One entry a triangle; those that are missing at the end have nothing.
-  std::vector<device::TriangleAttributes> triangle_attributes;
-  std::vector<float> vertex_data;  ///< what they count in
+  BigVector<device::TriangleAttributes> triangle_attributes;
+  BigVector<float> vertex_data;  ///< what they count in
   /// Its part of FlatScene::shapes.
   std::size_t first_shape = 0;
   std::size_t shape_count = 0;
 
-  std::size_t primitive_count() const { return triangles.size() + spheres.size() + ellipsoids.size() + boxes.size(); }
+  std::size_t primitive_count() const {
+    std::size_t count = 0;
+    device::for_each_kind(*this, [&](auto const& primitives) { count += primitives.size(); });
+    return count;
+  }
 };
 
 /// One occurrence of objects[object] in the world. Instances do not nest.

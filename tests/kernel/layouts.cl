@@ -1,5 +1,5 @@
 /* The traversal interface of one layout, chosen by -D. */
-#include "layout_arguments.clh"
+#include "traversal/traversal.clh"
 
 typedef struct {
   float t; /* INFINITY: nothing */
@@ -21,7 +21,7 @@ static inline ProbeHit probe_hit(Scene const* scene, Hit hit) {
 
 __kernel void probe_closest(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
                             __global ProbeHit* hits) {
-  MAKE_SCENE;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   size_t const i = get_global_id(0);
   hits[i] = probe_hit(&scene, trace_closest(&scene, make_ray(origins[i].xyz, directions[i].xyz), INFINITY));
 }
@@ -34,7 +34,7 @@ __kernel void probe_closest(SCENE_PARAMETERS, __global float4 const* origins, __
 /* One work-item a stream; the first has one ray in turn, the next two, and so on. */
 __kernel void probe_stream_closest(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
                                    __global ProbeHit* hits) {
-  MAKE_SCENE;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   uint const places = 1u + (uint)get_global_id(0) % RAYS_IN_TURN;
   uint next = (uint)get_global_id(0) * RAYS_A_STREAM;
   uint const end = next + RAYS_A_STREAM;
@@ -60,7 +60,7 @@ __kernel void probe_stream_closest(SCENE_PARAMETERS, __global float4 const* orig
 /* Bit 0: something lies before t_max; bit 1: something opaque does. */
 __kernel void probe_hidden(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
                            float const t_max, __global uint* hidden) {
-  MAKE_SCENE;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   size_t const i = get_global_id(0);
   Ray const ray = make_ray(origins[i].xyz, directions[i].xyz);
   hidden[i] = (trace_any(&scene, ray, t_max) ? 1u : 0u) | (trace_visibility(&scene, ray, t_max) == 0.f ? 2u : 0u);
@@ -71,7 +71,7 @@ __kernel void probe_hidden(SCENE_PARAMETERS, __global float4 const* origins, __g
 
 __kernel void probe_packet_closest(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
                                    __global ProbeHit* hits) {
-  MAKE_SCENE;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   Packet packet;
   load_packet(&packet, origins, directions, INFINITY);
   trace_packet_closest(&scene, &packet);
@@ -83,7 +83,7 @@ __kernel void probe_packet_closest(SCENE_PARAMETERS, __global float4 const* orig
 /* Bit 0: something lies before t_max (occluded or filtered); bit 1: something opaque does. */
 __kernel void probe_packet_hidden(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
                                   float const t_max, __global uint* hidden) {
-  MAKE_SCENE;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   Packet packet;
   load_packet(&packet, origins, directions, t_max);
   trace_packet_any(&scene, &packet);

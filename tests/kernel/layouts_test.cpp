@@ -4,8 +4,8 @@
 #include <map>
 
 #include "compile/scene_buffers.hpp"
-#include "layout_arguments.hpp"
 #include "layout_scenes.hpp"
+#include "scene_arguments.hpp"
 #include "support/catch.hpp"
 #include "support/opencl_probe.hpp"
 #include "support/skip.hpp"
@@ -28,7 +28,7 @@ class LayoutProbe {
   LayoutProbe(FlatScene scene, Traversal traversal)
       : scene_(compile_scene(std::move(scene), {}, traversal)),
         packets_(traversal == Traversal::packet),
-        program_("layouts.cl", layout_options(scene_)) {}
+        program_("layouts.cl", scene_options(scene_)) {}
 
   std::vector<ProbeHit> closest(Rays const& rays) const {
     std::vector<ProbeHit> hits(rays.size());
@@ -52,7 +52,7 @@ class LayoutProbe {
  private:
   void run(std::string const& kernel, Rays const& rays, std::vector<ProbeArgument> const& last,
            std::size_t rays_per_item) const {
-    std::vector<ProbeArgument> arguments = layout_arguments(scene_);
+    std::vector<ProbeArgument> arguments = scene_arguments(scene_);
     arguments.insert(arguments.end(), {in(rays.origins), in(rays.directions)});
     arguments.insert(arguments.end(), last.begin(), last.end());
     // Small groups: each work-item has much memory of its own.
@@ -77,7 +77,7 @@ std::size_t count_different(std::vector<ProbeHit> const& a, std::vector<ProbeHit
 }
 
 /// A closed, bumpy surface around `center`: a sphere of 2 n^2 quads, split.
-std::vector<Vec3> mesh_corners(Vec3 const& center, int n, std::vector<device::TrianglePrimitive>& triangles) {
+std::vector<Vec3> mesh_corners(Vec3 const& center, int n, BigVector<device::TrianglePrimitive>& triangles) {
   auto const corner = [&](int i, int j) {
     j = (j + 2 * n) % (2 * n);
     double const theta = glm::pi<double>() * i / n, phi = glm::pi<double>() * j / n;
@@ -204,7 +204,7 @@ TEST_CASE("none of 10^8 rays slips through a closed mesh", "[kernel][layouts][lo
 
 TEST_CASE("odd scenes are traced in every layout", "[kernel][layouts]") {
   NEEDS_OPENCL_DEVICE();
-  auto const scene_of = [](std::vector<device::TrianglePrimitive> triangles) {
+  auto const scene_of = [](BigVector<device::TrianglePrimitive> triangles) {
     FlatScene scene;
     scene.objects.resize(1);
     scene.objects[0].triangles = std::move(triangles);
@@ -225,14 +225,15 @@ TEST_CASE("odd scenes are traced in every layout", "[kernel][layouts]") {
 
   struct Case {
     char const* name;
-    std::vector<device::TrianglePrimitive> triangles;
+    BigVector<device::TrianglePrimitive> triangles;
     bool is_seen;
   };
-  std::vector<Case> cases{{"nothing", {}, false},
-                          {"one triangle", {one}, true},
-                          {"NaN and infinite vertices", {broken, infinite}, false},
-                          {"one between broken ones", {broken, one, infinite}, true},
-                          {"identical triangles", std::vector(scaled_count(100'000) + 9, one), true}};
+  std::vector<Case> cases{
+      {"nothing", {}, false},
+      {"one triangle", {one}, true},
+      {"NaN and infinite vertices", {broken, infinite}, false},
+      {"one between broken ones", {broken, one, infinite}, true},
+      {"identical triangles", BigVector<device::TrianglePrimitive>(scaled_count(100'000) + 9, one), true}};
   for (Case const& c : cases) {
     INFO(c.name);
     for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {

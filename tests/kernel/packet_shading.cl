@@ -1,7 +1,7 @@
 /* What is computed for sixteen points at once, next to the same for one. */
 #include "integrators/whitted_packet.clh"
-#include "layout_arguments.clh"
 #include "packet_input.clh"
+#include "traversal/traversal.clh"
 
 static inline bool is_same(float3 a, float3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 static inline bool is_same4(float4 a, float4 b) { return is_same(a.xyz, b.xyz) && a.w == b.w; }
@@ -27,7 +27,7 @@ typedef struct {
 
 __kernel void probe_points(SCENE_PARAMETERS, __global FrameParameters const* frame, __global float4 const* origins,
                            __global float4 const* directions, float4 const light, __global ProbePoint* out) {
-  MAKE_SCENE;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   Packet packet;
   PacketShading shading;
   WorkItemRays rays = {0u, 0u, 0u, 0u};

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <map>
 
-#include "layout_arguments.hpp"
 #include "reference.hpp"
 #include "render/drawn_roots.hpp"
 #include "scene/flatten.hpp"
+#include "scene_arguments.hpp"
 #include "shared/frame.h"
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
@@ -62,7 +62,7 @@ TEST_CASE("sixteen points at once are shaded as one by one, to the last bit", "[
   Random random(11);
   Scene const scene = scene_of(scene_text(random));
   SceneBuffers const buffers = compile_scene(flatten(drawn_roots(scene, "")), scene.lights, Traversal::packet);
-  ProbeProgram const program("packet_shading.cl", layout_options(buffers));
+  ProbeProgram const program("packet_shading.cl", scene_options(buffers));
 
   std::vector<float4> origins, directions;
   std::size_t const packets = std::max<std::size_t>(scaled_count(600), 12);  // enough to meet every kind of shape
@@ -83,7 +83,7 @@ TEST_CASE("sixteen points at once are shaded as one by one, to the last bit", "[
   frame[0].background = {0.5f, 0.25f, 0.125f, 0};
   device::float4 const light{3, 9, 5, 1};
   std::vector<ProbePoint> points(origins.size());
-  std::vector<ProbeArgument> arguments = layout_arguments(buffers);
+  std::vector<ProbeArgument> arguments = scene_arguments(buffers);
   for (auto const& argument : {in(frame), in(origins), in(directions), value(light), out(points)}) {
     arguments.push_back(argument);
   }

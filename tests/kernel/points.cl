@@ -1,5 +1,5 @@
-#include "layout_arguments.clh"
 #include "shading/direct_light.clh"
+#include "traversal/traversal.clh"
 
 /* What shading sees of the point that each ray hits first; `coefficients`: ka and m, kd and reflect, ks and transmit,
  * emission and ior. w of a position: t, INFINITY without hit; of a normal: 1 on the outer side; of a shading normal: 1
@@ -7,7 +7,7 @@
 __kernel void probe_points(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
                            __global float4* positions, __global float4* normals, __global float4* shading_normals,
                            __global float4* coefficients) {
-  MAKE_SCENE;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   size_t const i = get_global_id(0);
   Ray const ray = make_ray(origins[i].xyz, directions[i].xyz);
   Hit const hit = trace_closest(&scene, ray, INFINITY);
@@ -33,7 +33,7 @@ __kernel void probe_points(SCENE_PARAMETERS, __global float4 const* origins, __g
 /* How much light gets through to t = 1. */
 __kernel void probe_visibility(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
                                __global float* visibility, __global uint* any) {
-  MAKE_SCENE;
+  Scene const scene = SCENE_FROM_PARAMETERS;
   size_t const i = get_global_id(0);
   Ray const ray = make_ray(origins[i].xyz, directions[i].xyz);
   visibility[i] = trace_visibility(&scene, ray, 1.f);

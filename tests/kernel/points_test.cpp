@@ -1,10 +1,10 @@
 /// Points of textured meshes, in every layout, against the reference renderer's: what shading sees, and what lets light
 /// through.
 
-#include "layout_arguments.hpp"
 #include "reference.hpp"
 #include "render/reference_point.hpp"
 #include "scene/flatten.hpp"
+#include "scene_arguments.hpp"
 #include "support/catch.hpp"
 #include "support/skip.hpp"
 #include "support/textured_meshes.hpp"
@@ -41,10 +41,10 @@ struct Layout {
       : buffers(compile_scene(flatten(scene.roots()), scene.lights, traversal)) {}
   void run(std::string const& file, std::string const& kernel, std::size_t count, Rays const& rays,
            std::vector<ProbeArgument> const& more, std::size_t local = 0) const {
-    auto arguments = layout_arguments(buffers);
+    auto arguments = scene_arguments(buffers);
     arguments.insert(arguments.end(), {in(rays.origins), in(rays.directions)});
     arguments.insert(arguments.end(), more.begin(), more.end());
-    ProbeProgram(file, layout_options(buffers)).run(kernel, count, arguments, 1, local, local == 0 ? 0 : 1);
+    ProbeProgram(file, scene_options(buffers)).run(kernel, count, arguments, 1, local, local == 0 ? 0 : 1);
   }
 };
 

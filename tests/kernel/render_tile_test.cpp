@@ -47,11 +47,8 @@ struct SmallPicture {
     f.sample_count = sample_count;
     f.seed_low = 7;
     f.max_depth = interpreted ? 2 : 5;
-    f.light_count = device::uint(scene.lights.size());
     f.tone_map = TONE_MAP_REINHARD;
     f.transfer = TRANSFER_SRGB;
-    f.ray_epsilon = DEFAULT_RAY_EPSILON;
-    f.root_node = scene.root_node;
     film.assign(std::size_t(f.width * f.height * 3), -1.f);
   }
 
@@ -60,11 +57,7 @@ struct SmallPicture {
 
   std::vector<device::WorkItemRays> render(ProbeProgram const& program, device::Tile const& tile) {
     std::vector<device::WorkItemRays> rays(tile.width * tile.height);
-    std::vector<float> const none;  // no physically based materials, textures and vertices
-    program.run("render_tile", tile.width,
-                {in(frame), value(tile), in(scene.nodes), in(scene.references), in(scene.triangles), in(scene.spheres),
-                 in(scene.ellipsoids), in(scene.boxes), in(scene.instances), in(scene.materials), in(scene.lights),
-                 in(none), in(none), in(none), in(none), in(none), updated(film), out(rays)},
+    program.run("render_tile", tile.width, scene.arguments({in(frame), value(tile), updated(film), out(rays)}),
                 tile.height, 8, 8);
     return rays;
   }

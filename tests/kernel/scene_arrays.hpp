@@ -6,10 +6,8 @@
 
 #include "accel/bvh.hpp"
 #include "accel/primitive_bounds.hpp"
+#include "compile/scene_arrays.hpp"
 #include "reference.hpp"
-#include "shared/bvh.h"
-#include "shared/geometry.h"
-#include "shared/shading.h"
 #include "support/opencl_probe.hpp"
 
 namespace lichtraum::test {
@@ -22,22 +20,13 @@ struct ProbeHit {
 inline constexpr device::uint none = 0xffffffffu;
 
 /// A scene for a probe, put together by hand: primitives are added to the open object, close_object makes its tree.
-struct SceneArrays {
-  std::vector<device::BvhNode> nodes;
-  std::vector<device::PrimitiveReference> references;
-  std::vector<device::TrianglePrimitive> triangles;
-  std::vector<device::SpherePrimitive> spheres;
-  std::vector<device::EllipsoidPrimitive> ellipsoids;
-  std::vector<device::BoxPrimitive> boxes;
-  std::vector<device::Instance> instances;
-  std::vector<device::PhongMaterial> materials;
-  std::vector<device::PunctualLight> lights;
+struct SceneArrays : device::GeometryArrays, device::ShadingArrays {
   device::uint root_node = 0;  ///< of the object closed last: the world
 
-  void add(device::TrianglePrimitive const& p) { add(triangles, p, PRIMITIVE_TRIANGLE); }
-  void add(device::SpherePrimitive const& p) { add(spheres, p, PRIMITIVE_SPHERE); }
-  void add(device::EllipsoidPrimitive const& p) { add(ellipsoids, p, PRIMITIVE_ELLIPSOID); }
-  void add(device::BoxPrimitive const& p) { add(boxes, p, PRIMITIVE_BOX); }
+  void add(device::TrianglePrimitive const& p) { add(triangles, p); }
+  void add(device::SpherePrimitive const& p) { add(spheres, p); }
+  void add(device::EllipsoidPrimitive const& p) { add(ellipsoids, p); }
+  void add(device::BoxPrimitive const& p) { add(boxes, p); }
   /// `bounds` are the object's, in its own frame.
   void add_instance(Affine const& world_from_object, device::uint object_root, DeviceBounds const& bounds) {
     Mat4 matrix(world_from_object.linear);
@@ -64,17 +53,21 @@ struct SceneArrays {
 
   /// Followed by what the probe takes besides the scene.
   std::vector<ProbeArgument> arguments(std::vector<ProbeArgument> const& more) const {
-    std::vector<ProbeArgument> all{value(root_node), in(nodes), in(references), in(triangles), in(spheres),
-                                   in(ellipsoids),   in(boxes), in(instances),  in(materials), in(lights)};
+    std::vector<ProbeArgument> all;
+    auto const add_array = [&](auto const& array) { all.push_back(in(array)); };
+    device::for_each_array(*this, true, add_array);
+    device::for_each_array(*this, add_array);
+    all.push_back(value(device::SceneConstants{root_node, device::uint(lights.size()),
+                                               SCENE_TRANSPARENCY | SCENE_LIGHT_KINDS, DEFAULT_RAY_EPSILON}));
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
 
  private:
   template <class Primitive>
-  void add(std::vector<Primitive>& array, Primitive const& primitive, device::uint kind) {
+  void add(BigVector<Primitive>& array, Primitive const& primitive) {
     array.push_back(primitive);
-    open_.push_back({bounds_of(primitive), {kind, device::uint(array.size() - 1)}});
+    open_.push_back({bounds_of(primitive), {device::primitive_kind<Primitive>, device::uint(array.size() - 1)}});
   }
 
   std::vector<BuildPrimitive> open_;

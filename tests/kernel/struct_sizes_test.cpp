@@ -7,6 +7,7 @@
 #include "shared/pbr_material.h"
 #include "shared/phong_from_pbr.h"
 #include "shared/sampling.h"
+#include "shared/scene_arrays.h"
 #include "shared/shading.h"
 #include "shared/texture.h"
 #include "shared/vertex.h"

@@ -2,10 +2,10 @@
 #include "shading/direct_light.clh"
 
 /* The surface that each ray hits first. */
-__kernel void probe_find_surface(SCENE_ARGUMENTS, __global ProbeRay const* rays, __global Hit* hits,
+__kernel void probe_find_surface(SCENE_PARAMETERS, __global ProbeRay const* rays, __global Hit* hits,
                                  __global float4* position_offset, __global float4* normals) {
   size_t const i = get_global_id(0);
-  Scene const scene = SCENE_FROM_ARGUMENTS(0u);
+  Scene const scene = SCENE_FROM_PARAMETERS;
   Ray const ray = load_ray(rays[i]);
   Hit const hit = trace_closest(&scene, ray, INFINITY);
   hits[i] = hit;
@@ -19,20 +19,20 @@ __kernel void probe_find_surface(SCENE_ARGUMENTS, __global ProbeRay const* rays,
 }
 
 /* Rays that leave a surface. */
-__kernel void probe_leave_surface(SCENE_ARGUMENTS, __global float4 const* position_offset,
+__kernel void probe_leave_surface(SCENE_PARAMETERS, __global float4 const* position_offset,
                                   __global float4 const* normals, __global float4 const* directions,
                                   __global Hit* hits) {
   size_t const i = get_global_id(0);
-  Scene const scene = SCENE_FROM_ARGUMENTS(0u);
+  Scene const scene = SCENE_FROM_PARAMETERS;
   Ray const ray = leave_surface(position_offset[i].xyz, normals[i].xyz, position_offset[i].w, directions[i].xyz);
   hits[i] = trace_closest(&scene, ray, INFINITY);
 }
 
-__kernel void probe_light_visibility(SCENE_ARGUMENTS, __global float4 const* position_offset,
+__kernel void probe_light_visibility(SCENE_PARAMETERS, __global float4 const* position_offset,
                                      __global float4 const* normals, __global PunctualLight const* probed_lights,
                                      __global float* visibility) {
   size_t const i = get_global_id(0);
-  Scene const scene = SCENE_FROM_ARGUMENTS(0u);
+  Scene const scene = SCENE_FROM_PARAMETERS;
   ShadingPoint point;
   point.position = position_offset[i].xyz;
   point.geometric_normal = normals[i].xyz;

@@ -21,6 +21,7 @@ struct ProbeArgument {
   Kind kind;
   void* data;  ///< only read for inputs and values
   std::size_t bytes;
+  std::shared_ptr<void const> owned = {};  ///< a value's copy
 };
 
 template <class T, class Allocator>
@@ -38,7 +39,8 @@ ProbeArgument updated(std::vector<T>& data) {
 }
 template <class T>
 ProbeArgument value(T const& v) {
-  return {ProbeArgument::Kind::value, const_cast<T*>(&v), sizeof(T)};
+  auto const copy = std::make_shared<T>(v);
+  return {ProbeArgument::Kind::value, copy.get(), sizeof(T), copy};
 }
 
 /// A program for the test device: a file of tests/kernel (or of kernels), built with -I kernels. Buffers without

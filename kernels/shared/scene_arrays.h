@@ -1,0 +1,82 @@
+#ifndef LICHTRAUM_SHARED_SCENE_ARRAYS_H
+#define LICHTRAUM_SHARED_SCENE_ARRAYS_H
+
+#include "shared/bvh.h"
+#include "shared/geometry.h"
+#include "shared/pbr_material.h"
+#include "shared/shading.h"
+#include "shared/texture.h"
+#include "shared/vertex.h"
+#include "shared/wide.h"
+
+/* Every array of a scene that kernels read, written down once: ARRAY(type of an element, name). From these lists come
+ * the struct Scene and the parameters of kernels (scene.clh), what the host fills (src/compile/scene_arrays.hpp) and
+ * uploads, probes and benchmarks. */
+
+/* Primitives that the wide layout stores in blocks ... */
+#define BLOCK_PRIMITIVE_ARRAYS(ARRAY) \
+  ARRAY(TrianglePrimitive, triangles) \
+  ARRAY(SpherePrimitive, spheres)
+
+/* ... and those that both layouts store alike. */
+#define SINGLE_PRIMITIVE_ARRAYS(ARRAY)  \
+  ARRAY(EllipsoidPrimitive, ellipsoids) \
+  ARRAY(BoxPrimitive, boxes)
+
+#define PRIMITIVE_ARRAYS(ARRAY) BLOCK_PRIMITIVE_ARRAYS(ARRAY) SINGLE_PRIMITIVE_ARRAYS(ARRAY)
+
+/* The tree, with what is stored as the layout has it: of the binary tree ... */
+#define BINARY_TREE_ARRAYS(ARRAY)       \
+  ARRAY(BvhNode, nodes)                 \
+  ARRAY(PrimitiveReference, references) \
+  BLOCK_PRIMITIVE_ARRAYS(ARRAY)
+
+/* ... and of the wide one. */
+#define WIDE_TREE_ARRAYS(ARRAY)                                \
+  ARRAY(WideNode, wide_nodes)                                  \
+  ARRAY(TriangleBlock, triangle_blocks)                        \
+  ARRAY(PrimitiveTag, triangle_tags) /* BLOCK_LANES a block */ \
+  ARRAY(SphereBlock, sphere_blocks)
+
+#define SHAPE_ARRAYS(ARRAY)                                                                               \
+  SINGLE_PRIMITIVE_ARRAYS(ARRAY)                                                                          \
+  ARRAY(Instance, instances)                                                                              \
+  ARRAY(TriangleAttributes, triangle_attributes) /* one a triangle, as the layout counts them; or none */ \
+  ARRAY(float, vertex_data)
+
+#define TEXTURE_ARRAYS(ARRAY) \
+  ARRAY(Texture, textures)    \
+  ARRAY(uint, texels)
+
+/* What surfaces and lights are like: all that can change without a look at shapes and textures. */
+#define SHADING_ARRAYS(ARRAY)                                           \
+  ARRAY(PhongMaterial, materials)                                       \
+  ARRAY(PbrMaterial, pbr_materials) /* as many as materials, or none */ \
+  ARRAY(PunctualLight, lights)
+
+DEVICE_NAMESPACE_BEGIN
+
+/* What kernels know of a scene besides its arrays. */
+typedef struct {
+  uint root_node; /* of the world's hierarchy */
+  uint light_count;
+  uint features;     /* SCENE_... */
+  float ray_epsilon; /* how far, relative to its coordinates, a computed hit point may lie off its surface */
+} SceneConstants;
+DEVICE_STRUCT_SIZE(SceneConstants, 16);
+
+/* For SceneConstants.ray_epsilon: 16 rounding units of float, several times what the device code can be off. */
+#define DEFAULT_RAY_EPSILON 9.5367431640625e-7f
+
+/* SceneConstants.features: what some of the scene has. What none of it has costs no time. */
+#define SCENE_TRANSPARENCY 1u /* a material lets light through */
+#define SCENE_CUTOUTS 2u      /* a material is there, or lets light through, in some points only */
+#define SCENE_ATTRIBUTES 4u   /* triangles have vertices with normals, colours or texture coordinates */
+#define SCENE_PBR 8u          /* a material is derived from a physically based one */
+#define SCENE_LIGHT_KINDS 16u /* a light is not LIGHT_CONSTANT */
+/* What eSDF's own shapes, materials and lights can have. */
+#define SCENE_PLAIN SCENE_TRANSPARENCY
+
+DEVICE_NAMESPACE_END
+
+#endif

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compile/scene_buffers.hpp"
+#include "support/opencl_probe.hpp"
+
+namespace lichtraum::test {
+
+/// What SCENE_PARAMETERS of scene.clh takes, before the probe's own arguments.
+inline std::vector<ProbeArgument> scene_arguments(SceneBuffers const& scene) {
+  std::vector<ProbeArgument> arguments;
+  auto const add = [&](auto const& array) { arguments.push_back(in(array)); };
+  for_each_array(scene, add);
+  for_each_array(scene.shading, add);
+  arguments.push_back(value(scene_constants(scene, scene.shading)));
+  return arguments;
+}
+
+/// What its program is compiled with.
+inline std::string scene_options(SceneBuffers const& scene) {
+  char const* const names[] = {"", "SCALAR", "WIDE", "PACKET"};
+  return std::string("-D TRAVERSAL_") + names[int(scene.traversal)] +
+         " -D TRAVERSAL_STACK_SIZE=" + std::to_string(std::max<std::size_t>(scene.stack_size, 1));
+}
+
+}  // namespace lichtraum::test

@@ -33,7 +33,7 @@ std::vector<unsigned char> compile(cl::Device const& device, RenderProgram const
   for (cl_uint const i : {RenderProgram::frame_argument, RenderProgram::film_argument, RenderProgram::rays_argument}) {
     kernel.setArg(scene_arguments + i, anything);
   }
-  warm_up(queue, kernel, scene_arguments, wanted.traversal);
+  warm_up(queue, kernel, scene_arguments, wanted.grouping);
   return program.getInfo<CL_PROGRAM_BINARIES>().at(0);
 }
 

@@ -21,7 +21,7 @@ static inline Ray camera_ray(__global PinholeCamera const* camera, float x, floa
                   add_scaled(add_scaled(camera->corner.xyz, x, camera->step_x.xyz), y, camera->step_y.xyz));
 }
 
-#ifndef TRAVERSAL_PACKET
+#ifndef TRACE_PACKETS
 
 __kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, uint const width,
                       float const pixels_per_ray, __global BenchHit* hits) {
@@ -54,7 +54,7 @@ __kernel void closest(SCENE_PARAMETERS, __global float4 const* origins, __global
   }
 }
 
-#ifndef TRAVERSAL_SCALAR
+#ifdef LAYOUT_WIDE
 
 /* The same, a few rays in turn. */
 __kernel void closest_in_turn(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,

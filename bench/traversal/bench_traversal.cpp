@@ -183,12 +183,12 @@ int run(Options const& options) {
                                                   : embree->build_ms());
     FlatScene flat = flat_scene(mesh);
     wide = {};  // gone before the clock runs
-    auto const compile = [&] { wide = compile_scene(std::move(flat), {}, Traversal::wide); };
+    auto const compile = [&] { wide = compile_scene(std::move(flat), {}, TreeLayout::wide); };
     own_build.push_back(options.processor_time ? processor_milliseconds(compile, options.threads)
                                                : milliseconds(compile));
   }
   embree_high = std::make_unique<EmbreeTracer>(mesh, EmbreeTracer::Quality::high, options.threads);
-  scalar = compile_scene(flat_scene(mesh), {}, Traversal::scalar);
+  scalar = compile_scene(flat_scene(mesh), {}, TreeLayout::binary);
   double const triangles = double(mesh.triangles.size());
   double const own_bytes = double(sizeof(device::WideNode) * wide.wide_nodes.size() +
                                   sizeof(device::TriangleBlock) * wide.triangle_blocks.size() +

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,17 +13,9 @@
 #include "lichtraum/image.hpp"
 #include "lichtraum/scene.hpp"
 #include "lichtraum/scene_edits.hpp"
+#include "lichtraum/traversal.hpp"
 
 namespace lichtraum {
-
-/// How rays find what they hit. The picture is the same, but for single pixels at the edges of shadows and where
-/// surfaces meet; the time is not.
-enum class Traversal {
-  automatic,  ///< packet on a CPU, scalar elsewhere
-  scalar,     ///< one ray, binary tree: plain, and for GPUs
-  wide,       ///< one ray, sixteen children a node: for CPUs
-  packet,     ///< camera and shadow rays in packets of one origin, others as `wide`
-};
 
 /// A rectangle of pixels; x and y count from the top left corner.
 struct Region {
@@ -178,7 +171,8 @@ class Renderer {
   }
 };
 
-/// For a device of `list` (see select_device). The reference tracer has one way to trace only.
-std::unique_ptr<Renderer> make_renderer(DeviceInfo const& device, Traversal traversal = Traversal::automatic);
+/// For a device of `list` (see select_device). `traversal`: nothing for the device's default. The reference tracer has
+/// one way to trace only.
+std::unique_ptr<Renderer> make_renderer(DeviceInfo const& device, std::optional<Traversal> traversal = {});
 
 }  // namespace lichtraum

@@ -5,12 +5,16 @@
 
 DEVICE_NAMESPACE_BEGIN
 
+/* include/lichtraum/material.hpp says what each means. */
 typedef struct {
-  float4 ka;         /* w: specular exponent m */
-  float4 kd;         /* w: reflect, 0..1 */
-  float4 ks;         /* w: transmit, 0..1 */
-  float ior;         /* > 0 */
-  float emission[3]; /* what the surface shows without any light */
+  float ka[3];
+  float m;
+  float kd[3];
+  float reflect;
+  float ks[3];
+  float transmit;
+  float emission[3];
+  float ior;
 } PhongMaterial;
 DEVICE_STRUCT_SIZE(PhongMaterial, 64);
 

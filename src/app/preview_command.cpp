@@ -114,7 +114,7 @@ int preview_command(Arguments const& arguments, Console& console) {
   if (interrupted()) throw Error(ErrorKind::interrupted, "interrupted");
   request.resolution = fit(request.resolution, area, graphics);
   request.region = {0, 0, request.resolution.width, request.resolution.height};
-  auto const renderer = choose_renderer(render.device, Traversal::automatic, console);
+  auto const renderer = choose_renderer(render.device, std::nullopt, console);
   renderer->set_scene(loaded.scene(), render.root);
   Image image;
   renderer->render(request, image);

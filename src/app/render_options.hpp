@@ -35,7 +35,7 @@ struct RenderOptions {
   ToneMap tone_map = ToneMap::automatic;
   std::optional<Transfer> transfer;  // nothing: srgb for models, linear for scenes
   std::string device;
-  Traversal traversal = Traversal::automatic;
+  std::optional<Traversal> traversal;
 
   std::optional<FrameRange> frames;  // of a model's animation
   std::optional<double> frames_per_second;

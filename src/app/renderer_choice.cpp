@@ -4,7 +4,8 @@
 
 namespace lichtraum::app {
 
-std::unique_ptr<Renderer> choose_renderer(std::string const& selector, Traversal traversal, Console const& console) {
+std::unique_ptr<Renderer> choose_renderer(std::string const& selector, std::optional<Traversal> const& traversal,
+                                          Console const& console) {
   // The reference tracer needs no OpenCL: do not even look for it.
   if (selector == "reference") return make_renderer(reference_device());
 

@@ -10,6 +10,7 @@ namespace lichtraum::app {
 
 /// A renderer for what --device says; for an empty selector the best device that works, with a warning for each better
 /// one that does not. Throws Error{no_device}.
-std::unique_ptr<Renderer> choose_renderer(std::string const& selector, Traversal traversal, Console const& console);
+std::unique_ptr<Renderer> choose_renderer(std::string const& selector, std::optional<Traversal> const& traversal,
+                                          Console const& console);
 
 }  // namespace lichtraum::app

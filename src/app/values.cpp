@@ -137,11 +137,11 @@ Aov parse_aov(std::string_view text) {
                    {{"picture", Aov::picture}, {"depth", Aov::depth}, {"normal", Aov::normal}, {"id", Aov::object_id}});
 }
 
-Traversal parse_traversal(std::string_view text) {
-  return word<Traversal>(text, {{"auto", Traversal::automatic},
-                                {"scalar", Traversal::scalar},
-                                {"wide", Traversal::wide},
-                                {"packet", Traversal::packet}});
+std::optional<Traversal> parse_traversal(std::string_view text) {
+  return word<std::optional<Traversal>>(text, {{"auto", std::nullopt},
+                                               {"scalar", Traversal::scalar},
+                                               {"wide", Traversal::wide},
+                                               {"packet", Traversal::packet}});
 }
 
 ToneMap parse_tone_map(std::string_view text) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,7 +36,7 @@ int parse_texture_size(std::string_view text);                            ///< 1
 int parse_bits(std::string_view text);                                    ///< 8 or 16
 int parse_quality(std::string_view text);                                 ///< 1..100
 Aov parse_aov(std::string_view text);                                     ///< picture, depth, normal, id
-Traversal parse_traversal(std::string_view text);                         ///< auto, scalar, wide, packet
+std::optional<Traversal> parse_traversal(std::string_view text);          ///< auto (nothing), scalar, wide, packet
 ToneMap parse_tone_map(std::string_view text);                            ///< auto, none, reinhard
 Transfer parse_transfer(std::string_view text);                           ///< linear, srgb
 TransformOrder parse_transform_order(std::string_view text);              ///< parent, local

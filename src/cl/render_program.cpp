@@ -9,23 +9,24 @@
 namespace lichtraum {
 namespace {
 
-std::string_view layout_name(Traversal traversal) {
-  switch (traversal) {
-    case Traversal::wide:
-      return "TRAVERSAL_WIDE";
-    case Traversal::packet:
-      return "TRAVERSAL_PACKET";
-    default:
-      return "TRAVERSAL_SCALAR";
+std::string_view grouping_options(RayGrouping grouping) {
+  switch (grouping) {
+    case RayGrouping::one:
+      return "";
+    case RayGrouping::stream:
+      return " -D LAYOUT_WIDE";
+    case RayGrouping::packet:
+      return " -D LAYOUT_WIDE -D TRACE_PACKETS";
   }
+  return {};
 }
 
 }  // namespace
 
 std::string RenderProgram::options() const {
-  std::string text = fmt::format("-cl-std=CL1.2 -D RAY_STACK_SIZE={} -D {}", ray_stack_size, layout_name(traversal));
+  std::string text = fmt::format("-cl-std=CL1.2 -D RAY_STACK_SIZE={}{}", ray_stack_size, grouping_options(grouping));
   if (first_surface) text += " -D FIRST_SURFACE";
-  if (traversal != Traversal::scalar) text += fmt::format(" -D TRAVERSAL_STACK_SIZE={}", traversal_stack_size);
+  if (grouping != RayGrouping::one) text += fmt::format(" -D TRAVERSAL_STACK_SIZE={}", traversal_stack_size);
   if (is_plain) text += fmt::format(" -D POSSIBLE_FEATURES={}", SCENE_PLAIN);
   return text;
 }
@@ -46,10 +47,10 @@ std::size_t traversal_stack_size(std::size_t needed) {
   return 2 * WIDE_STACK_SIZE;  // no two levels need more
 }
 
-void warm_up(cl::CommandQueue const& queue, cl::Kernel& kernel, cl_uint scene_arguments, Traversal traversal) {
+void warm_up(cl::CommandQueue const& queue, cl::Kernel& kernel, cl_uint scene_arguments, RayGrouping grouping) {
   device::Tile const nothing{};
   kernel.setArg(scene_arguments + RenderProgram::tile_argument, nothing);
-  cl::NDRange const one_group(work_group_side(traversal), work_group_side(traversal));
+  cl::NDRange const one_group(work_group_side(grouping), work_group_side(grouping));
   queue.enqueueNDRangeKernel(kernel, cl::NullRange, one_group, one_group);
   queue.finish();
 }

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "cl/opencl.hpp"
-#include "lichtraum/renderer.hpp"
+#include "lichtraum/traversal.hpp"
 
 namespace lichtraum {
 
@@ -15,7 +15,7 @@ struct RenderProgram {
   static constexpr cl_uint frame_argument = 0, tile_argument = 1, film_argument = 2, rays_argument = 3;
   static constexpr cl_uint own_arguments = 4;
 
-  Traversal traversal = Traversal::packet;
+  RayGrouping grouping = RayGrouping::packet;
   bool first_surface = false;  ///< writes what the first surface is, instead of its light
   bool is_plain = false;       ///< for scenes without other features than SCENE_PLAIN
   unsigned ray_stack_size = 8;
@@ -30,8 +30,8 @@ struct RenderProgram {
 inline constexpr RenderProgram usual_render_programs[] = {
     {.is_plain = true},
     {.is_plain = false},
-    {.traversal = Traversal::wide, .first_surface = true, .is_plain = true},
-    {.traversal = Traversal::wide, .first_surface = true, .is_plain = false},
+    {.grouping = RayGrouping::stream, .first_surface = true, .is_plain = true},
+    {.grouping = RayGrouping::stream, .first_surface = true, .is_plain = false},
 };
 
 /// The entries of the ray stack that a depth needs, as one of a few sizes: each is a program of its own.
@@ -41,12 +41,12 @@ unsigned ray_stack_size(unsigned max_depth);
 /// A traversal's stack, as one of a few sizes.
 std::size_t traversal_stack_size(std::size_t needed);
 
-/// Along each of two axes. A packet has much memory of its own: a group of one lets the next work-item find it in the
-/// cache.
-constexpr std::size_t work_group_side(Traversal traversal) { return traversal == Traversal::packet ? 1 : 8; }
+/// Along each of two axes. A square of pixels has much memory of its own: a group of one lets the next work-item find
+/// it in the cache.
+constexpr std::size_t work_group_side(RayGrouping grouping) { return grouping == RayGrouping::one ? 8 : 1; }
 
 /// Launches the kernel for a tile of no pixels, and waits. PoCL loads a kernel's machine code, or makes it, when it is
 /// first launched. All arguments but the tile must be set; `scene_arguments` come first.
-void warm_up(cl::CommandQueue const& queue, cl::Kernel& kernel, cl_uint scene_arguments, Traversal traversal);
+void warm_up(cl::CommandQueue const& queue, cl::Kernel& kernel, cl_uint scene_arguments, RayGrouping grouping);
 
 }  // namespace lichtraum

@@ -20,9 +20,9 @@ struct LaunchSize {
   std::size_t height = 0;
 };
 
-/// A work-item traces a pixel, or a packet's square of pixels on the picture's grid.
-LaunchSize launch_size(device::Tile const& tile, Traversal traversal) {
-  if (traversal != Traversal::packet) return {tile.width, tile.height};
+/// A work-item traces a pixel, or a batch's square of pixels on the picture's grid.
+LaunchSize launch_size(device::Tile const& tile, RayGrouping grouping) {
+  if (grouping == RayGrouping::one) return {tile.width, tile.height};
   auto const squares = [](std::size_t begin, std::size_t length) {
     return (begin + length + PACKET_SIDE - 1) / PACKET_SIDE - begin / PACKET_SIDE;
   };
@@ -54,6 +54,7 @@ cl::Buffer buffer_over(cl::Context const& context, cl_mem_flags flags, Array con
 
 struct TileTracer::State {
   DeviceInfo info;
+  RayGrouping grouping = RayGrouping::one;
   cl::Device device;
   cl::Context context;
   cl::CommandQueue queue;
@@ -96,13 +97,13 @@ struct TileTracer::State {
                     device_bytes, largest, info.name, info.global_memory_bytes, info.max_allocation_bytes));
   }
 
-  /// How the frame is traced: the first surface is looked for ray by ray.
-  Traversal frame_traversal() const {
-    return frame[0].aov != 0 && scene->traversal == Traversal::packet ? Traversal::wide : scene->traversal;
+  /// How the frame is traced: what surfaces are by streams.
+  RayGrouping frame_grouping() const {
+    return frame[0].aov != 0 && grouping == RayGrouping::packet ? RayGrouping::stream : grouping;
   }
 
   KnownKernel& kernel_for(device::FrameParameters const& parameters) {
-    RenderProgram const program{frame_traversal(), parameters.aov != 0, (tables->features & ~SCENE_PLAIN) == 0,
+    RenderProgram const program{frame_grouping(), parameters.aov != 0, (tables->features & ~SCENE_PLAIN) == 0,
                                 ray_stack_size(parameters.max_depth), traversal_stack_size(scene->stack_size)};
     auto const options = program.options();
     auto found = kernels.find(options);
@@ -118,7 +119,7 @@ struct TileTracer::State {
   void load(KnownKernel& known) {
     if (known.is_loaded) return;
     make_room_for_rays(1);
-    warm_up(queue, kernel, arguments_before, frame_traversal());
+    warm_up(queue, kernel, arguments_before, frame_grouping());
     known.is_loaded = true;
   }
 
@@ -131,8 +132,9 @@ struct TileTracer::State {
   }
 };
 
-TileTracer::TileTracer(DeviceInfo const& device) : state_(std::make_unique<State>()) {
+TileTracer::TileTracer(DeviceInfo const& device, RayGrouping grouping) : state_(std::make_unique<State>()) {
   state_->info = device;
+  state_->grouping = grouping;
   checked([&] {
     state_->device = find_device(device);
     state_->context = cl::Context(state_->device);
@@ -192,8 +194,8 @@ void TileTracer::begin_frame(device::FrameParameters const& frame, Image& image)
 
 RayCounts TileTracer::trace(device::Tile const& tile) {
   State& state = *state_;
-  LaunchSize const size = launch_size(tile, state.frame_traversal());
-  std::size_t const local_side = work_group_side(state.frame_traversal());
+  LaunchSize const size = launch_size(tile, state.frame_grouping());
+  std::size_t const local_side = work_group_side(state.frame_grouping());
   std::size_t const work_items = size.width * size.height;
   RayCounts counts;
   checked([&] {

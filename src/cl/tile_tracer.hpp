@@ -13,7 +13,7 @@ namespace lichtraum {
 class TileTracer {
  public:
   /// Throws DeviceError when the device described by `device` is gone or fails.
-  explicit TileTracer(DeviceInfo const& device);
+  TileTracer(DeviceInfo const& device, RayGrouping grouping);
   ~TileTracer();
 
   /// Makes the scene the device's own. CPU devices read it where it is, without a copy; nothing happens for the scene

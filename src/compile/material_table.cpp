@@ -149,9 +149,12 @@ device::PbrMaterial pbr_material(PbrMaterial const& m, Textures& textures) {
 
 device::PhongMaterial phong_material(Material const& material) {
   device::PhongMaterial out{};
-  out.ka = device_float4(material.ka(), material.m());
-  out.kd = device_float4(material.kd(), material.reflect());
-  out.ks = device_float4(material.ks(), material.transmit());
+  store(material.ka(), out.ka);
+  store(material.kd(), out.kd);
+  store(material.ks(), out.ks);
+  out.m = float(material.m());
+  out.reflect = float(material.reflect());
+  out.transmit = float(material.transmit());
   out.ior = float(material.ior());
   store(material.emission(), out.emission);
   return out;

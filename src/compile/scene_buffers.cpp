@@ -46,7 +46,7 @@ device::uint features_of(BigVector<device::PunctualLight> const& lights) {
 
 class Compiler {
  public:
-  Compiler(Traversal traversal, SceneBuffers const* previous) : previous_(previous) { buffers_.traversal = traversal; }
+  Compiler(TreeLayout layout, SceneBuffers const* previous) : previous_(previous) { buffers_.layout = layout; }
 
   struct Range {
     std::size_t first = 0;
@@ -104,7 +104,7 @@ class Compiler {
   /// Once everything is built: attributes in the order of the layout's triangles.
   void finish() {
     if (attributes_.empty()) return;
-    if (buffers_.traversal == Traversal::scalar) {
+    if (buffers_.layout == TreeLayout::binary) {
       attributes_.resize(buffers_.triangles.size(), {});
       buffers_.triangle_attributes = std::move(attributes_);
     } else {
@@ -165,13 +165,13 @@ class Compiler {
     std::copy(instances.begin(), instances.end(), out);
     left_out += std::uint64_t(std::count_if(instances.begin(), instances.end(), is_unrepresentable));
     if (left_out > 0) std::erase_if(all, is_unrepresentable);
-    CompiledObject object = buffers_.traversal == Traversal::scalar ? add_binary(all) : add_wide(all);
+    CompiledObject object = buffers_.layout == TreeLayout::binary ? add_binary(all) : add_wide(all);
     object.unrepresentable = left_out;
     return object;
   }
 
   CompiledObject const* find_in_previous(ContentHash const& content) const {
-    if (!previous_ || previous_->traversal != buffers_.traversal) return nullptr;
+    if (!previous_ || previous_->layout != buffers_.layout) return nullptr;
     auto const found = std::find_if(previous_->objects.begin(), previous_->objects.end(),
                                     [&](CompiledObject const& object) { return object.content == content; });
     return found == previous_->objects.end() ? nullptr : &*found;
@@ -227,7 +227,7 @@ class Compiler {
     auto const part = [](auto const& all, std::size_t first, std::size_t count) {
       return std::span(all).subspan(first, count);
     };
-    if (buffers_.traversal == Traversal::scalar) {
+    if (buffers_.layout == TreeLayout::binary) {
       object.root_node = device::uint(buffers_.nodes.size());
       object.first_leaf = device::uint(buffers_.references.size());
       append(buffers_.nodes, part(previous_->nodes, known.root_node, known.node_count));
@@ -255,7 +255,7 @@ class Compiler {
 
   /// Adds to what the object's nodes say of where their children are; modulo 2^32, so it may be negative.
   void move_nodes(CompiledObject const& object, device::uint nodes, device::uint leaves, device::uint sphere_blocks) {
-    if (buffers_.traversal == Traversal::scalar) {
+    if (buffers_.layout == TreeLayout::binary) {
       for (device::BvhNode& node : std::span(buffers_.nodes).subspan(object.root_node, object.node_count)) {
         for (device::BvhChild& child : node.children) child.first += child.count == 0 ? nodes : leaves;
       }
@@ -279,9 +279,9 @@ class Compiler {
 
 }  // namespace
 
-SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Traversal traversal,
+SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, TreeLayout layout,
                            SceneBuffers const* previous) {
-  Compiler compiler(traversal, previous);
+  Compiler compiler(layout, previous);
   auto world = compiler.take(std::move(scene.objects[0]));
   std::vector<CompiledObject> objects(1);  // the world's comes last: it needs the others' bounds
   for (std::size_t i = 1; i < scene.objects.size(); ++i) {
@@ -300,7 +300,7 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tra
   compiler.finish();
   buffers.triangle_count = buffers.triangles.size();
   buffers.sphere_count = buffers.spheres.size();
-  if (traversal != Traversal::scalar) {  // they are in the blocks
+  if (layout != TreeLayout::binary) {  // they are in the blocks
     buffers.triangles = {};
     buffers.spheres = {};
   }

@@ -35,8 +35,8 @@ struct ShadingTables : device::ShadingArrays {
 /// A scene as the kernels read it: plain arrays, the hierarchies of all objects in one.
 struct SceneBuffers : device::GeometryArrays {
   ShadingTables shading;
-  Traversal traversal = Traversal::scalar;  ///< which arrays are filled
-  std::size_t stack_size = 0;               ///< that a traversal needs; for the wide layout
+  TreeLayout layout = TreeLayout::binary;  ///< which arrays are filled
+  std::size_t stack_size = 0;              ///< that a traversal needs; for the wide layout
 
   ObjectNumbers object_numbers;  ///< stays on the host
 
@@ -52,15 +52,15 @@ struct SceneBuffers : device::GeometryArrays {
 /// Calls f(array) for each array but the shading that kernels take, in the order of their parameters.
 template <class F>
 void for_each_array(SceneBuffers const& scene, F const& f) {
-  device::for_each_array(scene, scene.traversal == Traversal::scalar, f);
+  device::for_each_array(scene, scene.layout == TreeLayout::binary, f);
 }
 
 /// What kernels take after them.
 device::SceneConstants scene_constants(SceneBuffers const& scene, ShadingTables const& shading);
 
-/// Builds a hierarchy per object and puts everything into the device's arrays. `traversal` is not `automatic`. Objects
-/// that are the same in `previous` (a scene compiled for the same traversal; null: none) get theirs from there.
-SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Traversal traversal,
+/// Builds a hierarchy per object and puts everything into the device's arrays. Objects that are
+/// the same in `previous` (a scene compiled for the same layout; null: none) get theirs from there.
+SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, TreeLayout layout,
                            SceneBuffers const* previous = nullptr);
 
 /// The tables of a compiled scene after edits. `materials`: whose entries its materials are, as FlatScene lists them.

@@ -40,6 +40,8 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
+Traversal default_traversal(DeviceKind kind) { return kind == DeviceKind::cpu ? Traversal::packet : Traversal::scalar; }
+
 bool matches(DeviceInfo const& device, std::string const& selector) {
   if (selector == "cpu") return device.kind == DeviceKind::cpu;
   if (selector == "gpu") return device.kind == DeviceKind::gpu;
@@ -91,9 +93,9 @@ DeviceInfo const& select_device(DeviceList const& list, std::string_view selecto
                           selector, known));
 }
 
-std::unique_ptr<Renderer> make_renderer(DeviceInfo const& device, Traversal traversal) {
+std::unique_ptr<Renderer> make_renderer(DeviceInfo const& device, std::optional<Traversal> traversal) {
   if (device.kind == DeviceKind::reference) return make_reference_renderer(device);
-  return make_opencl_renderer(device, traversal);
+  return make_opencl_renderer(device, traversal.value_or(default_traversal(device.kind)));
 }
 
 }  // namespace lichtraum

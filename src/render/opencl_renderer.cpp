@@ -66,7 +66,7 @@ struct CompiledScene final : PreparedScene {
 class OpenClRenderer final : public Renderer {
  public:
   OpenClRenderer(DeviceInfo const& device, Traversal traversal)
-      : device_(device), traversal_(resolve(traversal, device.kind)), tracer_(device) {}
+      : device_(device), traversal_(traversal), tracer_(device, traversal.grouping) {}
 
   DeviceInfo const& device() const override { return device_; }
 
@@ -83,7 +83,7 @@ class OpenClRenderer final : public Renderer {
 
     start = Clock::now();
     prepared->buffers = std::make_shared<SceneBuffers>(
-        compile_scene(std::move(flat), scene.lights, traversal_, old ? old->buffers.get() : nullptr));
+        compile_scene(std::move(flat), scene.lights, traversal_.layout, old ? old->buffers.get() : nullptr));
     if (old && old->buffers->content == prepared->buffers->content) prepared->buffers = old->buffers;
     prepared->tables = {prepared->buffers, &prepared->buffers->shading};
     SceneBuffers const& buffers = *prepared->buffers;
@@ -203,11 +203,6 @@ class OpenClRenderer final : public Renderer {
     hasher.add(tables.pbr_materials);
     hasher.add(tables.lights);
     return scene_fingerprint(hasher.finish(), scene.shading);
-  }
-
-  static Traversal resolve(Traversal traversal, DeviceKind kind) {
-    if (traversal != Traversal::automatic) return traversal;
-    return kind == DeviceKind::cpu ? Traversal::packet : Traversal::scalar;
   }
 
   DeviceInfo device_;

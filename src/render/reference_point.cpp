@@ -19,7 +19,7 @@ Material const& material_of(Shape const& shape) {
   return shape.material() ? *shape.material() : matt_grey;
 }
 
-Rgb to_rgb(device::float4 const& v) { return {v.x, v.y, v.z}; }
+Rgb to_rgb(float const (&v)[3]) { return {v[0], v[1], v[2]}; }
 
 PhongCoefficients coefficients(Material const& material, MeshPoint const& point) {
   PbrMaterial const* const pbr = material.pbr().get();
@@ -29,10 +29,8 @@ PhongCoefficients coefficients(Material const& material, MeshPoint const& point)
   }
   device::PbrPoint const evaluated = evaluate(*pbr, point);
   device::PhongMaterial const phong = device::phong_from_pbr(&evaluated);
-  return {to_rgb(phong.ka), to_rgb(phong.kd),
-          to_rgb(phong.ks), phong.ka.w,
-          phong.kd.w,       phong.ks.w,
-          phong.ior,        Rgb(phong.emission[0], phong.emission[1], phong.emission[2])};
+  return {to_rgb(phong.ka), to_rgb(phong.kd), to_rgb(phong.ks), phong.m,
+          phong.reflect,    phong.transmit,   phong.ior,        to_rgb(phong.emission)};
 }
 
 /// Tangent and bitangent of a surface with the unit normal `n`: along the texture's u, and against its v.

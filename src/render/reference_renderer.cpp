@@ -170,7 +170,7 @@ class ReferenceRenderer final : public Renderer {
                               "each, takes at most {:.3g}",
                               double(primitives), double(most_primitives)));
     }
-    SceneBuffers const compiled = compile_scene(flatten(drawn.roots), scene.lights, Traversal::scalar);
+    SceneBuffers const compiled = compile_scene(flatten(drawn.roots), scene.lights, TreeLayout::binary);
     prepared->fingerprint = scene_fingerprint(compiled.content, drawn);
     auto const copies = copy_graph(drawn.roots);
     drawn.roots.assign(copies.begin(), copies.end());
@@ -193,7 +193,7 @@ class ReferenceRenderer final : public Renderer {
     edited->graph.roots.assign(copies.begin(), copies.end());
     Registry<Light> lights;
     for (Light const& light : edits.lights) lights.insert(light);
-    SceneBuffers const compiled = compile_scene(flatten(edited->graph.roots), lights, Traversal::scalar);
+    SceneBuffers const compiled = compile_scene(flatten(edited->graph.roots), lights, TreeLayout::binary);
     edited->fingerprint = scene_fingerprint(compiled.content, edited->graph);
     return edited;
   }

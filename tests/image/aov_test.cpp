@@ -62,7 +62,7 @@ void check_aovs(Scene const& scene, std::string const& name) {
     Image const expected = render_reference(scene, request);
     for (DeviceInfo const& device : opencl_devices()) {
       for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
-        INFO(name << ", aov " << int(aov) << ", traversal " << int(traversal));
+        INFO(name << ", aov " << int(aov) << ", traversal " << int(traversal.grouping));
         Image const actual = render_on(device, scene, request, traversal);
         CHECK(differing(actual, expected, tolerance) <= pixels / 500);  // silhouettes, and a bumpy normal's steps
       }

@@ -144,7 +144,7 @@ TEST_CASE("every layout of the tree draws the same bytes, but for pixels at edge
       for (std::size_t i = 0; i < image.data().size(); i += 3) {
         different += std::equal(&image.data()[i], &image.data()[i] + 3, &scalar.data()[i]) ? 0 : 1;
       }
-      INFO(int(traversal));
+      INFO(int(traversal.grouping));
       CHECK(different <= image.data().size() / 3 / 1000);
     }
   }

@@ -72,10 +72,10 @@ TEST_CASE("a large model that a scene includes looks as the reference tracer see
   Image const expected_ids = render_reference(scene, request);
   for (DeviceInfo const& device : opencl_devices()) {
     for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
-      INFO("device " << device.index << ", traversal " << int(traversal));
+      INFO("device " << device.index << ", traversal " << int(traversal.grouping));
       request.aov = Aov::picture;
       check_picture(render_on(device, scene, request, traversal), expected,
-                    fmt::format("included model, device {}, traversal {}", device.index, int(traversal)));
+                    fmt::format("included model, device {}, traversal {}", device.index, int(traversal.grouping)));
       request.aov = Aov::object_id;
       Image const ids = render_on(device, scene, request, traversal);
       std::size_t differing = 0;

@@ -40,7 +40,7 @@ template <class Check>
 void for_each_renderer(Check const& check) {
   for (DeviceInfo const& device : opencl_devices()) {
     for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
-      INFO("device " << device.index << ", traversal " << int(traversal));
+      INFO("device " << device.index << ", traversal " << int(traversal.grouping));
       check(*make_renderer(device, traversal));
     }
   }

@@ -1,10 +1,14 @@
-#include "camera/generate_ray.clh"
+#include "camera/generate_rays.clh"
 
-__kernel void probe_camera_ray(__global PinholeCamera const* cameras, __global float4 const* points,
+/* Through the only sample of a pixel. */
+__kernel void probe_camera_ray(__global FrameParameters const* frames, __global uint2 const* pixels,
                                __global float4* origins, __global float4* directions) {
   size_t const i = get_global_id(0);
-  Ray const ray = generate_camera_ray(cameras[i], points[i].x, points[i].y);
-  origins[i] = (float4)(ray.origin, 0.f);
+  Tile const tile = {pixels[i].x, pixels[i].y, 1u, 1u, 0u, 1u, {0u, 0u}};
+  RayBatch rays;
+  generate_camera_rays(frames + i, &tile, pixels[i].x, pixels[i].y, 0u, &rays);
+  Ray const ray = ray_of(&rays, 0u);
+  origins[i] = (float4)(ray.origin, rays.t_max[0]);
   directions[i] = (float4)(ray.direction, 0.f);
 }
 

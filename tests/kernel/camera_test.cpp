@@ -22,25 +22,30 @@ TEST_CASE("Camera rays go through the image point", "[kernel]") {
   NEEDS_OPENCL_DEVICE();
   Random random(1);
   std::size_t const count = scaled_count(20000);
-  std::vector<device::PinholeCamera> cameras;
-  std::vector<float4> points, origins(count), directions(count);
+  struct Pixel {
+    device::uint x, y;
+  };
+  std::vector<device::FrameParameters> frames(count);
+  std::vector<Pixel> pixels;
+  std::vector<float4> origins(count), directions(count);
   for (std::size_t i = 0; i < count; ++i) {
     double const scale = std::pow(10., random.uniform(-6, 6));
-    cameras.push_back({to_float4(random.in_cube(1e6)), to_float4(random.in_cube(scale)),
-                       to_float4(random.in_cube(scale * 1e-3)), to_float4(random.in_cube(scale * 1e-3))});
-    points.push_back({float(random.uniform(0, 4000)), float(random.uniform(0, 4000)), 0, 0});
+    frames[i].camera = {to_float4(random.in_cube(1e6)), to_float4(random.in_cube(scale)),
+                        to_float4(random.in_cube(scale * 1e-3)), to_float4(random.in_cube(scale * 1e-3))};
+    frames[i].sample_count = 1;
+    pixels.push_back({device::uint(random.index(4000)), device::uint(random.index(4000))});
   }
-  ProbeProgram("camera.cl").run("probe_camera_ray", count, {in(cameras), in(points), out(origins), out(directions)});
+  ProbeProgram("camera.cl").run("probe_camera_ray", count, {in(frames), in(pixels), out(origins), out(directions)});
   for (std::size_t i = 0; i < count; ++i) {
-    auto const& camera = cameras[i];
-    Vec3 const expected = to_vec3(camera.corner) + double(points[i].x) * to_vec3(camera.step_x) +
-                          double(points[i].y) * to_vec3(camera.step_y);
+    auto const& camera = frames[i].camera;
+    double const x = pixels[i].x + 0.5, y = pixels[i].y + 0.5;
+    Vec3 const expected = to_vec3(camera.corner) + x * to_vec3(camera.step_x) + y * to_vec3(camera.step_y);
     // The terms may cancel: their size counts.
-    double const terms = glm::length(to_vec3(camera.corner)) + points[i].x * glm::length(to_vec3(camera.step_x)) +
-                         points[i].y * glm::length(to_vec3(camera.step_y));
+    double const terms = glm::length(to_vec3(camera.corner)) + x * glm::length(to_vec3(camera.step_x)) +
+                         y * glm::length(to_vec3(camera.step_y));
     double const tolerance = 8 * rounding_unit * terms / glm::length(expected);
     Vec3 const direction = to_vec3(directions[i]);
-    if (to_vec3(origins[i]) != to_vec3(camera.origin) ||
+    if (to_vec3(origins[i]) != to_vec3(camera.origin) || origins[i].w != float_infinity ||
         glm::length(direction - glm::normalize(expected)) > tolerance || std::abs(glm::length(direction) - 1) > 3e-7) {
       FAIL("ray " << i);
     }

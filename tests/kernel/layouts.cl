@@ -26,7 +26,7 @@ __kernel void probe_closest(SCENE_PARAMETERS, __global float4 const* origins, __
   hits[i] = probe_hit(&scene, trace_closest(&scene, make_ray(origins[i].xyz, directions[i].xyz), INFINITY));
 }
 
-#ifndef TRAVERSAL_SCALAR
+#ifdef LAYOUT_WIDE
 #include "traversal/wide_stream.clh"
 
 #define RAYS_A_STREAM 64u
@@ -66,7 +66,7 @@ __kernel void probe_hidden(SCENE_PARAMETERS, __global float4 const* origins, __g
   hidden[i] = (trace_any(&scene, ray, t_max) ? 1u : 0u) | (trace_visibility(&scene, ray, t_max) == 0.f ? 2u : 0u);
 }
 
-#ifdef TRAVERSAL_PACKET
+#ifdef TRACE_PACKETS
 #include "packet_input.clh"
 
 __kernel void probe_packet_closest(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,

@@ -26,9 +26,9 @@ struct ProbeHit {
 class LayoutProbe {
  public:
   LayoutProbe(FlatScene scene, Traversal traversal)
-      : scene_(compile_scene(std::move(scene), {}, traversal)),
-        packets_(traversal == Traversal::packet),
-        program_("layouts.cl", scene_options(scene_)) {}
+      : scene_(compile_scene(std::move(scene), {}, traversal.layout)),
+        packets_(traversal.grouping == RayGrouping::packet),
+        program_("layouts.cl", scene_options(scene_, traversal)) {}
 
   std::vector<ProbeHit> closest(Rays const& rays) const {
     std::vector<ProbeHit> hits(rays.size());
@@ -237,7 +237,7 @@ TEST_CASE("odd scenes are traced in every layout", "[kernel][layouts]") {
   for (Case const& c : cases) {
     INFO(c.name);
     for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
-      INFO("layout " << int(traversal));
+      INFO("grouping " << int(traversal.grouping));
       auto const hits = LayoutProbe(scene_of(c.triangles), traversal).closest(rays);
       std::size_t wrong = 0;
       for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -1,4 +1,4 @@
-#include "shading/direct_light.clh"
+#include "lights/punctual_light.clh"
 
 __kernel void probe_sample_texture(__global Texture const* textures, __global uint const* texels,
                                    __global TextureSlot const* slots, __global float2 const* coordinates, uint content,

@@ -259,9 +259,9 @@ TEST_CASE("Phong's coefficients follow the documented mapping, in either languag
     INFO("point " << i);
     bool const agrees =
         max_abs(to_vec3(found[i].kd) - kd) < 1e-6 && max_abs(to_vec3(found[i].ka) - kd * double(p.occlusion)) < 1e-6 &&
-        max_abs(to_vec3(found[i].ks) - ks) < 1e-4 && (p.is_unlit || std::abs(found[i].ka.w - m) <= 1e-5 * (1 + m)) &&
-        std::abs(found[i].kd.w - reflect) < 1e-6 &&
-        std::abs(found[i].ks.w - (p.is_unlit ? 1 - alpha : transmit)) < 1e-6 &&
+        max_abs(to_vec3(found[i].ks) - ks) < 1e-4 && (p.is_unlit || std::abs(found[i].m - m) <= 1e-5 * (1 + m)) &&
+        std::abs(found[i].reflect - reflect) < 1e-6 &&
+        std::abs(found[i].transmit - (p.is_unlit ? 1 - alpha : transmit)) < 1e-6 &&
         max_abs(to_vec3(found[i].emission) - alpha * emission) < 1e-6 &&
         found[i].ior == (p.is_unlit ? 1 : p.refraction_ior);
     if (!agrees) FAIL("the mapping");

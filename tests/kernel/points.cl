@@ -1,5 +1,4 @@
-#include "shading/direct_light.clh"
-#include "traversal/traversal.clh"
+#include "one_ray.clh"
 
 /* What shading sees of the point that each ray hits first; `coefficients`: ka and m, kd and reflect, ks and transmit,
  * emission and ior. w of a position: t, INFINITY without hit; of a normal: 1 on the outer side; of a shading normal: 1
@@ -10,24 +9,27 @@ __kernel void probe_points(SCENE_PARAMETERS, __global float4 const* origins, __g
   Scene const scene = SCENE_FROM_PARAMETERS;
   size_t const i = get_global_id(0);
   Ray const ray = make_ray(origins[i].xyz, directions[i].xyz);
-  Hit const hit = trace_closest(&scene, ray, INFINITY);
+  RayBatch batch;
+  HitBatch hits;
+  trace_one_ray(&scene, ray, &batch, &hits);
   positions[i] = (float4)(0.f, 0.f, 0.f, INFINITY);
   normals[i] = shading_normals[i] = (float4)(0.f);
   for (uint k = 0u; k < 4u; ++k) {
     coefficients[4u * i + k] = (float4)(0.f);
   }
-  if (hit.kind == NO_PRIMITIVE) {
+  if (hits.kind[0] == NO_PRIMITIVE) {
     return;
   }
-  ShadingPoint const point = find_shading_point(&scene, ray, hit);
-  positions[i] = (float4)(point.position, hit.t);
-  normals[i] = (float4)(point.geometric_normal, (float)point.from_outside);
-  shading_normals[i] = (float4)(point.normal, (float)point.is_bent);
-  coefficients[4u * i] = point.phong.ka;
-  coefficients[4u * i + 1u] = point.phong.kd;
-  coefficients[4u * i + 2u] = point.phong.ks;
-  coefficients[4u * i + 3u] =
-      (float4)(point.phong.emission[0], point.phong.emission[1], point.phong.emission[2], point.phong.ior);
+  ShadingPoint point;
+  find_shading_points(&scene, &batch, &hits, 0u, &point);
+  Phong* phong = &point.phong;
+  positions[i] = (float4)(lane_of3(&point.position, 0u), hits.t[0]);
+  normals[i] = (float4)(lane_of3(&point.geometric_normal, 0u), LANE_MASK(point.from_outside, 0u) != 0 ? 1.f : 0.f);
+  shading_normals[i] = (float4)(lane_of3(&point.normal, 0u), LANE_MASK(point.has_shading_normal, 0u) != 0 ? 1.f : 0.f);
+  coefficients[4u * i] = (float4)(lane_of3(&phong->ka, 0u), LANE_FLOAT(phong->m, 0u));
+  coefficients[4u * i + 1u] = (float4)(lane_of3(&phong->kd, 0u), LANE_FLOAT(phong->reflect, 0u));
+  coefficients[4u * i + 2u] = (float4)(lane_of3(&phong->ks, 0u), LANE_FLOAT(phong->transmit, 0u));
+  coefficients[4u * i + 3u] = (float4)(lane_of3(&phong->emission, 0u), LANE_FLOAT(phong->ior, 0u));
 }
 
 /* How much light gets through to t = 1. */

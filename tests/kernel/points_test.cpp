@@ -37,14 +37,16 @@ struct Rays {
 
 struct Layout {
   SceneBuffers buffers;
+  std::string options;
   Layout(Scene const& scene, Traversal traversal)
-      : buffers(compile_scene(flatten(scene.roots()), scene.lights, traversal)) {}
+      : buffers(compile_scene(flatten(scene.roots()), scene.lights, traversal.layout)),
+        options(scene_options(buffers, traversal)) {}
   void run(std::string const& file, std::string const& kernel, std::size_t count, Rays const& rays,
            std::vector<ProbeArgument> const& more, std::size_t local = 0) const {
     auto arguments = scene_arguments(buffers);
     arguments.insert(arguments.end(), {in(rays.origins), in(rays.directions)});
     arguments.insert(arguments.end(), more.begin(), more.end());
-    ProbeProgram(file, scene_options(buffers)).run(kernel, count, arguments, 1, local, local == 0 ? 0 : 1);
+    ProbeProgram(file, options).run(kernel, count, arguments, 1, local, local == 0 ? 0 : 1);
   }
 };
 
@@ -110,7 +112,7 @@ TEST_CASE("Textures, normals and colours give a point the same coefficients on t
                        std::abs(coefficients[4 * i + 2].w - p.transmit) < 2e-3 &&
                        std::abs(coefficients[4 * i + 3].w - p.ior) < 1e-6);
     }
-    INFO("layout " << int(traversal) << ": " << hits << " hits, " << bent << " bent");
+    INFO("layout " << int(traversal.layout) << ": " << hits << " hits, " << bent << " bent");
     if (n > 10000) CHECK(hits > n / 2);
     if (n > 10000) CHECK(bent > n / 10);
     CHECK(other <= n / 500);
@@ -146,7 +148,7 @@ TEST_CASE("Masks and blends let shadow rays through as far as the reference does
       partial += expected > 0 && expected < 1;
       wrong += !(std::abs(expected - double(visibility[i])) < 2e-3 && (any[i] != 0) == is_any);
     }
-    INFO("layout " << int(traversal) << ": " << wrong << " of " << n);
+    INFO("layout " << int(traversal.layout) << ": " << wrong << " of " << n);
     if (n > 10000) CHECK(partial > n / 50);
     if (n > 10000) CHECK(cut > n / 50);
     CHECK(wrong <= n / 500);

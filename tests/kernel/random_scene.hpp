@@ -39,7 +39,7 @@ inline SceneArrays make_random_scene(Random& random, double scale, std::vector<f
   SceneArrays scene;
   for (float transmit : transmits) {
     device::PhongMaterial material{};
-    material.ks.w = transmit;
+    material.transmit = transmit;
     scene.materials.push_back(material);
   }
   auto const materials = device::uint(transmits.size());

@@ -22,7 +22,7 @@ struct SmallPicture {
   explicit SmallPicture(device::uint sample_count) {
     for (auto const& [reflect, transmit] : {std::pair{0.f, 0.f}, {0.5f, 0.f}, {0.1f, 0.8f}}) {
       scene.materials.push_back(
-          {{0.1f, 0.2f, 0.1f, 20}, {0.5f, 0.6f, 0.7f, reflect}, {0.3f, 0.3f, 0.3f, transmit}, 1.5f, {}});
+          {{0.1f, 0.2f, 0.1f}, 20, {0.5f, 0.6f, 0.7f}, reflect, {0.3f, 0.3f, 0.3f}, transmit, {}, 1.5f});
     }
     scene.lights.push_back({{3, 5, 4, 0}, {1, 0.9f, 0.8f, 0}, {}, 0, 0, 1, LIGHT_CONSTANT});
     scene.lights.push_back({{-3, 2, 4, 0}, {0.2f, 0.3f, 0.4f, 0}, {}, 0, 0, 1, LIGHT_CONSTANT});
@@ -149,8 +149,8 @@ TEST_CASE("A ray stack of max_depth + 1 holds the whole tree of rays", "[kernel]
   for (auto* picture : {&enough, &plenty}) {
     picture->frame[0].max_depth = depth;
     picture->scene.materials.assign(3, picture->scene.materials[2]);  // glass that mirrors, everywhere
-    picture->scene.materials[0].kd.w = picture->scene.materials[1].kd.w = 0.4f;
-    picture->scene.materials[0].ks.w = picture->scene.materials[1].ks.w = 0.5f;
+    picture->scene.materials[0].reflect = picture->scene.materials[1].reflect = 0.4f;
+    picture->scene.materials[0].transmit = picture->scene.materials[1].transmit = 0.5f;
   }
   enough.render(ProbeProgram("render.cl", fmt::format("-D RAY_STACK_SIZE={}", depth + 1)),
                 {0, 0, enough.width(), enough.height(), 0, 1, {}});

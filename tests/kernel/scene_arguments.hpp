@@ -18,11 +18,15 @@ inline std::vector<ProbeArgument> scene_arguments(SceneBuffers const& scene) {
   return arguments;
 }
 
-/// What its program is compiled with.
-inline std::string scene_options(SceneBuffers const& scene) {
-  char const* const names[] = {"", "SCALAR", "WIDE", "PACKET"};
-  return std::string("-D TRAVERSAL_") + names[int(scene.traversal)] +
+/// What its program is compiled with. Probes take one ray a work-item unless they say otherwise.
+inline std::string scene_options(SceneBuffers const& scene, int lanes = 1) {
+  return (scene.layout == TreeLayout::wide ? "-D LAYOUT_WIDE" : "") + (" -D LANES=" + std::to_string(lanes)) +
          " -D TRAVERSAL_STACK_SIZE=" + std::to_string(std::max<std::size_t>(scene.stack_size, 1));
+}
+
+/// With packets where they are asked for.
+inline std::string scene_options(SceneBuffers const& scene, Traversal const& traversal) {
+  return traversal == Traversal::packet ? scene_options(scene, 16) + " -D TRACE_PACKETS" : scene_options(scene);
 }
 
 }  // namespace lichtraum::test

@@ -1,14 +1,17 @@
+#include "bsdf/phong.clh"
+#include "bsdf/refract.clh"
 #include "film/tone_map.clh"
 #include "math/affine.clh"
-#include "shading/phong.clh"
-#include "shading/refract.clh"
 
 __kernel void probe_reflect_light(__global PhongMaterial const* materials, __global float4 const* normals,
                                   __global float4 const* to_lights, __global float4 const* to_viewers,
                                   __global float4* reflected) {
   size_t const i = get_global_id(0);
-  PhongMaterial const material = materials[i];
-  reflected[i] = (float4)(reflect_light(&material, normals[i].xyz, to_lights[i].xyz, to_viewers[i].xyz), 0.f);
+  ShadingPoint point;
+  set_phong(&point.phong, lane_mask(true), materials + i);
+  point.normal = normals[i].xyz;
+  point.to_viewer = to_viewers[i].xyz;
+  reflected[i] = (float4)(reflect_light(&point, to_lights[i].xyz), 0.f);
 }
 
 /* w of the result: whether there is a refracted ray. */

@@ -19,9 +19,16 @@ TEST_CASE("Phong's model is the formula's", "[kernel]") {
     // Exponents of every sort: none, whole, between, far beyond what matters.
     double const m = std::array{0., 1., std::floor(random.uniform(2, 200)), random.uniform(0, 50), 1e5}[i % 5];
     double const reflect = i % 3 == 0 ? 0 : random.uniform(0, 0.6), transmit = i % 2 == 0 ? 0 : random.uniform(0, 0.4);
-    materials[i].ka = to_float4(rgb(), m);
-    materials[i].kd = to_float4(rgb(), reflect);
-    materials[i].ks = to_float4(rgb(), transmit);
+    auto const store_rgb = [&](float(&out)[3]) {
+      Vec3 const color = rgb();
+      for (int c = 0; c < 3; ++c) out[c] = float(color[c]);
+    };
+    store_rgb(materials[i].ka);
+    store_rgb(materials[i].kd);
+    store_rgb(materials[i].ks);
+    materials[i].m = float(m);
+    materials[i].reflect = float(reflect);
+    materials[i].transmit = float(transmit);
     Vec3 const n = random.direction();
     Vec3 l = random.direction();
     Vec3 v = random.direction();
@@ -40,10 +47,10 @@ TEST_CASE("Phong's model is the formula's", "[kernel]") {
     double const cosine = glm::dot(n, l);
     if (std::abs(cosine) < 1e-6) continue;  // roundings decide whether the light is above the horizon
     Vec3 expected(0);
-    double const m = material.ka.w;
+    double const m = material.m;
     double const rv = std::max(0., glm::dot(2 * cosine * n - l, v));
     if (cosine > 0) {
-      expected = (1. - double(material.kd.w) - double(material.ks.w)) * cosine * to_vec3(material.kd) +
+      expected = (1. - double(material.reflect) - double(material.transmit)) * cosine * to_vec3(material.kd) +
                  (m == 0 ? 1. : std::pow(rv, m)) * to_vec3(material.ks);
     }
     // A rounding of r.v counts m times in its power.

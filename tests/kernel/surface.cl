@@ -1,5 +1,7 @@
+#include "lights/light_visibility.clh"
+#include "one_ray.clh"
 #include "scene_arguments.clh"
-#include "shading/direct_light.clh"
+#include "surface/leave_surface.clh"
 
 /* The surface that each ray hits first. */
 __kernel void probe_find_surface(SCENE_PARAMETERS, __global ProbeRay const* rays, __global Hit* hits,
@@ -7,12 +9,17 @@ __kernel void probe_find_surface(SCENE_PARAMETERS, __global ProbeRay const* rays
   size_t const i = get_global_id(0);
   Scene const scene = SCENE_FROM_PARAMETERS;
   Ray const ray = load_ray(rays[i]);
-  Hit const hit = trace_closest(&scene, ray, INFINITY);
+  RayBatch batch;
+  HitBatch found;
+  trace_one_ray(&scene, ray, &batch, &found);
+  Hit const hit = hit_of(&found, 0u);
   hits[i] = hit;
   position_offset[i] = (float4)(0.f);
   normals[i] = (float4)(0.f);
   if (hit.kind != NO_PRIMITIVE) {
-    Surface const surface = find_surface(&scene, ray, hit);
+    HitPrimitives primitives;
+    fetch_primitives(&scene, &found, 0u, &primitives);
+    Surface const surface = find_surface(&scene, &primitives, ray.origin, ray.direction, hit.t);
     position_offset[i] = (float4)(surface.position, surface.offset);
     normals[i] = (float4)(surface.normal, 0.f);
   }
@@ -38,5 +45,9 @@ __kernel void probe_light_visibility(SCENE_PARAMETERS, __global float4 const* po
   point.geometric_normal = normals[i].xyz;
   point.offset = position_offset[i].w;
   PunctualLight const light = probed_lights[i];
-  visibility[i] = light_visibility(&scene, &point, &light);
+  LightSample const sample = sample_light(&light, point.position);
+  Mask const lit = lane_mask(true);
+  Real seen;
+  trace_light_visibility(&scene, &light, &point, &sample, &lit, 1u, false, &seen);
+  visibility[i] = seen;
 }

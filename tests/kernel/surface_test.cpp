@@ -157,7 +157,7 @@ TEST_CASE("A light is visible unless something opaque lies strictly before it", 
   SceneArrays scene;
   for (float const transmit : {0.f, 0.5f}) {
     device::PhongMaterial material{};
-    material.ks.w = transmit;
+    material.transmit = transmit;
     scene.materials.push_back(material);
   }
   scene.add(make_triangle({-9, 0, -9}, {9, 0, -9}, {0, 0, 18}));      // the floor

@@ -1,5 +1,5 @@
 #include "scene_arguments.clh"
-#include "traversal/scalar.clh"
+#include "traversal/binary.clh"
 
 __kernel void probe_enter_bounds(__global BvhChild const* children, __global ProbeRay const* rays,
                                  __global float const* t_max, __global float* t) {

@@ -93,7 +93,8 @@ RenderRequest whole_picture(Camera const& camera, Resolution const& resolution) 
   return request;
 }
 
-Image render_on(DeviceInfo const& device, Scene const& scene, RenderRequest const& request, Traversal traversal) {
+Image render_on(DeviceInfo const& device, Scene const& scene, RenderRequest const& request,
+                std::optional<Traversal> traversal) {
   auto const renderer = make_renderer(device, traversal);
   renderer->set_scene(scene);
   Image image(request.resolution);

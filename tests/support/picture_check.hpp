@@ -23,7 +23,7 @@ RenderRequest whole_picture(Camera const& camera, Resolution const& resolution);
 
 /// `scene` on `device`. `traversal` means nothing to the reference renderer.
 Image render_on(DeviceInfo const& device, Scene const& scene, RenderRequest const& request,
-                Traversal traversal = Traversal::automatic);
+                std::optional<Traversal> traversal = {});
 
 /// The same by the reference renderer.
 Image render_reference(Scene const& scene, RenderRequest const& request);

@@ -47,9 +47,9 @@ bool same_arrays(SceneBuffers const& a, SceneBuffers const& b) {
 }  // namespace
 
 TEST_CASE("a scene compiled after another is the same as compiled alone", "[unit][compile]") {
-  for (Traversal const traversal : {Traversal::scalar, Traversal::wide}) {
+  for (TreeLayout const layout : {TreeLayout::binary, TreeLayout::wide}) {
     TwoParts parts;
-    SceneBuffers before = compile_scene(flatten(parts.roots()), {}, traversal);
+    SceneBuffers before = compile_scene(flatten(parts.roots()), {}, layout);
     std::vector<std::function<void()>> const changes{
         [] {},
         [&] {
@@ -64,11 +64,11 @@ TEST_CASE("a scene compiled after another is the same as compiled alone", "[unit
     for (auto const& change : changes) {
       ContentHash const old = before.content;
       change();
-      SceneBuffers const alone = compile_scene(flatten(parts.roots()), {}, traversal);
-      SceneBuffers const after = compile_scene(flatten(parts.roots()), {}, traversal, &before);
+      SceneBuffers const alone = compile_scene(flatten(parts.roots()), {}, layout);
+      SceneBuffers const after = compile_scene(flatten(parts.roots()), {}, layout, &before);
       CHECK(same_arrays(after, alone));
       CHECK((after.content == old) == (&change == &changes.front()));
-      before = compile_scene(flatten(parts.roots()), {}, traversal);
+      before = compile_scene(flatten(parts.roots()), {}, layout);
     }
   }
 }
@@ -96,32 +96,32 @@ TEST_CASE("an object that stays is found again behind one whose blocks have beco
   auto const staying = twice(row({4, 4, 4, 4}), 20);
   Shapes const before_roots{twice(row({4, 4, 4, 4, 4}), 10), staying};
   Shapes const after_roots{twice(row({3, 3, 3, 3, 3, 3, 2}), 10), staying};
-  SceneBuffers const before = compile_scene(flatten(before_roots), {}, Traversal::wide);
-  SceneBuffers const alone = compile_scene(flatten(after_roots), {}, Traversal::wide);
+  SceneBuffers const before = compile_scene(flatten(before_roots), {}, TreeLayout::wide);
+  SceneBuffers const alone = compile_scene(flatten(after_roots), {}, TreeLayout::wide);
   REQUIRE(before.sphere_blocks.size() < alone.sphere_blocks.size());
-  CHECK(same_arrays(compile_scene(flatten(after_roots), {}, Traversal::wide, &before), alone));
+  CHECK(same_arrays(compile_scene(flatten(after_roots), {}, TreeLayout::wide, &before), alone));
 }
 
 TEST_CASE("what is left out of a hierarchy is counted though the hierarchy is taken over", "[unit][compile]") {
   TwoParts parts;
   // Center and radius fit a float, their sum does not.
   parts.ladder->add(std::make_shared<Sphere>("huge", Vec3(3e38, 0, 0), 3e38, nullptr));
-  for (Traversal const traversal : {Traversal::scalar, Traversal::wide}) {
-    SceneBuffers const before = compile_scene(flatten(parts.roots()), {}, traversal);
+  for (TreeLayout const layout : {TreeLayout::binary, TreeLayout::wide}) {
+    SceneBuffers const before = compile_scene(flatten(parts.roots()), {}, layout);
     CHECK(before.unrepresentable == 1);  // of the object that is shown twice
-    SceneBuffers const after = compile_scene(flatten(parts.roots()), {}, traversal, &before);
+    SceneBuffers const after = compile_scene(flatten(parts.roots()), {}, layout, &before);
     CHECK(same_arrays(after, before));
   }
 }
 
 TEST_CASE("only what has changed is built again", "[unit][compile]") {
   TwoParts parts;
-  SceneBuffers before = compile_scene(flatten(parts.roots()), {}, Traversal::wide);
+  SceneBuffers before = compile_scene(flatten(parts.roots()), {}, TreeLayout::wide);
   REQUIRE(before.objects.size() == 2);
   // A mark in both hierarchies shows which of them is taken over.
   for (CompiledObject const& object : before.objects) before.wide_nodes[object.root_node].bounds[0][0] = -12345;
   auto const marks = [&] {
-    SceneBuffers const after = compile_scene(flatten(parts.roots()), {}, Traversal::wide, &before);
+    SceneBuffers const after = compile_scene(flatten(parts.roots()), {}, TreeLayout::wide, &before);
     std::vector<bool> found;
     for (CompiledObject const& object : after.objects) {
       found.push_back(after.wide_nodes[object.root_node].bounds[0][0] == -12345);
@@ -138,19 +138,19 @@ TEST_CASE("a large part that moves as one is not built again for what moves", "[
   for (int i = 0; i < 5000; ++i) part->add(std::make_shared<Sphere>("s", Vec3(i, 2, 0), 0.3, nullptr));
   part->set_moves_as_one(true);
   auto const ball = std::make_shared<Sphere>("ball", Vec3(0, 5, 0), 1, nullptr);
-  for (Traversal const traversal : {Traversal::scalar, Traversal::wide}) {
+  for (TreeLayout const layout : {TreeLayout::binary, TreeLayout::wide}) {
     // A mark in the part's hierarchy shows where it comes from.
     constexpr float mark = -12345;
     auto const marked = [&](SceneBuffers& scene, CompiledObject const& object) -> float& {
-      return traversal == Traversal::scalar ? scene.nodes[object.root_node].children[0].min[0]
-                                            : scene.wide_nodes[object.root_node].bounds[0][0];
+      return layout == TreeLayout::binary ? scene.nodes[object.root_node].children[0].min[0]
+                                          : scene.wide_nodes[object.root_node].bounds[0][0];
     };
-    SceneBuffers before = compile_scene(flatten({part, ball}), {}, traversal);
+    SceneBuffers before = compile_scene(flatten({part, ball}), {}, layout);
     REQUIRE(before.objects.size() == 2);
     REQUIRE(before.instances.size() == 1);
     marked(before, before.objects[0]) = mark;
     auto const is_taken_over = [&] {
-      SceneBuffers after = compile_scene(flatten({part, ball}), {}, traversal, &before);
+      SceneBuffers after = compile_scene(flatten({part, ball}), {}, layout, &before);
       return marked(after, after.objects[0]) == mark;
     };
     CHECK(is_taken_over());

@@ -1,13 +1,14 @@
 /// Sixteen points shaded at once are what each of them is alone, to the last bit.
 
 #include <algorithm>
+#include <cstring>
 #include <map>
 
+#include "compile/light_table.hpp"
 #include "reference.hpp"
 #include "render/drawn_roots.hpp"
 #include "scene/flatten.hpp"
 #include "scene_arguments.hpp"
-#include "shared/frame.h"
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
 #include "support/opencl_probe.hpp"
@@ -18,14 +19,9 @@ using namespace lichtraum::test;
 
 namespace {
 
-constexpr std::size_t packet_size = 64;
-constexpr device::uint no_primitive = 0xffffffff;  // NO_PRIMITIVE of the kernels
+constexpr std::size_t batch_size = 64;
 
-struct ProbePoint {
-  device::uint kind;
-  device::uint different;
-  device::uint lit;
-};
+constexpr std::size_t values_a_ray = 40;  // VALUES of lanes.cl
 
 /// Every kind of shape, with materials whose exponents are whole, fractional, large and zero, and mirrors and glass.
 std::string scene_text(Random& random) {
@@ -57,50 +53,56 @@ std::string scene_text(Random& random) {
 
 }  // namespace
 
-TEST_CASE("sixteen points at once are shaded as one by one, to the last bit", "[packet][layouts][shading]") {
+TEST_CASE("sixteen points at once are shaded as one by one, to the last bit", "[layouts][lanes][shading]") {
   NEEDS_OPENCL_DEVICE();
   Random random(11);
   Scene const scene = scene_of(scene_text(random));
-  SceneBuffers const buffers = compile_scene(flatten(drawn_roots(scene, "")), scene.lights, Traversal::packet);
-  ProbeProgram const program("packet_shading.cl", scene_options(buffers));
+  SceneBuffers const buffers = compile_scene(flatten(drawn_roots(scene, "")), scene.lights, TreeLayout::wide);
 
   std::vector<float4> origins, directions;
-  std::size_t const packets = std::max<std::size_t>(scaled_count(600), 12);  // enough to meet every kind of shape
-  for (std::size_t i = 0; i < packets; ++i) {
+  std::size_t const batches = std::max<std::size_t>(scaled_count(600), 12);  // enough to meet every kind of shape
+  for (std::size_t i = 0; i < batches; ++i) {
     // From outside, and from within, where surfaces are seen from their backs; narrow, so that rays share what they
     // meet.
     Vec3 const origin = i % 3 == 0 ? random.in_cube(4) : random.direction() * 12.;
     Vec3 const center = random.in_cube(4) - origin;
     double const spread = i % 2 == 0 ? 0.3 : 3;
-    for (std::size_t ray = 0; ray < packet_size; ++ray) {
+    for (std::size_t ray = 0; ray < batch_size; ++ray) {
       Vec3 const direction = glm::normalize(center + random.in_cube(spread));
       origins.push_back(to_float4(origin));
       directions.push_back(to_float4(direction, i % 7 == 0 && ray % 5 == 0 ? 0 : 1));
     }
   }
-  std::vector<device::FrameParameters> frame(1);
-  frame[0].ambient = {0.3f, 0.2f, 0.1f, 0};
-  frame[0].background = {0.5f, 0.25f, 0.125f, 0};
-  device::float4 const light{3, 9, 5, 1};
-  std::vector<ProbePoint> points(origins.size());
-  std::vector<ProbeArgument> arguments = scene_arguments(buffers);
-  for (auto const& argument : {in(frame), in(origins), in(directions), value(light), out(points)}) {
-    arguments.push_back(argument);
+  std::map<int, std::size_t> met, lit;
+  std::vector<Light> const lights{Light::point("", {3, 9, 5}, Rgb(1, 0.9, 0.8)),
+                                  Light::spot("", {3, 9, 5}, {-3, -9, -5}, Rgb(90), {10, 40}, 30),
+                                  Light::directional("", {-1, -2, -1}, Rgb(1))};
+  for (Light const& light : lights) {
+    BigVector<device::PunctualLight> const table = make_light_table({light}, buffers.world_bounds);
+    auto const values_with = [&](int lanes, std::size_t rays_a_work_item) {
+      std::vector<float> values(values_a_ray * origins.size());
+      std::vector<ProbeArgument> arguments = scene_arguments(buffers);
+      for (auto const& argument : {in(origins), in(directions), in(table), out(values)}) arguments.push_back(argument);
+      ProbeProgram const program("lanes.cl", scene_options(buffers, lanes));
+      program.run("probe_points", origins.size() / rays_a_work_item, arguments, 1, 1, 1);
+      return values;
+    };
+    std::vector<float> const one = values_with(1, 1), sixteen = values_with(16, batch_size);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      INFO("ray " << i / values_a_ray << ", value " << i % values_a_ray);
+      if (std::memcmp(&one[i], &sixteen[i], sizeof(float)) != 0) FAIL(one[i] << " and " << sixteen[i]);
+    }
+    for (std::size_t i = 0; i < one.size(); i += values_a_ray) {
+      ++met[int(one[i])];
+      lit[int(one[i])] += one[i + 1] != 0;
+    }
   }
-  program.run("probe_points", packets, arguments, 1, 1, 1);
-
-  std::map<device::uint, std::size_t> met, lit;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    INFO("ray " << i << " met " << points[i].kind);
-    REQUIRE(points[i].different == 0);
-    ++met[points[i].kind];
-    lit[points[i].kind] += points[i].lit;
-  }
+  std::size_t const rays = lights.size() * origins.size();
   for (device::uint const kind : {PRIMITIVE_TRIANGLE, PRIMITIVE_SPHERE, PRIMITIVE_ELLIPSOID, PRIMITIVE_BOX}) {
     CAPTURE(kind);
-    CHECK(met[kind] > points.size() / 50);
-    CHECK(lit[kind] > met[kind] / 10);
-    CHECK(lit[kind] < met[kind]);
+    CHECK(met[int(kind)] > rays / 50);
+    CHECK(lit[int(kind)] > met[int(kind)] / 20);
+    CHECK(lit[int(kind)] < met[int(kind)]);
   }
-  CHECK(met[no_primitive] > points.size() / 50);
+  CHECK(met[-1] > rays / 50);
 }

@@ -17,7 +17,9 @@ _lichtraum() {
     --format) values='png ppm jpg exr pfm' ;;
     --graphics) values='auto blocks kitty sixel' ;;
     --bits) values='8 16' ;;
-    --aov) values='picture depth normal id' ;;
+    --planes) values='radiance alpha depth normal albedo position object instance material radiance,alpha,depth,normal' ;;
+    --background) values='none 0,0,0 1,1,1' ;;
+    --exposure) values='-2 -1 1 2' ;;
     --tonemap) values='auto none reinhard' ;;
     --transfer) values='linear srgb' ;;
     --traversal) values='auto scalar wide packet' ;;
@@ -47,12 +49,12 @@ _lichtraum() {
     case ${COMP_WORDS[1]} in
       render)
         options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
-        options+=' --camera --root --aov --samples --depth --seed --tonemap --transfer --device --traversal'
-        options+=' --frames --fps --turntable --resume --show'
+        options+=' --camera --root --planes --samples --depth --seed --background --exposure --tonemap --transfer'
+        options+=' --device --traversal --frames --fps --turntable --resume --show'
         ;;
       view)
-        options+=" $language --watch --size --camera --root --samples --depth --seed --tonemap --transfer --device"
-        options+=' --traversal'
+        options+=" $language --watch --size --camera --root --samples --depth --seed --background --exposure"
+        options+=' --tonemap --transfer --device --traversal'
         ;;
       preview) options+=" $language --size --graphics --camera --root --samples --device" ;;
       check) options+=" $language" ;;

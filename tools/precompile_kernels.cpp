@@ -14,6 +14,7 @@
 #include "cl/opencl_devices.hpp"
 #include "cl/program.hpp"
 #include "cl/render_program.hpp"
+#include "shared/develop.h"
 #include "shared/scene_arrays.h"
 
 using namespace lichtraum;
@@ -30,10 +31,31 @@ std::vector<unsigned char> compile(cl::Device const& device, RenderProgram const
   cl_uint const scene_arguments = kernel.getInfo<CL_KERNEL_NUM_ARGS>() - RenderProgram::own_arguments;
   for (cl_uint i = 0; i + 1 < scene_arguments; ++i) kernel.setArg(i, anything);
   kernel.setArg(scene_arguments - 1, device::SceneConstants());
-  for (cl_uint const i : {RenderProgram::frame_argument, RenderProgram::film_argument, RenderProgram::rays_argument}) {
+  for (cl_uint i = 0; i < RenderProgram::film_arrays; ++i) {
+    kernel.setArg(scene_arguments + RenderProgram::film_argument + i, anything);
+  }
+  kernel.setArg(scene_arguments + RenderProgram::planes_argument, cl_uint(0));
+  for (cl_uint const i : {RenderProgram::frame_argument, RenderProgram::rays_argument}) {
     kernel.setArg(scene_arguments + i, anything);
   }
   warm_up(queue, kernel, scene_arguments, wanted.grouping);
+  return program.getInfo<CL_PROGRAM_BINARIES>().at(0);
+}
+
+std::vector<unsigned char> compile_develop(cl::Device const& device) {
+  cl::Context const context(device);
+  cl::CommandQueue const queue(context, device);
+  auto const program = build_program(context, device, DevelopProgram::name, DevelopProgram::options, {});
+  cl::Buffer const anything(context, CL_MEM_READ_WRITE, 4096);
+  for (bool const has_alpha : {false, true}) {
+    cl::Kernel kernel(program, DevelopProgram::kernel_name(has_alpha));
+    kernel.setArg(0, device::DevelopParameters());
+    kernel.setArg(1, cl_ulong(0));
+    for (cl_uint i = 2; i < (has_alpha ? 4u : 3u); ++i) kernel.setArg(i, anything);
+    cl::NDRange const one_group(DevelopProgram::work_group_size);
+    queue.enqueueNDRangeKernel(kernel, cl::NullRange, one_group, one_group);
+    queue.finish();
+  }
   return program.getInfo<CL_PROGRAM_BINARIES>().at(0);
 }
 
@@ -56,15 +78,18 @@ int main(int argument_count, char** arguments) try {
   std::vector<std::string> warnings;
   for (OpenClDevice const& found : find_opencl_devices(warnings)) {
     if (found.info.kind != DeviceKind::cpu) continue;  // drivers of other devices keep compiled programs themselves
-    for (RenderProgram const& program : usual_render_programs) {
-      auto const binary = compile(found.device, program);
+    auto const add = [&](std::string_view name, std::string_view options, std::vector<unsigned char> const& binary) {
       auto const literal = [](std::string_view bytes) {
         return fmt::format("{{\"{}\", {}}}", escaped(bytes), bytes.size());
       };
-      table += fmt::format("    {{{}, {},\n     {},\n     {}}},\n", literal(program.name), literal(program.options()),
+      table += fmt::format("    {{{}, {},\n     {},\n     {}}},\n", literal(name), literal(options),
                            literal(machine_code_target(found.device)),
                            literal({reinterpret_cast<char const*>(binary.data()), binary.size()}));
+    };
+    for (RenderProgram const& program : usual_render_programs) {
+      add(program.name, program.options(), compile(found.device, program));
     }
+    add(DevelopProgram::name, DevelopProgram::options, compile_develop(found.device));
   }
   if (table.empty()) return 69;
   std::ofstream out(arguments[1]);

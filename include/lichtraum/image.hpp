@@ -7,12 +7,14 @@
 
 namespace lichtraum {
 
-/// A picture of float RGB pixels, first row at the top.
+/// A picture of float RGB pixels, first row at the top; it may have an alpha beside each.
 class Image {
  public:
   Image() = default;
   /// Black.
   explicit Image(Resolution size);
+  /// Of these pixels: size.height x size.width x 3.
+  Image(Resolution size, std::vector<float> rgb);
 
   int width() const { return size_.width; }
   int height() const { return size_.height; }
@@ -25,11 +27,16 @@ class Image {
   std::vector<float>& data() { return rgb_; }  ///< height x width x 3
   std::vector<float> const& data() const { return rgb_; }
 
+  /// height x width, 0 (nothing) to 1 (covered); empty: all is covered.
+  std::vector<float>& alpha() { return alpha_; }
+  std::vector<float> const& alpha() const { return alpha_; }
+
  private:
   std::size_t offset(int x, int y) const { return 3 * (std::size_t(y) * std::size_t(size_.width) + std::size_t(x)); }
 
   Resolution size_;
   std::vector<float> rgb_;
+  std::vector<float> alpha_;
 };
 
 }  // namespace lichtraum

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lichtraum/film.hpp"
 #include "lichtraum/image.hpp"
 
 namespace lichtraum {
@@ -25,8 +26,13 @@ struct ImageFormat {
   std::vector<std::string_view> extensions;  ///< lower case with the dot: {".jpg", ".jpeg"}
   int max_bits;                              ///< per channel
   int max_side;                              ///< pixels
-  bool is_linear_float;                      ///< stores radiance as it is: neither tone map nor transfer apply
-  std::string (*encode)(Image const& image, ImageEncoding const& encoding);  ///< the file's bytes
+  bool has_alpha;
+  /// The file's bytes. Null for formats that store films.
+  std::string (*encode)(Image const& image, ImageEncoding const& encoding);
+  /// For formats that store the planes of a film as they are, at most max_planes of them: exposure, tone map and
+  /// transfer do not apply. Null for the others.
+  std::string (*encode_film)(Film const& film, ImageEncoding const& encoding);
+  std::size_t max_planes;
   /// The fingerprint in a whole picture; empty when there is none, or the file is none, or not whole. Null for formats
   /// without.
   std::string (*read_fingerprint)(std::filesystem::path const& path);

@@ -10,20 +10,13 @@
 #include "lichtraum/bounds.hpp"
 #include "lichtraum/camera.hpp"
 #include "lichtraum/device.hpp"
+#include "lichtraum/film.hpp"
 #include "lichtraum/image.hpp"
 #include "lichtraum/scene.hpp"
 #include "lichtraum/scene_edits.hpp"
 #include "lichtraum/traversal.hpp"
 
 namespace lichtraum {
-
-/// A rectangle of pixels; x and y count from the top left corner.
-struct Region {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-};
 
 /// Where in a pixel its samples lie. One sample is the pixel's centre.
 struct Sampling {
@@ -35,28 +28,17 @@ struct Sampling {
   int count = 1;  ///< per pixel; a square number for a grid
 };
 
-/// What a pixel holds. All but the picture are about the first surface that the ray through the pixel's middle meets,
-/// as it is: samples, depth, tone map and transfer play no role. (Renderers call these AOVs, arbitrary output
-/// variables.)
-enum class Aov {
-  picture,    ///< radiance
-  depth,      ///< in all three channels: the surface's distance from the camera, in units of the world; else infinity
-  normal,     ///< x, y and z in the world, unit length, on the camera's side, as shaded (smooth, bumpy); else 0, 0, 0
-  object_id,  ///< in all three channels: the object's number (see DrawnObjects), exact up to 2^24; else 0
-};
-
-/// Which picture of a scene to compute: a region of pixels times a range of samples.
+/// Which picture of a scene to compute: planes of a region of pixels, of a range of samples.
 struct RenderRequest {
   Camera camera;
   Resolution resolution;
   Region region;  ///< within the resolution
   Sampling sampling;
-  int max_depth = 5;  ///< how often a ray may be mirrored or refracted; 0: not at all
+  std::optional<SampleRange> samples;  ///< of those of `sampling`; nothing: all. Begins with a block of the film
+  int max_depth = 5;                   ///< how often a ray may be mirrored or refracted; 0: not at all
   std::uint64_t seed = 0;
-  /// Applied to each finished pixel. These two leave linear radiance; `automatic` is the scene's.
-  ToneMap tone_map = ToneMap::none;
-  Transfer transfer = Transfer::linear;
-  Aov aov = Aov::picture;
+  PlaneSet planes{Plane::radiance};
+  std::optional<Rgb> background;  ///< instead of the scene's
 };
 
 struct RayCounts {
@@ -64,12 +46,14 @@ struct RayCounts {
   std::uint64_t shadow = 0;
   std::uint64_t secondary = 0;    ///< mirror and glass
   std::uint64_t camera_hits = 0;  ///< camera rays that hit something
+  std::uint64_t not_finite = 0;   ///< samples left out of the film because their radiance is infinite or no number
   std::uint64_t total() const { return camera + shadow + secondary; }
   RayCounts& operator+=(RayCounts const& other) {
     camera += other.camera;
     shadow += other.shadow;
     secondary += other.secondary;
     camera_hits += other.camera_hits;
+    not_finite += other.not_finite;
     return *this;
   }
 };
@@ -102,12 +86,6 @@ struct RenderProgress {
 /// Returns false to stop: render then returns with `complete` false.
 using ProgressFunction = std::function<bool(RenderProgress const&)>;
 
-/// The samples that a picture has so far, for Renderer::refine.
-struct Accumulation {
-  int count = 0;  ///< of each pixel
-  Image sums;     ///< of their radiance, linear
-};
-
 struct RenderResult {
   bool complete = true;
   RenderStatistics statistics;
@@ -127,7 +105,8 @@ class PreparedScene {
 };
 
 /// A hash of all that decides a picture's pixels, with lichtraum's version: 32 hexadecimal digits.
-std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const& request);
+std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const& request,
+                                Development const& development);
 
 /// Traces pictures of one scene at a time on one device.
 class Renderer {
@@ -155,21 +134,21 @@ class Renderer {
   /// Both in one.
   SceneStatistics set_scene(Scene const& scene, std::string_view root = {}) { return set_scene(prepare(scene, root)); }
 
-  /// Traces request.region of the picture into `image` (size: request.resolution; other pixels are left alone). The
-  /// same request gives the same bytes, however the work is cut. When stopped early, finished tiles are in `image`, the
-  /// others are black (of an Aov: all may be) and `result.complete` is false.
-  virtual RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress = {}) = 0;
+  /// Traces what `film` lacks of the request's samples. A film of other planes, another region or first sample, or of
+  /// more samples, is begun anew; else it must be of a request that differs in `samples` only, or (for seeded sampling
+  /// of more than one sample) in sampling.count. The same request gives the same bytes, however the work is cut.
+  ///
+  /// When stopped early, result.complete is false and the film holds the blocks of samples that are whole; where not
+  /// one is, what is done of the first, with black for the rest.
+  virtual RenderResult render(RenderRequest const& request, Film& film, ProgressFunction const& progress = {}) = 0;
 
-  /// The same picture, to the byte, with what was traced before: `sums` has the first samples of a request that differs
-  /// from this one in sampling.count only, and gets the others. Only seeded samples can go on like this; for a grid, or
-  /// one sample, `sums` is emptied. A renderer may also trace all anew. When stopped early, `sums` is emptied and
-  /// `image` holds nothing of use.
-  virtual RenderResult refine(RenderRequest const& request, Accumulation& sums, Image& image,
-                              ProgressFunction const& progress = {}) {
-    sums = {};
-    return render(request, image, progress);
-  }
+  /// The picture that a film with radiance holds: lichtraum::develop, with the scene's tone map for `automatic`.
+  virtual Image develop(Film film, Development const& development) = 0;
 };
+
+/// Both in one: request.region, traced and developed.
+RenderResult render_image(Renderer& renderer, RenderRequest const& request, Image& image,
+                          Development const& development = {}, ProgressFunction const& progress = {});
 
 /// For a device of `list` (see select_device). `traversal`: nothing for the device's default. The reference tracer has
 /// one way to trace only.

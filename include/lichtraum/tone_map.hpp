@@ -1,7 +1,5 @@
 #pragma once
 
-#include "lichtraum/math.hpp"
-
 namespace lichtraum {
 
 /// From unbounded radiance to a displayable range.
@@ -16,9 +14,5 @@ enum class Transfer {
   linear,  ///< as computed: the course's pictures
   srgb,    ///< IEC 61966-2-1
 };
-
-/// One pixel as it is stored in a picture: the tone map, then the transfer function. Not clamped.
-/// `tone_map` must not be `automatic`.
-Rgb develop(Rgb const& radiance, ToneMap tone_map, Transfer transfer);
 
 }  // namespace lichtraum

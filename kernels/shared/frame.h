@@ -18,16 +18,6 @@ DEVICE_STRUCT_SIZE(PinholeCamera, 64);
 #define SAMPLING_GRID 0u
 #define SAMPLING_SEEDED 1u
 
-#define TONE_MAP_NONE 0u
-#define TONE_MAP_REINHARD 1u
-#define TRANSFER_LINEAR 0u
-#define TRANSFER_SRGB 1u
-
-/* FrameParameters.aov: what a program for first surfaces writes. */
-#define AOV_DEPTH 1u
-#define AOV_NORMAL 2u
-#define AOV_OBJECT_ID 3u
-
 /* Mirrored and refracted rays that can change a pixel by less than this share of what they see are not followed. */
 #define MIN_RAY_WEIGHT 0.0009765625f
 
@@ -36,17 +26,16 @@ typedef struct {
   PinholeCamera camera;
   float4 ambient;    /* sum of all La; w unused */
   float4 background; /* w unused */
-  uint width;        /* of the whole picture, pixels */
-  uint height;
+  uint region_x;     /* of the film, pixels in the picture */
+  uint region_y;
+  uint region_width;
+  uint region_height;
   uint sampling;     /* SAMPLING_... */
   uint sample_count; /* per pixel, in all; a square number for a grid */
   uint seed_low;
   uint seed_high;
   uint max_depth;
-  uint tone_map; /* TONE_MAP_... */
-  uint transfer; /* TRANSFER_... */
-  uint aov;      /* AOV_..., in programs for first surfaces */
-  uint padding[2];
+  uint padding[3];
 } FrameParameters;
 DEVICE_STRUCT_SIZE(FrameParameters, 144);
 
@@ -67,7 +56,7 @@ typedef struct {
   uint camera_hits;
   uint shadow;
   uint secondary;
-  uint padding;
+  uint not_finite; /* samples that were left out */
 } WorkItemRays;
 DEVICE_STRUCT_SIZE(WorkItemRays, 16);
 

@@ -44,8 +44,8 @@ std::size_t count_differing_pixels(Image const& a, Image const& b) {
 
 Image draw(Renderer& renderer, TestScene const& test) {
   renderer.set_scene(test.scene);
-  Image image(test.request.resolution);
-  renderer.render(test.request, image);
+  Image image;
+  render_image(renderer, test.request, image);
   return image;
 }
 

@@ -4,7 +4,7 @@
 
 #include <cctype>
 
-#include "app/film.hpp"
+#include "app/video.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/sandboxed_path.hpp"
 

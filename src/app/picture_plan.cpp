@@ -73,13 +73,30 @@ Sampling choose_sampling(RenderCommand const& command, RenderOptions const& opti
 }
 
 Region choose_region(Resolution const& size, RenderOptions const& options) {
-  if (!options.region) return {0, 0, size.width, size.height};
+  if (!options.region) return whole_picture(size);
   Region const& r = *options.region;
   if (r.x > size.width - r.width || r.y > size.height - r.height) {
     throw Error(ErrorKind::usage, fmt::format("--region: {},{},{},{} does not lie in the picture of {}x{} pixels", r.x,
                                               r.y, r.width, r.height, size.width, size.height));
   }
   return r;
+}
+
+std::string list_planes(PlaneSet const& planes) {
+  std::string list;
+  for (Plane const plane : planes.list()) list += fmt::format("{}{}", list.empty() ? "" : ",", info_of(plane).name);
+  return list;
+}
+
+void check_planes(PicturePlan const& plan) {
+  ImageFormat const& format = *plan.output.format;
+  std::size_t const count = plan.planes.list().size();
+  bool const is_with_alpha = plan.planes == PlaneSet{Plane::radiance, Plane::alpha};
+  if (count <= format.max_planes || (is_with_alpha && format.has_alpha && !plan.output.is_film)) return;
+  throw Error(ErrorKind::usage,
+              is_with_alpha ? fmt::format("'{}' cannot be transparent: .png and .exr pictures can", plan.output.shown)
+                            : fmt::format("--planes {}: '{}' has room for one; .exr has for all",
+                                          list_planes(plan.planes), plan.output.shown));
 }
 
 void check_encoding(PicturePlan const& plan) {
@@ -100,13 +117,15 @@ PicturePlan plan_picture(Scene const& scene, SceneSource const& source, RenderCo
   PicturePlan plan;
   plan.camera = camera.name();
   plan.size = choose_size(scene, camera, command, options);
-  check_memory(plan.size, options.size ? ErrorKind::usage : ErrorKind::scene);
   plan.region = choose_region(plan.size, options);
   plan.sampling = choose_sampling(command, options);
+  plan.planes = options.wanted_planes();
+  check_memory(plan.region, plan.planes, plan.sampling.count, options.size ? ErrorKind::usage : ErrorKind::scene);
   plan.depth = options.depth.value_or(command.depth.value_or(default_depth));
   plan.output = names.next(command.file, is_one_of_many);
   plan.encoding = options.encoding;
   check_encoding(plan);
+  check_planes(plan);
   if (!plan.output.is_standard_output() && !plan.output.is_film) check_writable(plan.output.path);
   return plan;
 }
@@ -119,22 +138,32 @@ RenderRequest first_view(LoadedScene const& loaded, SceneSource const& source, R
   RenderRequest request;
   request.camera = find_camera(scene, source, options, command.camera);
   request.resolution = choose_size(scene, request.camera, command, options);
-  request.region = {0, 0, request.resolution.width, request.resolution.height};
+  request.region = whole_picture(request.resolution);
   request.sampling = options.sampling.value_or(Sampling());
   request.max_depth = options.depth.value_or(command.depth.value_or(default_depth));
   request.seed = options.seed;
-  request.tone_map = options.tone_map == ToneMap::automatic ? scene.tone_map : options.tone_map;
-  request.transfer = options.transfer.value_or(loaded.is_model() ? Transfer::srgb : Transfer::linear);
+  if (options.background) request.background = options.background->color.value_or(Rgb(0));
   return request;
 }
 
-void check_memory(Resolution const& size, ErrorKind kind) {
-  // Three floats a pixel for the picture, as much again while it is encoded.
-  double const needed = 24.0 * size.width * size.height;
+Development choose_development(Scene const& scene, bool is_model, RenderOptions const& options) {
+  return {options.exposure_ev, options.tone_map == ToneMap::automatic ? scene.tone_map : options.tone_map,
+          options.transfer.value_or(is_model ? Transfer::srgb : Transfer::linear)};
+}
+
+void check_memory(Region const& region, PlaneSet const& planes, int sample_count, ErrorKind kind) {
+  double pixel_bytes = 0;
+  for (Plane const plane : planes.list()) {
+    bool const has_blocks = info_of(plane).rule == PlaneRule::mean && sample_count > Film::block_size;
+    // As much again while it is encoded.
+    pixel_bytes += 4.0 * double(info_of(plane).channels.size()) * (has_blocks ? 3 : 2);
+  }
+  double const needed = pixel_bytes * region.width * region.height;
   double const available = memory_bytes();
   if (needed <= available) return;
-  throw Error(kind, fmt::format("a picture of {}x{} pixels needs {} of memory; this machine has {}", size.width,
-                                size.height, human(needed), human(available)));
+  throw Error(kind, fmt::format("a picture of {}x{} pixels needs {} of memory; this machine has {}. --region draws a "
+                                "part of it",
+                                region.width, region.height, human(needed), human(available)));
 }
 
 std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource const& source,

@@ -20,6 +20,7 @@ struct PicturePlan {
   Resolution size;
   Region region;
   Sampling sampling;
+  PlaneSet planes;
   int depth = 0;
 };
 
@@ -32,11 +33,14 @@ std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource co
                                        RenderOptions const& options, OutputNames& names);
 
 /// What is seen of a scene at its end before anyone chose a picture: through --camera, else the camera of its first
-/// `render`, else its first camera; in the size and development that a picture of it would have, one sample a pixel
-/// unless --samples says more. Throws Error{usage} and Error{scene}.
+/// `render`, else its first camera; in the size that a picture of it would have, one sample a pixel unless --samples
+/// says more. Throws Error{usage} and Error{scene}.
 RenderRequest first_view(LoadedScene const& loaded, SceneSource const& source, RenderOptions const& options);
 
+/// How pictures of the scene are developed.
+Development choose_development(Scene const& scene, bool is_model, RenderOptions const& options);
+
 /// Throws Error{`kind`} with the numbers when a picture of that size needs more memory than the machine has.
-void check_memory(Resolution const& size, ErrorKind kind);
+void check_memory(Region const& region, PlaneSet const& planes, int sample_count, ErrorKind kind);
 
 }  // namespace lichtraum::app

@@ -5,18 +5,27 @@
 
 namespace lichtraum::app {
 
-void PictureWriter::write(Image const& image, PictureReport& picture) {
+namespace {
+
+std::string encode(Drawn const& drawn, ImageFormat const& format, ImageEncoding const& encoding) {
+  Film const* const film = std::get_if<Film>(&drawn);
+  return film ? format.encode_film(*film, encoding) : format.encode(std::get<Image>(drawn), encoding);
+}
+
+}  // namespace
+
+void PictureWriter::write(Drawn const& drawn, PictureReport& picture) {
   Stopwatch const stopwatch;
   Output const& output = picture.plan.output;
   bool const is_file = !output.is_standard_output() && !output.is_film;
   if (!picture.is_complete && !is_file) return;  // nobody could tell it from a whole one
   if (output.is_film) {
-    add_to_film(image, picture);
+    add_to_film(std::get<Image>(drawn), picture);
     picture.written_to = output.shown;
     picture.write_ms = stopwatch.milliseconds();
     return;
   }
-  std::string const bytes = output.format->encode(image, picture.plan.encoding);
+  std::string const bytes = encode(drawn, *output.format, picture.plan.encoding);
   if (output.is_standard_output()) {
     write_standard_output(bytes);
     picture.written_to = output.shown;

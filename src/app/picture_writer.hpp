@@ -2,11 +2,16 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 
-#include "app/film.hpp"
 #include "app/render_statistics.hpp"
+#include "app/video.hpp"
 
 namespace lichtraum::app {
+
+/// What the file of a picture is made of: the planes as they were traced, for formats that have encode_film; else
+/// something to look at.
+using Drawn = std::variant<Film, Image>;
 
 /// Puts pictures where their plans say: files, standard output, or one film.
 class PictureWriter {
@@ -14,8 +19,8 @@ class PictureWriter {
   explicit PictureWriter(double frames_per_second) : frames_per_second_(frames_per_second) {}
 
   /// Fills in the report's `written_to` and `write_ms`. A picture that is not complete goes to a file beside; it is
-  /// left out of films and standard output. Throws Error{cannot_create}, Error{io}, and what Film throws.
-  void write(Image const& image, PictureReport& picture);
+  /// left out of films and standard output. Throws Error{cannot_create}, Error{io}, and what Video throws.
+  void write(Drawn const& drawn, PictureReport& picture);
 
   struct FilmReport {
     std::string path;
@@ -30,7 +35,7 @@ class PictureWriter {
 
   double frames_per_second_;
   Output film_output_;
-  std::optional<Film> film_;
+  std::optional<Video> film_;
 };
 
 }  // namespace lichtraum::app

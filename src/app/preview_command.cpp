@@ -113,11 +113,11 @@ int preview_command(Arguments const& arguments, Console& console) {
                                                      : TerminalGraphics::blocks;
   if (interrupted()) throw Error(ErrorKind::interrupted, "interrupted");
   request.resolution = fit(request.resolution, area, graphics);
-  request.region = {0, 0, request.resolution.width, request.resolution.height};
+  request.region = whole_picture(request.resolution);
   auto const renderer = choose_renderer(render.device, std::nullopt, console);
   renderer->set_scene(loaded.scene(), render.root);
   Image image;
-  renderer->render(request, image);
+  render_image(*renderer, request, image, choose_development(loaded.scene(), loaded.is_model(), render));
   write_standard_output(encode(image, graphics));
   return 0;
 }

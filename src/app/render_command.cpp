@@ -5,12 +5,12 @@
 
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
-#include "app/film.hpp"
 #include "app/input_list.hpp"
 #include "app/renderer_choice.hpp"
 #include "app/sequence.hpp"
 #include "app/stopwatch.hpp"
 #include "app/values.hpp"
+#include "app/video.hpp"
 #include "app/view_options.hpp"
 
 namespace lichtraum::app {
@@ -29,7 +29,7 @@ constexpr char const* examples =
     "  lichtraum render film.sdf -o frames/%04d.png --resume\n"
     "  lichtraum render 'frames/*.sdf' -o film.mp4 --fps 30\n"
     "  lichtraum render model.glb --turntable 90 -o around.webm\n"
-    "  lichtraum render hello.sdf --aov depth -o depth.exr\n"
+    "  lichtraum render hello.sdf --planes radiance,depth,normal -o planes.exr\n"
     "  lichtraum render old.sdf --rotation left --transform-order local\n"
     "  lichtraum render hello.sdf --samples 64 --show\n"
     "  lichtraum render - -o - --format ppm < hello.sdf > hello.ppm\n"
@@ -83,8 +83,10 @@ void add_picture_options(CLI::App& parser, RenderOptions& options) {
             "Pixels, such as 1280x720 (default: the scene's,\nelse 640x480)", group);
   add_value(parser, "--region", options.region, parse_region, "X,Y,W,H", "Draw and write this part of it only", group);
   add_viewpoint_options(parser, options, group);
-  add_value(parser, "--aov", options.aov, parse_aov, "NAME",
-            "Instead of the picture: depth, normal or id (of\nthe object), as numbers in .exr and .pfm", group);
+  add_value(parser, "--planes", options.planes, parse_planes, "LIST",
+            "What is stored of each pixel, commas between:\nradiance (default), alpha, depth, normal, albedo,\n"
+            "position, object, instance, material; .exr takes\nseveral, others show one",
+            group);
 }
 
 /// `window_arguments`: with --show, what `lichtraum view` is told besides the scene.
@@ -117,7 +119,7 @@ void check_show(RenderOptions const& options, std::vector<std::string> const& in
   if (names.is_film() || options.frames || options.turntable > 0)
     refuse("a window shows no films, --frames, --turntable");
   if (options.region) refuse("a window shows whole pictures, not a --region");
-  if (options.aov != Aov::picture) refuse("a window begins with the picture, not with another --aov");
+  if (options.planes != PlaneSet{Plane::radiance}) refuse("a window begins with the picture, not with other --planes");
 }
 
 /// What the options say together; throws Error{usage} where they contradict each other.
@@ -160,7 +162,10 @@ int render_command(Arguments const& arguments, Console& console) {
   std::vector<std::string> const inputs = expand_patterns(options.scenes);
   combine(options, inputs, names);
   if (options.show) check_show(options, inputs, names);
-  if (options.size) check_memory(*options.size, ErrorKind::usage);
+  if (options.size) {
+    check_memory(options.region.value_or(whole_picture(*options.size)), options.wanted_planes(),
+                 options.sampling.value_or(Sampling()).count, ErrorKind::usage);
+  }
 
   Stopwatch const stopwatch;
   auto const renderer = choose_renderer(options.device, options.traversal, console);

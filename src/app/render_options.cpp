@@ -22,6 +22,14 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
             "Samples a pixel: 16 random ones, or a grid such\nas 4x4 (default: " + default_samples + ")", group);
   add_value(parser, "--depth", options.depth, parse_depth, "N", "Mirrors and glass in a row (default: 5)", group);
   add_value(parser, "--seed", options.seed, parse_seed, "N", "Of random samples (default: 0)", group);
+  auto const background = [](std::string const& text) { return RenderOptions::Background{parse_background(text)}; };
+  add_value(parser, "--background", options.background, background, "R,G,B|none",
+            "Radiance where nothing is; none: transparent\n(default: the scene's)", group);
+  auto const exposure = [&options](std::string const& text) {
+    options.has_development = true;
+    return parse_exposure(text);
+  };
+  add_value(parser, "--exposure", options.exposure_ev, exposure, "EV", "Stops brighter, or darker (default: 0)", group);
   auto const tone_map = [&options](std::string const& text) {
     options.has_development = true;
     return parse_tone_map(text);

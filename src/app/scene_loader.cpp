@@ -13,7 +13,7 @@ namespace {
 /// Thrown inside the loader when nobody wants its results any more.
 struct Stopped {};
 
-RenderRequest make_request(Scene const& scene, std::string const& source, bool is_model, PicturePlan const& plan,
+RenderRequest make_request(Scene const& scene, std::string const& source, PicturePlan const& plan,
                            RenderOptions const& options) {
   Camera const* const camera = scene.cameras.find(plan.camera);
   if (!camera) {
@@ -27,11 +27,8 @@ RenderRequest make_request(Scene const& scene, std::string const& source, bool i
   request.sampling = plan.sampling;
   request.max_depth = plan.depth;
   request.seed = options.seed;
-  request.aov = options.aov;
-  if (!plan.output.format->is_linear_float) {
-    request.tone_map = options.tone_map == ToneMap::automatic ? scene.tone_map : options.tone_map;
-    request.transfer = options.transfer.value_or(is_model ? Transfer::srgb : Transfer::linear);
-  }
+  request.planes = plan.planes;
+  if (options.background) request.background = options.background->color;
   return request;
 }
 
@@ -57,13 +54,15 @@ class Pictures {
       PicturePlan const& plan = opened_.plans[next_];
       PictureReady picture;
       picture.number = next_;
-      picture.request = make_request(scene, opened_.source->name(), opened_.is_model, plan, options_);
+      picture.request = make_request(scene, opened_.source->name(), plan, options_);
       if (options_.turntable > 0) {
         if (!center) center = center_of_interest(scene, options_.root, picture.request.camera);
         picture.request.camera = orbited(picture.request.camera, *center, plan.turn_degrees);
       }
       picture.scene = prepared;
-      picture.fingerprint = fmt::format("{}-{}", picture_fingerprint(*prepared, picture.request), plan.encoding.bits);
+      if (plan.output.format->encode) picture.development = choose_development(scene, opened_.is_model, options_);
+      picture.fingerprint = fmt::format("{}-{}", picture_fingerprint(*prepared, picture.request, picture.development),
+                                        plan.encoding.bits);
       picture.is_done = options_.resume && is_done_already(plan, picture.fingerprint);
       picture.load_ms = load_ms;
       if (!channel_.send(std::move(picture))) throw Stopped();

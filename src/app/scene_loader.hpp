@@ -26,6 +26,7 @@ struct SceneOpened {
 struct PictureReady {
   std::size_t number = 0;  ///< in SceneOpened::plans
   RenderRequest request;
+  Development development;
   std::shared_ptr<PreparedScene const> scene;
   std::string fingerprint;  ///< for the picture's file
   bool is_done = false;     ///< with --resume: the file is there, and is this picture

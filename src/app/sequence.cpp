@@ -16,19 +16,9 @@
 #include "app/progress_bar.hpp"
 #include "app/scene_loader.hpp"
 #include "app/stopwatch.hpp"
-#include "lichtraum/aov.hpp"
 
 namespace lichtraum::app {
 namespace {
-
-Image crop(Image image, Region const& region) {
-  if (image.size() == Resolution{region.width, region.height}) return image;
-  Image part(Resolution{region.width, region.height});
-  for (int y = 0; y < region.height; ++y) {
-    std::copy_n(image.pixel(region.x, region.y + y), 3 * region.width, part.pixel(0, y));
-  }
-  return part;
-}
 
 class Sequence {
  public:
@@ -133,13 +123,14 @@ class Sequence {
         console_.warning(fmt::format("{} has no effect on '{}'", option, plan.output.shown));
       };
       bool const is_film = plan.output.is_film;
-      has_no_effect(options_.has_bits, !format.is_linear_float && format.max_bits > 8 && !is_film, "--bits");
+      has_no_effect(options_.has_bits, format.encode && format.max_bits > 8 && !is_film, "--bits");
       has_no_effect(options_.has_quality, format.name == "jpg", "--quality");
       has_no_effect(options_.encoding.ppm_ascii, format.name == "ppm" && !is_film, "--ppm-ascii");
-      bool const is_picture = options_.aov == Aov::picture;
-      has_no_effect(options_.has_development, !format.is_linear_float && is_picture, "--tonemap and --transfer");
-      has_no_effect(options_.sampling.has_value(), is_picture, "--samples");
-      has_no_effect(options_.depth.has_value(), is_picture, "--depth");
+      bool const has_radiance = plan.planes.has(Plane::radiance);
+      has_no_effect(options_.has_development, format.encode && has_radiance, "--exposure, --tonemap or --transfer");
+      has_no_effect(options_.background.has_value(), has_radiance, "--background");
+      has_no_effect(options_.sampling.has_value(), plan.planes.has(PlaneRule::mean), "--samples");
+      has_no_effect(options_.depth.has_value(), has_radiance, "--depth");
       has_no_effect(options_.resume, format.read_fingerprint != nullptr, "--resume");
     }
   }
@@ -189,8 +180,8 @@ class Sequence {
     }
 
     if (!graceful_) graceful_.emplace();
-    Image image(picture.plan.size);
-    RenderResult const result = renderer_.render(ready.request, image, [&](RenderProgress const& progress) {
+    Film film;
+    RenderResult const result = renderer_.render(ready.request, film, [&](RenderProgress const& progress) {
       bar_.update(title(picture.plan), {fraction_of_all(progress.fraction), rays_ + progress.rays, run_.seconds()});
       return !interrupted();
     });
@@ -199,12 +190,16 @@ class Sequence {
     picture.render = result.statistics;
     picture.plan.encoding.fingerprint = result.complete ? ready.fingerprint : "";
     finish_writing();
-    writing_ =
-        std::async(std::launch::async, [this, picture, part = crop(std::move(image), picture.plan.region)]() mutable {
-          if (!picture.plan.output.format->is_linear_float) part = aov_as_picture(std::move(part), options_.aov);
-          writer_.write(part, picture);
-          return picture;
-        });
+    if (result.statistics.rays.not_finite > 0) {
+      bar_.clear();
+      console_.warning(fmt::format("{}: {} samples are left out: their radiance is not a finite number",
+                                   picture.plan.output.shown, result.statistics.rays.not_finite));
+    }
+    writing_ = std::async(std::launch::async,
+                          [this, picture, drawn = develop(std::move(film), picture.plan, ready.development)]() mutable {
+                            writer_.write(drawn, picture);
+                            return picture;
+                          });
     if (!result.complete) {
       std::string const written_to = finish_writing();
       throw Error(ErrorKind::interrupted, is_film_ ? "interrupted"
@@ -220,6 +215,12 @@ class Sequence {
       finish_writing();
       throw Error(ErrorKind::interrupted, "interrupted");
     }
+  }
+
+  Drawn develop(Film film, PicturePlan const& plan, Development const& development) {
+    if (plan.output.format->encode_film) return film;
+    if (film.planes().has(Plane::radiance)) return renderer_.develop(std::move(film), development);
+    return show_plane(film, film.planes().list().front());
   }
 
   std::string title(PicturePlan const& plan) const {
@@ -282,9 +283,9 @@ class Sequence {
     constexpr int probe_width = 64;
     int const height = std::max(1, int(double(request.resolution.height) * probe_width / request.resolution.width));
     request.resolution = {probe_width, std::min(height, 4 * probe_width)};
-    request.region = {0, 0, request.resolution.width, request.resolution.height};
+    request.region = whole_picture(request.resolution);
     request.sampling = {};
-    request.max_depth = 0;
+    request.planes = {Plane::depth};
     bool is_seen = false;
     LoadOptions load = options_.load;
     load.language = language;
@@ -294,8 +295,8 @@ class Sequence {
       if (index != wanted || !camera) return true;
       request.camera = *camera;
       renderer_.set_scene(scene, options_.root);
-      Image image(request.resolution);
-      is_seen = renderer_.render(request, image).statistics.rays.camera_hits > 0;
+      Film film;
+      is_seen = renderer_.render(request, film).statistics.rays.camera_hits > 0;
       return false;
     });
     return is_seen;

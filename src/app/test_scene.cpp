@@ -43,7 +43,7 @@ TestScene make_test_scene() {
   test.scene = EsdfScript::from_text(text, "test scene").take_scene();
   test.request.camera = test.scene.cameras.front();
   test.request.resolution = {160, 120};
-  test.request.region = {0, 0, 160, 120};
+  test.request.region = whole_picture(test.request.resolution);
   return test;
 }
 

@@ -132,9 +132,42 @@ int parse_bits(std::string_view text) { return word<int>(text, {{"8", 8}, {"16",
 
 int parse_quality(std::string_view text) { return number_in_range(text, 1, 100); }
 
-Aov parse_aov(std::string_view text) {
-  return word<Aov>(text,
-                   {{"picture", Aov::picture}, {"depth", Aov::depth}, {"normal", Aov::normal}, {"id", Aov::object_id}});
+PlaneSet parse_planes(std::string_view text) {
+  PlaneSet planes;
+  for (std::string_view const part : split(text, ',')) {
+    std::string expected = "expected names with commas between, of:";
+    bool is_known = false;
+    for (std::size_t i = 0; i < plane_count; ++i) {
+      auto const plane = Plane(i);
+      std::string_view const name = info_of(plane).name;
+      expected += fmt::format("{} {}", i == 0 ? "" : ",", name);
+      if (part != name) continue;
+      planes.add(plane);
+      is_known = true;
+    }
+    if (!is_known) throw std::invalid_argument(expected);
+  }
+  return planes;
+}
+
+std::optional<Rgb> parse_background(std::string_view text) {
+  if (text == "none") return std::nullopt;
+  auto const parts = split(text, ',');
+  Rgb color(0);
+  bool is_good = parts.size() == 3;
+  for (int i = 0; is_good && i < 3; ++i) {
+    auto const value = number<double>(parts[std::size_t(i)]);
+    is_good = value && std::isfinite(*value) && *value >= 0;
+    if (is_good) color[i] = *value;
+  }
+  if (!is_good) throw std::invalid_argument("expected none, or red, green and blue, such as 0.2,0.3,0.5");
+  return color;
+}
+
+double parse_exposure(std::string_view text) {
+  auto const stops = number<double>(text);
+  if (!stops || !(std::abs(*stops) <= 100)) throw std::invalid_argument("expected stops from -100 to 100, such as 1.5");
+  return *stops;
 }
 
 std::optional<Traversal> parse_traversal(std::string_view text) {

@@ -35,7 +35,9 @@ int parse_turntable(std::string_view text);                               ///< 1
 int parse_texture_size(std::string_view text);                            ///< 1..65536
 int parse_bits(std::string_view text);                                    ///< 8 or 16
 int parse_quality(std::string_view text);                                 ///< 1..100
-Aov parse_aov(std::string_view text);                                     ///< picture, depth, normal, id
+PlaneSet parse_planes(std::string_view text);                             ///< names of planes, commas between
+std::optional<Rgb> parse_background(std::string_view text);               ///< none (nothing), or three numbers
+double parse_exposure(std::string_view text);                             ///< stops: -100..100
 std::optional<Traversal> parse_traversal(std::string_view text);          ///< auto (nothing), scalar, wide, packet
 ToneMap parse_tone_map(std::string_view text);                            ///< auto, none, reinhard
 Transfer parse_transfer(std::string_view text);                           ///< linear, srgb

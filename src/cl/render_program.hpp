@@ -4,6 +4,7 @@
 
 #include "cl/opencl.hpp"
 #include "lichtraum/traversal.hpp"
+#include "shared/film.h"
 
 namespace lichtraum {
 
@@ -11,13 +12,17 @@ namespace lichtraum {
 struct RenderProgram {
   static constexpr char const* name = "render";
   static constexpr char const* kernel_name = "render_tile";
-  /// Counted from the first after the scene's.
-  static constexpr cl_uint frame_argument = 0, tile_argument = 1, film_argument = 2, rays_argument = 3;
-  static constexpr cl_uint own_arguments = 4;
+  /// Counted from the first after the scene's. The film's come first: an array a plane, then which are wanted.
+#define COUNT_PLANE(type, name, bit, channels) +1
+  static constexpr cl_uint film_argument = 0, film_arrays = 0 FILM_PLANES(COUNT_PLANE);
+#undef COUNT_PLANE
+  static constexpr cl_uint planes_argument = film_arrays, frame_argument = film_arrays + 1,
+                           tile_argument = film_arrays + 2, rays_argument = film_arrays + 3;
+  static constexpr cl_uint own_arguments = film_arrays + 4;
 
   RayGrouping grouping = RayGrouping::packet;
-  bool first_surface = false;  ///< writes what the first surface is, instead of its light
-  bool is_plain = false;       ///< for scenes without other features than SCENE_PLAIN
+  bool has_all_planes = false;  ///< else radiance alone
+  bool is_plain = false;        ///< for scenes without other features than SCENE_PLAIN
   unsigned ray_stack_size = 8;
   std::size_t traversal_stack_size = 96;
 
@@ -25,13 +30,21 @@ struct RenderProgram {
   std::string options() const;
 };
 
-/// Those that are compiled with lichtraum: of pictures, and of what their first surfaces are (which the window asks
-/// for, too), for plain scenes and for all, with the layout and the limits that they have unless asked otherwise.
+/// Those that are compiled with lichtraum: of pictures, and of all planes (which the window asks for, too), for plain
+/// scenes and for all, with the layout and the limits that they have unless asked otherwise.
 inline constexpr RenderProgram usual_render_programs[] = {
-    {.is_plain = true},
-    {.is_plain = false},
-    {.grouping = RayGrouping::stream, .first_surface = true, .is_plain = true},
-    {.grouping = RayGrouping::stream, .first_surface = true, .is_plain = false},
+    {.has_all_planes = false, .is_plain = true},
+    {.has_all_planes = false, .is_plain = false},
+    {.has_all_planes = true, .is_plain = true},
+    {.has_all_planes = true, .is_plain = false},
+};
+
+/// kernels/develop.cl.
+struct DevelopProgram {
+  static constexpr char const* name = "develop";
+  static constexpr char const* options = "-cl-std=CL1.2";
+  static constexpr std::size_t work_group_size = 64;
+  static constexpr char const* kernel_name(bool has_alpha) { return has_alpha ? "develop_straight_colors" : "develop"; }
 };
 
 /// The entries of the ray stack that a depth needs, as one of a few sizes: each is a program of its own.

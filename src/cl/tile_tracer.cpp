@@ -72,8 +72,12 @@ struct TileTracer::State {
 
   std::vector<device::FrameParameters> frame;
   cl::Buffer frame_buffer;
-  Image* image = nullptr;
-  cl::Buffer film;
+  struct PlaneBuffer {
+    cl::Buffer buffer;
+    std::size_t bytes;
+  };
+  std::vector<PlaneBuffer> film;  // of the planes that are wanted
+  PlaneSet planes;
   std::vector<device::WorkItemRays> rays;
   cl::Buffer rays_buffer;
   cl::Kernel kernel;
@@ -97,13 +101,27 @@ struct TileTracer::State {
                     device_bytes, largest, info.name, info.global_memory_bytes, info.max_allocation_bytes));
   }
 
-  /// How the frame is traced: what surfaces are by streams.
-  RayGrouping frame_grouping() const {
-    return frame[0].aov != 0 && grouping == RayGrouping::packet ? RayGrouping::stream : grouping;
+  /// A plane of the film that is traced, as a kernel's argument.
+  template <class Value>
+  void set_plane(cl_uint argument, Resolution const& size, std::span<Value> values) {
+    if (values.empty()) {
+      kernel.setArg(argument, sizeof(cl_mem), nullptr);
+      return;
+    }
+    if (values.size_bytes() > info.max_allocation_bytes) {
+      throw Error(
+          ErrorKind::no_device,
+          fmt::format("{}x{} pixels need a buffer of {} bytes; {} takes at most {}. Render the picture in parts, "
+                      "with --crop.",
+                      size.width, size.height, values.size_bytes(), info.name, info.max_allocation_bytes));
+    }
+    film.push_back({cl::Buffer(context, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, values.size_bytes(), values.data()),
+                    values.size_bytes()});
+    kernel.setArg(argument, film.back().buffer);
   }
 
-  KnownKernel& kernel_for(device::FrameParameters const& parameters) {
-    RenderProgram const program{frame_grouping(), parameters.aov != 0, (tables->features & ~SCENE_PLAIN) == 0,
+  KnownKernel& kernel_for(device::FrameParameters const& parameters, PlaneSet const& wanted) {
+    RenderProgram const program{grouping, wanted != PlaneSet{Plane::radiance}, (tables->features & ~SCENE_PLAIN) == 0,
                                 ray_stack_size(parameters.max_depth), traversal_stack_size(scene->stack_size)};
     auto const options = program.options();
     auto found = kernels.find(options);
@@ -119,7 +137,7 @@ struct TileTracer::State {
   void load(KnownKernel& known) {
     if (known.is_loaded) return;
     make_room_for_rays(1);
-    warm_up(queue, kernel, arguments_before, frame_grouping());
+    warm_up(queue, kernel, arguments_before, grouping);
     known.is_loaded = true;
   }
 
@@ -165,37 +183,43 @@ void TileTracer::upload(std::shared_ptr<SceneBuffers const> scene, std::shared_p
 SceneBuffers const& TileTracer::scene() const { return *state_->scene; }
 std::uint64_t TileTracer::device_bytes() const { return state_->device_bytes; }
 
-void TileTracer::begin_frame(device::FrameParameters const& frame, Image& image) {
+void TileTracer::begin_frame(device::FrameParameters const& frame, Film& film) {
   State& state = *state_;
-  std::uint64_t const film_bytes = image.data().size() * sizeof(float);
-  if (film_bytes > state.info.max_allocation_bytes) {
-    throw Error(ErrorKind::no_device,
-                fmt::format("a picture of {}x{} pixels needs a buffer of {} bytes; {} takes at most {}", image.width(),
-                            image.height(), film_bytes, state.info.name, state.info.max_allocation_bytes));
-  }
+  PlaneSet const& planes = film.planes();
   state.frame.assign(1, frame);
-  state.image = &image;
   checked([&] {
-    auto& known = state.kernel_for(frame);
+    auto& known = state.kernel_for(frame, planes);
     state.kernel = known.kernel;
     state.frame_buffer = buffer_over(state.context, CL_MEM_READ_ONLY, state.frame);
-    state.film = cl::Buffer(state.context, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, film_bytes, image.data().data());
     cl_uint argument = 0;
     for (auto const* const buffers : {&state.geometry, &state.shading}) {
       for (cl::Buffer const& buffer : *buffers) state.kernel.setArg(argument++, buffer);
     }
-    state.kernel.setArg(argument++, scene_constants(*state.scene, *state.tables));
+    auto constants = scene_constants(*state.scene, *state.tables);
+    if (!planes.has(Plane::radiance)) constants.light_count = 0;
+    state.kernel.setArg(argument++, constants);
     state.arguments_before = argument;
     state.kernel.setArg(argument + RenderProgram::frame_argument, state.frame_buffer);
-    state.kernel.setArg(argument + RenderProgram::film_argument, state.film);
+    state.kernel.setArg(argument + RenderProgram::planes_argument, cl_uint(planes.bits()));
+    state.film.clear();
+    for (std::size_t i = 0; i < plane_count; ++i) {
+      auto const plane = Plane(i);
+      auto const film_argument = argument + RenderProgram::film_argument + cl_uint(i);
+      if (info_of(plane).is_number) {
+        state.set_plane(film_argument, film.size(), film.numbers(plane));
+      } else {
+        state.set_plane(film_argument, film.size(), film.floats(plane));
+      }
+    }
     state.load(known);
   });
+  state.planes = planes;
 }
 
 RayCounts TileTracer::trace(device::Tile const& tile) {
   State& state = *state_;
-  LaunchSize const size = launch_size(tile, state.frame_grouping());
-  std::size_t const local_side = work_group_side(state.frame_grouping());
+  LaunchSize const size = launch_size(tile, state.grouping);
+  std::size_t const local_side = work_group_side(state.grouping);
   std::size_t const work_items = size.width * size.height;
   RayCounts counts;
   checked([&] {
@@ -211,8 +235,11 @@ RayCounts TileTracer::trace(device::Tile const& tile) {
       counts.shadow += rays[i].shadow;
       counts.secondary += rays[i].secondary;
       counts.camera_hits += rays[i].camera_hits;
+      counts.not_finite += rays[i].not_finite;
     }
-    counts.camera = std::uint64_t(tile.width) * tile.height * tile.sample_count;
+    device::uint const samples = state.planes.has(PlaneRule::mean) ? tile.sample_count : 0;
+    bool const has_centers = state.planes.has(PlaneRule::center) && tile.first_sample == 0;
+    counts.camera = std::uint64_t(tile.width) * tile.height * (samples + (has_centers ? 1 : 0));
     state.queue.enqueueUnmapMemObject(state.rays_buffer, mapped);
   });
   return counts;
@@ -221,11 +248,44 @@ RayCounts TileTracer::trace(device::Tile const& tile) {
 void TileTracer::end_frame() {
   State& state = *state_;
   checked([&] {
-    std::size_t const bytes = state.image->data().size() * sizeof(float);
-    void* const mapped = state.queue.enqueueMapBuffer(state.film, CL_TRUE, CL_MAP_READ, 0, bytes);
-    state.queue.enqueueUnmapMemObject(state.film, mapped);
+    for (auto const& [buffer, bytes] : state.film) {
+      void* const mapped = state.queue.enqueueMapBuffer(buffer, CL_TRUE, CL_MAP_READ, 0, bytes);
+      state.queue.enqueueUnmapMemObject(buffer, mapped);
+    }
     state.queue.finish();
-    state.film = cl::Buffer();
+    state.film.clear();
+  });
+}
+
+void TileTracer::develop(std::vector<float>& radiance, std::vector<float> const& alpha,
+                         device::DevelopParameters const& parameters) {
+  State& state = *state_;
+  if (radiance.empty()) return;
+  checked([&] {
+    auto const name = DevelopProgram::kernel_name(!alpha.empty());
+    auto const known = state.kernels.find(name);
+    cl::Kernel kernel = known != state.kernels.end()
+                            ? known->second.kernel
+                            : cl::Kernel(build_program(state.context, state.device, DevelopProgram::name,
+                                                       DevelopProgram::options, precompiled_programs()),
+                                         name);
+    state.kernels.insert_or_assign(name, State::KnownKernel{kernel, true});
+    cl::Buffer const sums = buffer_over(state.context, CL_MEM_READ_WRITE, radiance);
+    kernel.setArg(0, parameters);
+    kernel.setArg(1, cl_ulong(radiance.size()));
+    kernel.setArg(2, sums);
+    cl::Buffer alpha_sums;
+    if (!alpha.empty()) {
+      alpha_sums = buffer_over(state.context, CL_MEM_READ_ONLY, alpha);
+      kernel.setArg(3, alpha_sums);
+    }
+    constexpr std::size_t group = DevelopProgram::work_group_size;
+    state.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(round_up(radiance.size(), group)),
+                                     cl::NDRange(group));
+    std::size_t const bytes = radiance.size() * sizeof(float);
+    void* const mapped = state.queue.enqueueMapBuffer(sums, CL_TRUE, CL_MAP_READ, 0, bytes);
+    state.queue.enqueueUnmapMemObject(sums, mapped);
+    state.queue.finish();
   });
 }
 

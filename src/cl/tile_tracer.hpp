@@ -3,13 +3,14 @@
 #include <memory>
 
 #include "compile/scene_buffers.hpp"
-#include "lichtraum/image.hpp"
 #include "lichtraum/renderer.hpp"
+#include "shared/film.h"
 #include "shared/frame.h"
 
 namespace lichtraum {
 
-/// One OpenCL device with a scene on it, tracing tiles of a picture. No OpenCL type shows.
+/// One OpenCL device with a scene on it, which traces tiles of pictures and
+/// develops them. No OpenCL type shows.
 class TileTracer {
  public:
   /// Throws DeviceError when the device described by `device` is gone or fails.
@@ -24,11 +25,16 @@ class TileTracer {
   SceneBuffers const& scene() const;
   std::uint64_t device_bytes() const;
 
-  /// Starts a picture. `image` must stay until end_frame, which makes the device's work visible in it.
-  void begin_frame(device::FrameParameters const& frame, Image& image);
-  /// Traces a tile and waits for it. The tile's first_sample must be 0, or follow on what was traced before.
+  /// Begins with a block of a film's samples, or goes on with it. `film` must stay until end_frame, which makes the
+  /// device's work visible in it.
+  void begin_frame(device::FrameParameters const& frame, Film& film);
+  /// Traces a tile and waits for it. The tile's first_sample begins the block, or follows on what was traced before.
   RayCounts trace(device::Tile const& tile);
   void end_frame();
+
+  /// See develop_sums (src/film/develop.hpp), with the same bytes.
+  void develop(std::vector<float>& radiance, std::vector<float> const& alpha,
+               device::DevelopParameters const& parameters);
 
  private:
   struct State;

@@ -31,6 +31,14 @@ void check_request(RenderRequest const& request) {
     auto const side = int(std::lround(std::sqrt(double(count))));
     require(std::int64_t(side) * side == count, fmt::format("a grid of {} samples is no square", count));
   }
+  if (request.samples) {
+    auto const [first, end] = *request.samples;
+    require(first >= 0 && first < end && end <= count,
+            fmt::format("samples {} to {} are not among the {} of each pixel", first, end - 1, count));
+    require(first % Film::block_size == 0,
+            fmt::format("a range of samples begins at a multiple of {}, not at {}", Film::block_size, first));
+  }
+  require(!request.planes.is_empty(), "no plane is asked for");
   require(request.max_depth >= 0, fmt::format("a depth of {} is negative", request.max_depth));
 }
 

@@ -1,6 +1,7 @@
 #include "render/fingerprint.hpp"
 
 #include "lichtraum/renderer.hpp"
+#include "render/trace_blocks.hpp"
 
 namespace lichtraum {
 
@@ -13,7 +14,8 @@ std::string scene_fingerprint(ContentHash const& content, SceneShading const& sh
   return hasher.finish().text();
 }
 
-std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const& request) {
+std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const& request,
+                                Development const& development) {
   ContentHasher hasher;
   hasher.add(std::string_view(LICHTRAUM_VERSION));
   hasher.add(std::string_view(scene.fingerprint));
@@ -26,9 +28,15 @@ std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const&
   hasher.add(request.max_depth);
   bool const is_random = request.sampling.pattern == Sampling::Pattern::seeded;
   hasher.add(is_random ? request.seed : std::uint64_t(0));
-  hasher.add(int(request.tone_map));
-  hasher.add(int(request.transfer));
-  if (request.aov != Aov::picture) hasher.add(int(request.aov));
+  SampleRange const samples = wanted_samples(request);
+  hasher.add(samples.first);
+  hasher.add(samples.end);
+  hasher.add(request.planes.bits());
+  hasher.add(request.background.has_value());
+  hasher.add(request.background.value_or(Rgb(0)));
+  hasher.add(development.exposure_ev);
+  hasher.add(int(development.tone_map));
+  hasher.add(int(development.transfer));
   return hasher.finish().text();
 }
 

@@ -19,12 +19,6 @@ device::PinholeCamera pinhole_camera(Camera const& camera, Resolution const& siz
           device_float4(world_from_camera.vector({0, -2 * half_height / size.height, 0}))};
 }
 
-device::uint device_tone_map(ToneMap tone_map) {
-  return tone_map == ToneMap::reinhard ? TONE_MAP_REINHARD : TONE_MAP_NONE;
-}
-
-static_assert(int(Aov::depth) == AOV_DEPTH && int(Aov::normal) == AOV_NORMAL && int(Aov::object_id) == AOV_OBJECT_ID);
-
 }  // namespace
 
 device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene) {
@@ -32,24 +26,18 @@ device::FrameParameters frame_parameters(RenderRequest const& request, SceneShad
   device::FrameParameters frame{};
   frame.camera = pinhole_camera(request.camera, request.resolution);
   frame.ambient = device_float4(scene.ambient);
-  frame.background = device_float4(scene.background);
-  frame.width = device::uint(request.resolution.width);
-  frame.height = device::uint(request.resolution.height);
+  // What is seen through a picture with alpha is somebody else's.
+  Rgb const background = request.background.value_or(scene.background);
+  frame.background = device_float4(request.planes.has(Plane::alpha) ? Rgb(0) : background);
+  frame.region_x = device::uint(request.region.x);
+  frame.region_y = device::uint(request.region.y);
+  frame.region_width = device::uint(request.region.width);
+  frame.region_height = device::uint(request.region.height);
   frame.sampling = request.sampling.pattern == Sampling::Pattern::grid ? SAMPLING_GRID : SAMPLING_SEEDED;
   frame.sample_count = device::uint(request.sampling.count);
   frame.seed_low = device::uint(request.seed);
   frame.seed_high = device::uint(request.seed >> 32);
-  frame.max_depth = device::uint(request.max_depth);
-  frame.tone_map = device_tone_map(request.tone_map == ToneMap::automatic ? scene.tone_map : request.tone_map);
-  frame.transfer = request.transfer == Transfer::srgb ? TRANSFER_SRGB : TRANSFER_LINEAR;
-  frame.aov = device::uint(request.aov);
-  if (request.aov != Aov::picture) {
-    frame.sampling = SAMPLING_GRID;
-    frame.sample_count = 1;
-    frame.max_depth = 0;
-    frame.tone_map = TONE_MAP_NONE;
-    frame.transfer = TRANSFER_LINEAR;
-  }
+  frame.max_depth = request.planes.has(Plane::radiance) ? device::uint(request.max_depth) : 0;
   return frame;
 }
 

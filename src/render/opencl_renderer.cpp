@@ -1,19 +1,25 @@
 #include "render/opencl_renderer.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 
 #include "cl/tile_tracer.hpp"
+#include "film/develop.hpp"
 #include "render/drawn_roots.hpp"
 #include "render/fingerprint.hpp"
 #include "render/frame_parameters.hpp"
 #include "render/tile_plan.hpp"
+#include "render/trace_blocks.hpp"
 #include "scene/flatten.hpp"
 
 namespace lichtraum {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// The device's number of no shape, instance or material; in a film the largest number that there is.
+constexpr std::uint32_t nothing = 0xffffffffu;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -31,27 +37,40 @@ double next_budget(double budget, double seconds) {
   return std::clamp(ideal, std::max(64.0, budget / 64), std::min(max_budget, budget * 16));
 }
 
-void clear(Image& image, Region const& region) {
-  for (int y = region.y; y < region.y + region.height; ++y) {
-    std::fill_n(image.pixel(region.x, y), 3 * region.width, 0.0f);
+/// What the planes hold where nothing is, as the device has it.
+void begin_centers(Film& film) {
+  std::ranges::fill(film.floats(Plane::depth), std::numeric_limits<float>::infinity());
+  for (Plane const plane : {Plane::object, Plane::instance, Plane::material}) {
+    std::ranges::fill(film.numbers(plane), nothing);
   }
 }
 
-/// From the two numbers that the device has put into each pixel (see kernels/integrators/first_surface.clh) to the
-/// object's own.
-void number_objects(Image& image, Region const& region, ObjectNumbers const& numbers) {
-  auto const number_of = [&](float const* pixel) {
-    if (pixel[2] < 0) return std::uint64_t(0);
-    auto const high = device::uint(pixel[2]);
-    device::uint const shape = device::uint(pixel[0]) | high << 24;
-    device::uint const instance = device::uint(pixel[1]) | high >> 8 << 24;
-    constexpr device::uint no_instance = 0xffffffffu;
-    return instance == no_instance ? numbers.in_world(shape) : numbers.in_instance(instance, shape);
-  };
-  for (int y = region.y; y < region.y + region.height; ++y) {
-    for (int x = region.x; x < region.x + region.width; ++x) {
-      float* const pixel = image.pixel(x, y);
-      std::fill_n(pixel, 3, float(number_of(pixel)));
+/// From the numbers that the device has written (kernels/integrators/first_surface.clh) to those of the film.
+void number_objects(Film& film, ObjectNumbers const& numbers) {
+  auto const objects = film.numbers(Plane::object);
+  auto const instances = film.numbers(Plane::instance);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i] == nothing) {
+      objects[i] = 0;
+      continue;
+    }
+    std::uint64_t const number =
+        instances[i] == nothing ? numbers.in_world(objects[i]) : numbers.in_instance(instances[i], objects[i]);
+    objects[i] = std::uint32_t(std::min<std::uint64_t>(number, nothing));
+  }
+  for (std::uint32_t& number : instances) number = number == nothing ? 0 : numbers.flat_instance(number) + 1;
+  for (std::uint32_t& number : film.numbers(Plane::material)) ++number;  // from nothing to 0
+}
+
+/// Makes the samples of some pixels of a picture as if none had been traced.
+void clear_samples(Film& film, Region const& pixels) {
+  for (Plane const plane : film.planes().list()) {
+    if (info_of(plane).rule != PlaneRule::mean) continue;
+    std::size_t const channels = info_of(plane).channels.size();
+    auto const row_length = channels * std::size_t(film.region().width);
+    for (int y = pixels.y - film.region().y; y < pixels.y - film.region().y + pixels.height; ++y) {
+      auto const begin = std::size_t(y) * row_length + channels * std::size_t(pixels.x - film.region().x);
+      std::ranges::fill(film.floats(plane).subspan(begin, channels * std::size_t(pixels.width)), 0.0f);
     }
   }
 }
@@ -120,75 +139,69 @@ class OpenClRenderer final : public Renderer {
     return statistics;
   }
 
-  RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress) override {
+  RenderResult render(RenderRequest const& request, Film& film, ProgressFunction const& progress) override {
     auto const frame = frame_parameters(request, scene_->shading);
-    if (image.size() != request.resolution) image = Image(request.resolution);
-    clear(image, request.region);
-    return trace(request, frame, 0, int(frame.sample_count), image, progress);
+    SampleRange const wanted = wanted_samples(request);
+    if (!has_begun(request, film)) {
+      PlaneSet planes = request.planes;
+      if (planes.has(Plane::object)) planes.add(Plane::instance);  // it takes both to number objects
+      film = Film(request.region, planes, wanted.first);
+    }
+    RenderResult result;
+    Work work{.samples = wanted.end - film.samples().end};
+    result.complete = trace_blocks(wanted, film, [&](SampleRange const& samples) {
+      return trace(frame, samples, film, work, result.statistics, progress);
+    });
+    film.keep(request.planes);
+    return result;
   }
 
-  RenderResult refine(RenderRequest const& request, Accumulation& sums, Image& image,
-                      ProgressFunction const& progress) override {
-    bool const is_sum = request.aov == Aov::picture && request.sampling.pattern == Sampling::Pattern::seeded &&
-                        request.sampling.count > 1;
-    if (!is_sum || sums.count > request.sampling.count || sums.sums.size() != request.resolution) sums = {};
-    if (!is_sum) return render(request, image, progress);
-    if (sums.count == 0) sums.sums = Image(request.resolution);
-    // A picture of more samples than are ever traced stays a sum.
-    auto frame = frame_parameters(request, scene_->shading);
-    frame.sample_count = std::numeric_limits<device::uint>::max();
-    RenderResult const result = trace(request, frame, sums.count, request.sampling.count, sums.sums, progress);
-    if (!result.complete) {
-      sums = {};
-      return result;
-    }
-    sums.count = request.sampling.count;
-    image = sums.sums;
-    develop(request, image);
-    return result;
+  Image develop(Film film, Development const& development) override {
+    Development known = development;
+    if (known.tone_map == ToneMap::automatic) known.tone_map = scene_->shading.tone_map;
+    return develop_film(std::move(film), known,
+                        [&](auto& radiance, auto const& alpha, device::DevelopParameters const& parameters) {
+                          tracer_.develop(radiance, alpha, parameters);
+                        });
   }
 
  private:
-  /// Sums of all samples to a picture, by tiles without any more samples: so their arithmetic is that of `render`.
-  void develop(RenderRequest const& request, Image& image) {
-    tracer_.begin_frame(frame_parameters(request, scene_->shading), image);
-    TilePlan plan(request.region, 1, request.sampling.count);
-    while (!plan.is_done()) {
-      device::Tile tile = plan.next(max_budget);
-      tile.sample_count = 0;
-      tracer_.trace(tile);
-    }
-    tracer_.end_frame();
-  }
-
-  /// Adds the samples [first_sample, end_sample).
-  RenderResult trace(RenderRequest const& request, device::FrameParameters const& frame, int first_sample,
-                     int end_sample, Image& image, ProgressFunction const& progress) {
-    int const sample_count = end_sample - first_sample;
-    RenderResult result;
-    RayCounts& rays = result.statistics.rays;
-    double const all_rays = double(request.region.width) * double(request.region.height) * double(sample_count);
-    auto const start = Clock::now();
-    tracer_.begin_frame(frame, image);
-    result.statistics.program_ms = 1e3 * seconds_since(start);
-    auto const trace_start = Clock::now();
-    TilePlan plan(request.region, sample_count, first_sample);
+  /// What there is to do for one request, and what is done.
+  struct Work {
+    int samples = 0;  // of each pixel
+    double pixel_samples_done = 0;
     double budget = first_budget;
-    while (!plan.is_done() && result.complete) {
+    Clock::time_point start = Clock::now();
+  };
+
+  /// Adds samples of one block; false: it was stopped.
+  bool trace(device::FrameParameters const& frame, SampleRange const& samples, Film& film, Work& work,
+             RenderStatistics& statistics, ProgressFunction const& progress) {
+    Region const& region = film.region();
+    double const all_work = double(region.width) * double(region.height) * double(work.samples);
+    if (samples.first == 0) begin_centers(film);
+    auto const start = Clock::now();
+    tracer_.begin_frame(frame, film);
+    statistics.program_ms += 1e3 * seconds_since(start);
+    auto const trace_start = Clock::now();
+    bool is_going_on = true;
+    TilePlan plan(region, samples.count(), samples.first);
+    while (!plan.is_done() && is_going_on) {
       auto const tile_start = Clock::now();
-      rays += tracer_.trace(plan.next(budget));
-      budget = next_budget(budget, seconds_since(tile_start));
-      if (progress) result.complete = progress({double(rays.camera) / all_rays, rays.total(), seconds_since(start)});
+      device::Tile const tile = plan.next(work.budget);
+      statistics.rays += tracer_.trace(tile);
+      work.budget = next_budget(work.budget, seconds_since(tile_start));
+      work.pixel_samples_done += double(tile.width) * double(tile.height) * double(tile.sample_count);
+      if (progress) {
+        is_going_on =
+            progress({work.pixel_samples_done / all_work, statistics.rays.total(), seconds_since(work.start)});
+      }
     }
     tracer_.end_frame();
-    result.complete = result.complete || plan.is_done();
-    if (!plan.is_between_pixels()) clear(image, plan.current_pixels());
-    if (!result.complete && request.aov != Aov::picture) clear(image, request.region);
-    if (result.complete && request.aov == Aov::object_id) {
-      number_objects(image, request.region, tracer_.scene().object_numbers);
-    }
-    result.statistics.trace_ms = 1e3 * seconds_since(trace_start);
-    return result;
+    if (!plan.is_between_pixels()) clear_samples(film, plan.current_pixels());
+    if (samples.first == 0) number_objects(film, tracer_.scene().object_numbers);
+    statistics.trace_ms += 1e3 * seconds_since(trace_start);
+    return plan.is_done();
   }
 
   static CompiledScene const& compiled(std::shared_ptr<PreparedScene const> const& scene) {

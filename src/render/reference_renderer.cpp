@@ -16,9 +16,10 @@
 #include "lichtraum/graph_summary.hpp"
 #include "render/check_request.hpp"
 #include "render/fingerprint.hpp"
-#include "render/reference_aov.hpp"
 #include "render/reference_integrator.hpp"
 #include "render/reference_scene.hpp"
+#include "render/reference_surfaces.hpp"
+#include "render/trace_blocks.hpp"
 #include "scene/copy_graph.hpp"
 #include "scene/flatten.hpp"
 #include "scene/graph_order.hpp"
@@ -52,41 +53,101 @@ glm::dvec2 sample_offset(RenderRequest const& request, int x, int y, int index) 
   return {offset.x, offset.y};
 }
 
-Rgb trace_pixel(ReferenceScene const& scene, ReferenceAov const& aov, RenderRequest const& request, int x, int y,
-                RayCounts& counts) {
-  if (request.aov != Aov::picture) {
-    return aov.trace(request.camera.generate_ray(x + 0.5, y + 0.5, request.resolution), counts);
+/// A pixel of a plane of the film: where its values are.
+class PixelOf {
+ public:
+  PixelOf(Film& film, std::size_t pixel) : film_(film), pixel_(pixel) {}
+  void add(Plane plane, Vec3 const& value) {
+    std::size_t const channels = info_of(plane).channels.size();
+    for (std::size_t c = 0; c < channels && film_.planes().has(plane); ++c) {
+      film_.floats(plane)[channels * pixel_ + c] += float(value[int(c)]);
+    }
   }
-  Rgb sum(0);
-  for (int i = 0; i < request.sampling.count; ++i) {
-    auto const offset = sample_offset(request, x, y, i);
-    Ray const ray = request.camera.generate_ray(x + offset.x, y + offset.y, request.resolution);
-    sum += trace_radiance(scene, ray, request.max_depth, counts);
+  void set(Plane plane, std::uint32_t number) {
+    if (film_.planes().has(plane)) film_.numbers(plane)[pixel_] = number;
   }
-  return sum / double(request.sampling.count);
-}
+
+ private:
+  Film& film_;
+  std::size_t pixel_;
+};
+
+bool is_finite(Rgb const& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
+
+/// What is traced of a pixel at once: samples of one block.
+class PixelTracer {
+ public:
+  PixelTracer(ReferenceScene const& scene, ReferenceNumbers const& numbers, RenderRequest const& request,
+              SampleRange const& samples, Film& film)
+      : scene_(scene), surfaces_(scene, numbers, request.planes), request_(request), samples_(samples), film_(film) {
+    if (request.background) scene_.background = *request.background;
+    if (request.planes.has(Plane::alpha)) scene_.background = Rgb(0);
+  }
+
+  void trace(int x, int y, RayCounts& counts) const {
+    Region const& region = film_.region();
+    PixelOf pixel(film_, std::size_t(y - region.y) * std::size_t(region.width) + std::size_t(x - region.x));
+    if (samples_.first == 0 && film_.planes().has(PlaneRule::center)) trace_center(x, y, pixel, counts);
+    if (film_.planes().has(PlaneRule::mean)) trace_samples(x, y, pixel, counts);
+  }
+
+ private:
+  void trace_center(int x, int y, PixelOf& pixel, RayCounts& counts) const {
+    auto const center = surfaces_.center(request_.camera.generate_ray(x + 0.5, y + 0.5, request_.resolution));
+    ++counts.camera;
+    counts.camera_hits += std::isfinite(center.depth);
+    pixel.add(Plane::depth, Vec3(center.depth));
+    pixel.add(Plane::position, center.position);
+    pixel.set(Plane::object, center.object);
+    pixel.set(Plane::instance, center.instance);
+    pixel.set(Plane::material, center.material);
+  }
+
+  void trace_samples(int x, int y, PixelOf& pixel, RayCounts& counts) const {
+    PlaneSet const& planes = film_.planes();
+    bool const has_surfaces = planes.has(Plane::alpha) || planes.has(Plane::albedo) || planes.has(Plane::normal);
+    for (int i = samples_.first; i < samples_.end; ++i) {
+      auto const offset = sample_offset(request_, x, y, i);
+      Ray const ray = request_.camera.generate_ray(x + offset.x, y + offset.y, request_.resolution);
+      bool is_hit = false;
+      if (has_surfaces) {
+        auto const surface = surfaces_.sample(ray);
+        is_hit = surface.alpha > 0;
+        pixel.add(Plane::alpha, Vec3(surface.alpha));
+        pixel.add(Plane::albedo, surface.albedo);
+        pixel.add(Plane::normal, surface.normal);
+      }
+      if (planes.has(Plane::radiance)) {
+        Rgb const radiance = trace_radiance(scene_, ray, request_.max_depth, counts);
+        if (is_finite(radiance)) {
+          pixel.add(Plane::radiance, radiance);
+        } else {
+          ++counts.not_finite;
+        }
+      } else {
+        ++counts.camera;
+        counts.camera_hits += is_hit;
+      }
+    }
+  }
+
+  ReferenceScene scene_;
+  ReferenceSurfaces surfaces_;
+  RenderRequest const& request_;
+  SampleRange samples_;
+  Film& film_;
+};
 
 /// One render: threads take rows from the region until none is left or they are told to stop.
 class RowQueue {
  public:
-  RowQueue(ReferenceScene const& scene, RenderRequest const& request, Image& image)
-      : scene_(scene), aov_(scene, request.aov), request_(request), image_(image) {
-    if (request_.tone_map == ToneMap::automatic) request_.tone_map = scene.tone_map;
-    if (request_.aov != Aov::picture) {
-      request_.tone_map = ToneMap::none;
-      request_.transfer = Transfer::linear;
-    }
-    for (int y = 0; y < request.region.height; ++y) {
-      float* const row = image_.pixel(request.region.x, request.region.y + y);
-      std::fill(row, row + 3 * request.region.width, 0.0f);
-    }
-  }
+  RowQueue(PixelTracer const& pixels, Region const& region) : pixels_(pixels), region_(region) {}
 
   void work(std::stop_token const& stop) {
     try {
       while (!stop.stop_requested()) {
         int const row = next_row_.fetch_add(1, std::memory_order_relaxed);
-        if (row >= request_.region.height || !trace_row(row, stop)) break;
+        if (row >= region_.height || !trace_row(row, stop)) break;
       }
     } catch (...) {
       std::lock_guard const lock(mutex_);
@@ -98,12 +159,13 @@ class RowQueue {
   /// Waits for the last row or the interval; true when there is nothing more to wait for.
   bool wait_for(Clock::duration interval) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, interval, [this] { return failure_ || finished_rows_ == request_.region.height; });
+    return changed_.wait_for(lock, interval, [this] { return failure_ || finished_rows_ == region_.height; });
   }
 
+  int count() const { return region_.height; }
   double fraction() {
     std::lock_guard const lock(mutex_);
-    return double(finished_rows_) / request_.region.height;
+    return double(finished_rows_) / region_.height;
   }
   RayCounts rays() {
     std::lock_guard const lock(mutex_);
@@ -112,34 +174,24 @@ class RowQueue {
   /// Once all threads have ended: whether every row is there.
   bool finish() {
     if (failure_) std::rethrow_exception(failure_);
-    return finished_rows_ == request_.region.height;
+    return finished_rows_ == region_.height;
   }
 
  private:
-  // A row that is given up stays black.
   bool trace_row(int row, std::stop_token const& stop) {
-    Region const& region = request_.region;
-    int const y = region.y + row;
     RayCounts counts;
-    std::vector<float> pixels;
-    pixels.reserve(3 * static_cast<std::size_t>(region.width));
-    for (int x = region.x; x < region.x + region.width; ++x) {
+    for (int x = region_.x; x < region_.x + region_.width; ++x) {
       if (stop.stop_requested()) return false;
-      Rgb const color =
-          develop(trace_pixel(scene_, aov_, request_, x, y, counts), request_.tone_map, request_.transfer);
-      for (int channel = 0; channel < 3; ++channel) pixels.push_back(static_cast<float>(color[channel]));
+      pixels_.trace(x, region_.y + row, counts);
     }
-    std::copy(pixels.begin(), pixels.end(), image_.pixel(region.x, y));
     std::lock_guard const lock(mutex_);
     rays_ += counts;
     ++finished_rows_;
     return true;
   }
 
-  ReferenceScene const& scene_;
-  ReferenceAov aov_;
-  RenderRequest request_;
-  Image& image_;
+  PixelTracer const& pixels_;
+  Region region_;
   std::atomic<int> next_row_{0};
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
@@ -150,6 +202,7 @@ class RowQueue {
 
 struct PreparedGraph final : PreparedScene {
   ReferenceScene graph;
+  ReferenceNumbers numbers;
 };
 
 class ReferenceRenderer final : public Renderer {
@@ -170,10 +223,9 @@ class ReferenceRenderer final : public Renderer {
                               "each, takes at most {:.3g}",
                               double(primitives), double(most_primitives)));
     }
-    SceneBuffers const compiled = compile_scene(flatten(drawn.roots), scene.lights, TreeLayout::binary);
-    prepared->fingerprint = scene_fingerprint(compiled.content, drawn);
     auto const copies = copy_graph(drawn.roots);
     drawn.roots.assign(copies.begin(), copies.end());
+    identify(*prepared, scene.lights);
     prepared->statistics.triangles = summary.defined[ShapeKind::triangle] + summary.defined.mesh_triangles;
     prepared->statistics.spheres = summary.defined[ShapeKind::sphere];
     prepared->statistics.boxes = summary.defined[ShapeKind::box];
@@ -193,8 +245,7 @@ class ReferenceRenderer final : public Renderer {
     edited->graph.roots.assign(copies.begin(), copies.end());
     Registry<Light> lights;
     for (Light const& light : edits.lights) lights.insert(light);
-    SceneBuffers const compiled = compile_scene(flatten(edited->graph.roots), lights, TreeLayout::binary);
-    edited->fingerprint = scene_fingerprint(compiled.content, edited->graph);
+    identify(*edited, lights);
     return edited;
   }
 
@@ -204,32 +255,69 @@ class ReferenceRenderer final : public Renderer {
     return scene_->statistics;
   }
 
-  RenderResult render(RenderRequest const& request, Image& image, ProgressFunction const& progress) override {
+  RenderResult render(RenderRequest const& request, Film& film, ProgressFunction const& progress) override {
     check_request(request);
-    if (image.size() != request.resolution) image = Image(request.resolution);
-    auto const start = Clock::now();
-    RowQueue rows(scene_->graph, request, image);
-    {
-      std::vector<std::jthread> threads;
-      unsigned const count = std::clamp(device_.compute_units, 1u, static_cast<unsigned>(request.region.height));
-      for (unsigned i = 0; i < count; ++i) {
-        threads.emplace_back([&rows](std::stop_token const& stop) { rows.work(stop); });
-      }
-      while (!rows.wait_for(progress_interval)) {
-        if (progress && !progress({rows.fraction(), rows.rays().total(), seconds_since(start)})) {
-          for (std::jthread& thread : threads) thread.request_stop();
-          break;
-        }
-      }
-    }  // joins the threads, also when `progress` throws
+    SampleRange const wanted = wanted_samples(request);
+    if (!has_begun(request, film)) film = Film(request.region, request.planes, wanted.first);
     RenderResult result;
-    result.complete = rows.finish();
-    result.statistics.rays = rows.rays();
+    auto const start = Clock::now();
+    int const sample_count = wanted.end - film.samples().end;
+    int samples_before = 0;
+    result.complete = trace_blocks(wanted, film, [&](SampleRange const& samples) {
+      PixelTracer const pixels(scene_->graph, scene_->numbers, request, samples, film);
+      RowQueue rows(pixels, request.region);
+      RayCounts const rays_before = result.statistics.rays;
+      bool const is_done = trace_rows(rows, [&] {
+        double const done = samples_before + rows.fraction() * samples.count();
+        RayCounts rays = rays_before;
+        rays += rows.rays();
+        return !progress || progress({done / sample_count, rays.total(), seconds_since(start)});
+      });
+      result.statistics.rays += rows.rays();
+      samples_before += samples.count();
+      return is_done;
+    });
     result.statistics.trace_ms = 1e3 * seconds_since(start);
     return result;
   }
 
+  Image develop(Film film, Development const& development) override {
+    Development known = development;
+    if (known.tone_map == ToneMap::automatic) known.tone_map = scene_->graph.tone_map;
+    return lichtraum::develop(std::move(film), known);
+  }
+
  private:
+  static void identify(PreparedGraph& prepared, Registry<Light> const& lights) {
+    FlatScene flat = flatten(prepared.graph.roots);
+    auto& materials = prepared.numbers.materials;
+    materials.clear();
+    for (std::size_t i = 0; i < flat.materials.size(); ++i) {
+      materials.emplace(flat.materials[i].get(), std::uint32_t(i + 1));
+    }
+    SceneBuffers const compiled = compile_scene(std::move(flat), lights, TreeLayout::binary);
+    prepared.numbers.objects = compiled.object_numbers;
+    prepared.fingerprint = scene_fingerprint(compiled.content, prepared.graph);
+  }
+
+  /// Whether all rows are there: not where `goes_on` has said no.
+  template <class GoesOn>
+  bool trace_rows(RowQueue& rows, GoesOn const& goes_on) const {
+    {
+      std::vector<std::jthread> threads;
+      unsigned const count = std::clamp(device_.compute_units, 1u, unsigned(rows.count()));
+      for (unsigned i = 0; i < count; ++i) {
+        threads.emplace_back([&rows](std::stop_token const& stop) { rows.work(stop); });
+      }
+      while (!rows.wait_for(progress_interval)) {
+        if (goes_on()) continue;
+        for (std::jthread& thread : threads) thread.request_stop();
+        break;
+      }
+    }  // joins the threads, also when `goes_on` throws
+    return rows.finish();
+  }
+
   static double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   }

@@ -28,4 +28,13 @@ std::uint64_t ObjectNumbers::in_instance(std::uint64_t instance, std::uint64_t s
   return placed.numbers_before + shape - placed.first_shape + 1;
 }
 
+std::optional<std::uint32_t> ObjectNumbers::instance_of(std::uint64_t object) const {
+  auto const next = std::lower_bound(instances_.begin(), instances_.end(), object,
+                                     [](Instance const& i, std::uint64_t n) { return i.numbers_before < n; });
+  if (next == instances_.begin()) return std::nullopt;
+  auto const last = std::prev(next);
+  if (object > last->numbers_before + last->shape_count) return std::nullopt;
+  return std::uint32_t(last - instances_.begin());
+}
+
 }  // namespace lichtraum

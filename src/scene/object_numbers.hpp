@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "scene/flat_scene.hpp"
@@ -19,6 +20,10 @@ class ObjectNumbers {
   std::uint64_t in_world(std::uint64_t shape) const;
   /// Of a shape of the object that the device's instance of that number shows.
   std::uint64_t in_instance(std::uint64_t instance, std::uint64_t shape) const;
+  /// The place in FlatScene::instances of the device's instance of that number.
+  std::uint32_t flat_instance(std::uint64_t instance) const { return on_device_[instance]; }
+  /// The place in FlatScene::instances of what an object belongs to; nothing for one of the world itself.
+  std::optional<std::uint32_t> instance_of(std::uint64_t object) const;
 
  private:
   struct Instance {

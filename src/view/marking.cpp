@@ -5,14 +5,14 @@
 
 namespace lichtraum::view {
 
-std::vector<unsigned char> outline_pixels(Image const& object_ids, ObjectTree::Objects const& objects) {
+std::vector<unsigned char> outline_pixels(Film const& film, ObjectTree::Objects const& objects) {
   using Rgba = std::array<unsigned char, 4>;
   constexpr Rgba line{255, 160, 30, 255}, edge{20, 10, 0, 200};
-  int const width = object_ids.width(), height = object_ids.height();
-  auto const first = float(objects.first), end = float(objects.first + objects.count);
+  auto const [width, height] = film.size();
   auto const is_marked = [&](int x, int y) {
-    float const id = *object_ids.pixel(std::clamp(x, 0, width - 1), std::clamp(y, 0, height - 1));
-    return id >= first && id < end;
+    std::uint64_t const object =
+        film.number(Plane::object, std::clamp(x, 0, film.size().width - 1), std::clamp(y, 0, film.size().height - 1));
+    return object >= objects.first && object < objects.first + objects.count;
   };
   std::vector<unsigned char> pixels(4 * std::size_t(width) * std::size_t(height));
   for (int y = 0; y < height; ++y) {

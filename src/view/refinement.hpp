@@ -21,6 +21,12 @@ class Refinement {
     Sampling sampling;   ///< of all samples since the first; seeded ones go on from those of the pass before
   };
 
+  /// Whether a film of one pass can be gone on with in the next: the samples of a grid, and the one in the middle of a
+  /// pixel, depend on how many there are.
+  static bool grows(Sampling const& sampling) {
+    return sampling.pattern == Sampling::Pattern::seeded && sampling.count > 1;
+  }
+
   /// The next pass; nothing when the picture is as good as it gets.
   std::optional<Pass> next() {
     if (is_new_) {
@@ -56,7 +62,7 @@ class Refinement {
   static RenderRequest request(RenderRequest view, Pass const& pass) {
     auto const coarse = [&](int length) { return (length + pass.pixel_side - 1) / pass.pixel_side; };
     view.resolution = {coarse(view.resolution.width), coarse(view.resolution.height)};
-    view.region = {0, 0, view.resolution.width, view.resolution.height};
+    view.region = whole_picture(view.resolution);
     view.sampling = pass.sampling;
     return view;
   }

@@ -82,7 +82,7 @@ void Worker::restart_refinement() {
   int const first_side = view_ && seconds_per_pixel_
                              ? Refinement::first_side_for(view_->resolution, *seconds_per_pixel_, moving_pass_seconds)
                              : side_when_unknown;
-  bool const is_picture = !view_ || view_->aov == Aov::picture;
+  bool const is_picture = !view_ || view_->planes.has(Plane::radiance);
   refinement_.restart(first_side, is_picture ? options_.sampling.value_or(Refinement::finest_by_default) : Sampling());
 }
 
@@ -141,6 +141,7 @@ void Worker::load(Renderer& renderer) {
     scene.values = SceneValues(loaded.scene(), *scene.objects);
     scene.number = ++scene_number_;
     scene.request = app::first_view(loaded, source_, options_);
+    development_ = app::choose_development(loaded.scene(), loaded.is_model(), options_);
     scene.cameras.assign(loaded.scene().cameras.begin(), loaded.scene().cameras.end());
     scene.center = center_of_interest(loaded.scene(), options_.root, scene.request.camera);
     prepared_ = renderer.prepare(loaded.scene(), options_.root, prepared_);
@@ -172,7 +173,7 @@ void Worker::apply_edits(Renderer& renderer) {
   }
   if (!edits || edits->scene_number != scene_number_) return;
   renderer.set_scene(renderer.edit(prepared_, edits->edits));
-  sums_ = {};
+  film_ = {};
 }
 
 void Worker::look_at_pixel(Renderer& renderer) {
@@ -207,14 +208,14 @@ void Worker::trace_marking(Renderer& renderer, std::stop_token const& stop) {
     marked = marked_;
     request = Refinement::request(*view_, {});
   }
-  request.aov = Aov::object_id;
-  Image ids;
+  request.planes = {Plane::object};
+  Film film;
   auto const is_wanted = [&] { return !stop.stop_requested() && !is_new_view_ && marked == marked_; };
-  RenderResult const result = renderer.render(request, ids, [&](RenderProgress const&) {
+  RenderResult const result = renderer.render(request, film, [&](RenderProgress const&) {
     std::lock_guard const lock(mutex_);
     return is_wanted();
   });
-  Marking marking{request.resolution, outline_pixels(ids, marked)};
+  Marking marking{request.resolution, outline_pixels(film, marked)};
   {
     std::lock_guard const lock(mutex_);
     if (!result.complete || !is_wanted()) {
@@ -243,8 +244,10 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
   Frame frame;
   frame.pass = pass;
   frame.scene = scene_statistics_;
-  if (pass.sampling.count == 1) sums_ = {};
-  RenderResult const result = renderer.refine(request, sums_, frame.image, [&](RenderProgress const&) {
+  bool const grows = Refinement::grows(pass.sampling);
+  if (!(grows && is_growing_)) film_ = {};
+  is_growing_ = grows;
+  RenderResult const result = renderer.render(request, film_, [&](RenderProgress const&) {
     if (stop.stop_requested()) return false;
     // The coarsest picture is finished whatever comes: else nothing would be seen while the camera moves.
     if (pass.is_first) return true;
@@ -253,13 +256,15 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
     return !is_new_view_ && !has_question_ && !files_have_changed_;
   });
   if (!result.complete) {
+    film_ = {};
     std::lock_guard const lock(mutex_);
     if (!is_new_view_) refinement_ = before;  // it is traced again when the question is answered
     return true;
   }
   is_fine_ = pass.pixel_side == 1;
   frame.statistics = result.statistics;
-  frame.image = aov_as_picture(std::move(frame.image), request.aov);
+  frame.image = film_.planes().has(Plane::radiance) ? renderer.develop(film_, development_)
+                                                    : show_plane(film_, film_.planes().list().front());
   frame.pixels = display_pixels(frame.image);
   {
     std::lock_guard const lock(mutex_);

@@ -10,7 +10,7 @@
 
 #include "app/console.hpp"
 #include "app/picture_plan.hpp"
-#include "lichtraum/aov.hpp"
+#include "lichtraum/seen_point.hpp"
 #include "view/file_watch.hpp"
 #include "view/object_tree.hpp"
 #include "view/refinement.hpp"
@@ -110,7 +110,9 @@ class Worker {
   std::shared_ptr<PreparedScene const> prepared_;  // as it was read
   unsigned scene_number_ = 0;
   bool is_fine_ = false;  // the picture that is shown has a ray for each pixel
-  Accumulation sums_;
+  Development development_;
+  Film film_;                // of the last pass
+  bool is_growing_ = false;  // its samples are the first of the next pass
   std::chrono::steady_clock::time_point files_looked_at_;
   bool files_have_changed_ = false;
 

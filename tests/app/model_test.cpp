@@ -172,7 +172,7 @@ TEST_CASE("programs compiled with lichtraum draw the same bytes as their source"
     return lichtraum.folder.read("a.pfm");
   };
   for (std::string const words : {"ball.sdf --samples 4", "square.glb --camera far --size 40x30",
-                                  "ball.sdf --aov depth", "square.glb --aov normal --size 40x30"}) {
+                                  "ball.sdf --planes depth", "square.glb --planes normal --size 40x30"}) {
     INFO(words);
     CHECK(picture(words, false) == picture(words, true));
   }

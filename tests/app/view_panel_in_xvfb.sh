@@ -35,9 +35,9 @@ until_true changed depth.png reset.png || exit 1
 press n
 until_true changed normal.png depth.png || exit 1
 press o
-until_true changed id.png normal.png || exit 1
+until_true changed object.png normal.png || exit 1
 press p
-until_true changed picture.png id.png || exit 1
+until_true changed picture.png object.png || exit 1
 click 100 393 # the materials
 click 60 413  # the only one
 until_true changed materials.png picture.png || exit 1

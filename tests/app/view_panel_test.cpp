@@ -92,12 +92,12 @@ TEST_CASE("the panel selects objects, changes lights and shows depth, normals an
   CHECK(opened.at(490, 220, 0) > 100);
   CHECK((dark.at(490, 220, 0) >= 3 && dark.at(490, 220, 0) < 12));
   CHECK(difference(shot("reset"), opened, picture) < 0.1);
-  // The other views are what --aov draws.
-  for (std::string const aov : {"depth", "normal", "id"}) {
-    REQUIRE(lichtraum("render -q scene.sdf --aov " + aov + " -o drawn.png").exit_code == 0);
-    INFO(aov);
-    CHECK(difference(shot(aov), shot("drawn"), picture) < 0.1);
-    CHECK(difference(shot(aov), opened, picture) > 5);
+  // The other views are what --planes draws.
+  for (std::string const plane : {"depth", "normal", "object"}) {
+    REQUIRE(lichtraum("render -q scene.sdf --planes " + plane + " -o drawn.png").exit_code == 0);
+    INFO(plane);
+    CHECK(difference(shot(plane), shot("drawn"), picture) < 0.1);
+    CHECK(difference(shot(plane), opened, picture) > 5);
   }
   CHECK(difference(shot("picture"), opened, picture) < 0.1);
   // Dragging a material's red down by a quarter takes as much from the picture, and no other colour.

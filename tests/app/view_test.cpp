@@ -52,7 +52,7 @@ TEST_CASE("what a window cannot show is refused before anything is drawn", "[app
   lichtraum.folder.write("scene.sdf", std::string(scene_without_camera) + camera);
   for (char const* const words :
        {"scene.sdf scene.sdf --show --output-dir .", "- --show", "scene.sdf --show --turntable 3",
-        "scene.sdf --show --region 0,0,8,8", "scene.sdf --show --aov depth"}) {
+        "scene.sdf --show --region 0,0,8,8", "scene.sdf --show --planes depth"}) {
     INFO(words);
     auto const result = lichtraum(std::string("render ") + words);
     CHECK(result.exit_code == 64);

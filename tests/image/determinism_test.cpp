@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "lichtraum/error.hpp"
 #include "lichtraum/image_io.hpp"
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
@@ -39,7 +40,6 @@ RenderRequest seeded_request(Scene const& scene) {
   RenderRequest request = whole_picture(scene.cameras.front(), {201, 97});
   request.sampling = {Sampling::Pattern::seeded, 5};
   request.seed = 42;
-  request.transfer = Transfer::srgb;
   return request;
 }
 
@@ -47,6 +47,36 @@ std::string bytes_of(Image const& image) {
   std::string bytes(image.data().size() * sizeof(float), '\0');
   std::memcpy(bytes.data(), image.data().data(), bytes.size());
   return bytes;
+}
+
+/// All that can be read from a film, bit by bit.
+bool same_bytes(Film const& a, Film const& b) {
+  if (a.region() != b.region() || a.planes() != b.planes() || a.samples() != b.samples()) return false;
+  for (Plane const plane : a.planes().list()) {
+    auto const x = a.values(plane), y = b.values(plane);
+    if (x.size() != y.size() || std::memcmp(x.data(), y.data(), x.size() * sizeof(float)) != 0) return false;
+    if (!std::ranges::equal(a.numbers(plane), b.numbers(plane))) return false;
+  }
+  return true;
+}
+
+PlaneSet all_planes() {
+  PlaneSet planes;
+  for (std::size_t i = 0; i < plane_count; ++i) planes.add(Plane(i));
+  return planes;
+}
+
+/// Every device with every traversal, and the reference tracer.
+template <class Check>
+void for_each_renderer(Check const& check) {
+  for (DeviceInfo const& device : opencl_devices()) {
+    for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
+      INFO(device.name << ", traversal " << int(traversal.grouping));
+      check(*make_renderer(device, traversal));
+    }
+  }
+  INFO("reference");
+  check(*make_renderer(reference_device()));
 }
 
 }  // namespace
@@ -59,8 +89,8 @@ TEST_CASE("a picture put together from regions is the same bytes", "[image]") {
     INFO(device.name);
     auto const renderer = make_renderer(device);
     renderer->set_scene(scene);
-    Image whole(request.resolution);
-    RayCounts const rays = renderer->render(request, whole).statistics.rays;
+    Image whole;
+    RayCounts const rays = render_image(*renderer, request, whole).statistics.rays;
     for (auto const& [width, height] : {std::pair(201, 1), std::pair(1, 97), std::pair(64, 64), std::pair(33, 20)}) {
       Image pieces(request.resolution);
       RayCounts sum;
@@ -68,7 +98,11 @@ TEST_CASE("a picture put together from regions is the same bytes", "[image]") {
         for (int x = 0; x < 201; x += width) {
           RenderRequest piece = request;
           piece.region = {x, y, std::min(width, 201 - x), std::min(height, 97 - y)};
-          sum += renderer->render(piece, pieces).statistics.rays;
+          Image part;
+          sum += render_image(*renderer, piece, part).statistics.rays;
+          for (int row = 0; row < part.height(); ++row) {
+            std::copy_n(part.pixel(0, row), 3 * part.width(), pieces.pixel(x, y + row));
+          }
         }
       }
       CHECK(bytes_of(pieces) == bytes_of(whole));
@@ -93,41 +127,87 @@ TEST_CASE("rendering again gives the same bytes, another seed others", "[image]"
 TEST_CASE("samples added to those before give the bytes of all at once", "[image]") {
   REQUIRE_OPENCL_DEVICE();
   Scene const scene = mixed_scene();
-  std::vector<DeviceInfo> devices = opencl_devices();
-  devices.push_back(reference_device());
-  for (DeviceInfo const& device : devices) {
-    for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
-      INFO(device.name);
-      auto const renderer = make_renderer(device, traversal);
-      renderer->set_scene(scene);
-      RenderRequest request = seeded_request(scene);
-      Accumulation sums;
-      std::uint64_t rays = 0;
-      for (int const count : {1, 2, 3, 8, 8}) {
-        request.sampling.count = count;
-        Image all, added;
-        renderer->render(request, all);
-        rays = renderer->refine(request, sums, added).statistics.rays.camera;
-        CHECK(bytes_of(added) == bytes_of(all));
-      }
-      if (device.kind != DeviceKind::reference) CHECK(rays == 0);  // it had them all
-
-      // Stopped, or of another size, nothing is left to go on from.
-      Image image;
-      request.sampling.count = 64;
-      CHECK(!renderer->refine(request, sums, image, [](RenderProgress const&) { return false; }).complete);
-      CHECK(sums.count == 0);
-      request.sampling.count = 2;
-      renderer->refine(request, sums, image);
-      request.resolution = {40, 30};
-      request.region = {0, 0, 40, 30};
-      Image all;
-      renderer->render(request, all);
-      renderer->refine(request, sums, image);
-      CHECK(bytes_of(image) == bytes_of(all));
-      if (device.kind == DeviceKind::reference) break;  // it has one way to trace
+  for_each_renderer([&](Renderer& renderer) {
+    renderer.set_scene(scene);
+    RenderRequest request = seeded_request(scene);
+    request.planes = all_planes();
+    Film grown;
+    std::uint64_t rays = 0;
+    for (int const count : {2, 3, 15, 16, 17, 40, 40}) {
+      request.sampling.count = count;
+      Film all;
+      renderer.render(request, all);
+      rays = renderer.render(request, grown).statistics.rays.camera;
+      INFO(count << " samples");
+      CHECK(same_bytes(grown, all));
     }
-  }
+    CHECK(rays == 0);  // it had them all
+
+    // Of another region, it is begun anew.
+    request.region = {3, 2, 30, 20};
+    Film all;
+    renderer.render(request, all);
+    renderer.render(request, grown);
+    CHECK(same_bytes(grown, all));
+  });
+}
+
+TEST_CASE("what is stopped keeps the blocks of samples that are whole", "[image]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene const scene = mixed_scene();
+  for_each_renderer([&](Renderer& renderer) {
+    renderer.set_scene(scene);
+    RenderRequest request = seeded_request(scene);
+    request.sampling.count = 100;
+    double const after = 0.7;
+    Film film;
+    auto const result = renderer.render(request, film, [&](RenderProgress const& p) { return p.fraction < after; });
+    REQUIRE(!result.complete);
+    CHECK(film.samples().count() >= 64);
+    CHECK(film.samples().count() % Film::block_size == 0);
+    request.samples = SampleRange{0, film.samples().end};
+    Film expected;
+    renderer.render(request, expected);
+    CHECK(same_bytes(film, expected));
+    request.samples.reset();
+    renderer.render(request, film);
+    Film all;
+    renderer.render(request, all);
+    CHECK(same_bytes(film, all));
+  });
+}
+
+TEST_CASE("ranges of samples that are traced apart merge to the bytes of all", "[image]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene const scene = mixed_scene();
+  for_each_renderer([&](Renderer& renderer) {
+    renderer.set_scene(scene);
+    for (Sampling const sampling : {Sampling{Sampling::Pattern::seeded, 70}, Sampling{Sampling::Pattern::grid, 81}}) {
+      RenderRequest request = seeded_request(scene);
+      request.sampling = sampling;
+      request.planes = all_planes();
+      Film all;
+      renderer.render(request, all);
+      auto const range = [&](int first, int end) {
+        request.samples = SampleRange{first, end};
+        Film part;
+        REQUIRE(renderer.render(request, part).complete);
+        return part;
+      };
+      Film merged = range(0, 16);
+      Film later = range(48, 64);
+      later.merge(range(64, sampling.count));
+      Film between = range(16, 48);
+      between.merge(later);
+      merged.merge(between);
+      CHECK(merged.samples() == SampleRange{0, sampling.count});
+      CHECK(same_bytes(merged, all));
+      CHECK_THROWS_AS(merged.merge(later), std::invalid_argument);
+      request.samples = SampleRange{8, 16};
+      Film film;
+      CHECK_THROWS_AS(renderer.render(request, film), Error);
+    }
+  });
 }
 
 TEST_CASE("every layout of the tree draws the same bytes, but for pixels at edges", "[image]") {

@@ -33,6 +33,8 @@ std::vector<std::filesystem::path> gallery() {
   return files;
 }
 
+Development const as_the_scene_says{0, ToneMap::automatic, Transfer::linear};
+
 RenderRequest small_request(Scene const& scene, RenderCommand const& command) {
   Camera const* const camera = scene.cameras.find(command.camera);
   REQUIRE(camera);
@@ -40,7 +42,6 @@ RenderRequest small_request(Scene const& scene, RenderCommand const& command) {
   if (!resolution) resolution = scene.resolution.value_or(Resolution{4, 3});
   RenderRequest request = whole_picture(*camera, {width, width * resolution->height / resolution->width});
   request.max_depth = command.depth.value_or(request.max_depth);
-  request.tone_map = ToneMap::automatic;
   return request;
 }
 
@@ -79,10 +80,11 @@ TEST_CASE("the gallery looks as it did, on every device", "[image]") {
         if (!is_shown) return true;
         std::string const name = file.stem().string() + (count > 1 ? fmt::format("_{}", index) : "");
         RenderRequest const request = small_request(scene, command);
-        Image const expected = render_reference(scene, request);
+        Image const expected = render_reference(scene, request, as_the_scene_says);
         compare_with_baseline(expected, name);
         for (DeviceInfo const& device : opencl_devices()) {
-          check_picture(render_on(device, scene, request), expected, fmt::format("{}, device {}", name, device.index));
+          check_picture(render_on(device, scene, request, {}, as_the_scene_says), expected,
+                        fmt::format("{}, device {}", name, device.index));
         }
         return true;
       });
@@ -100,10 +102,10 @@ TEST_CASE("the standard's composite example shows box and sphere with left-hande
   auto const renderer = make_renderer(reference_device());
   renderer->set_scene(left);
   Image picture;
-  CHECK(renderer->render(request, picture).statistics.rays.camera_hits > 1000);
+  CHECK(render_image(*renderer, request, picture, as_the_scene_says).statistics.rays.camera_hits > 1000);
   compare_with_baseline(picture, "composite_left");
 
   Scene const right = EsdfScript::from_file(file).take_scene();
   renderer->set_scene(right);
-  CHECK(renderer->render(small_request(right, right.renders.front()), picture).statistics.rays.camera_hits == 0);
+  CHECK(render_image(*renderer, small_request(right, right.renders.front()), picture).statistics.rays.camera_hits == 0);
 }

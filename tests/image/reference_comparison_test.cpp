@@ -164,8 +164,6 @@ RenderRequest request_of(Variant const& variant, Scene const& scene) {
   request.sampling = variant.sampling;
   request.max_depth = variant.depth;
   request.seed = 0x123456789abcdef;
-  request.tone_map = variant.tone_map;
-  request.transfer = variant.transfer;
   return request;
 }
 
@@ -200,10 +198,11 @@ TEST_CASE("whole pictures on every OpenCL device, in every layout, agree with th
       Scene const scene = scene_of(variant.text);
       (*scene.materials.find("red"))->set_emission(variant.emission);
       RenderRequest const request = request_of(variant, scene);
-      Image const expected = render_reference(scene, request);
+      Development const development{0, variant.tone_map, variant.transfer};
+      Image const expected = render_reference(scene, request, development);
       for (DeviceInfo const& device : opencl_devices()) {
         for (auto const& [name, traversal] : layouts) {
-          check_picture(render_on(device, scene, request, traversal), expected,
+          check_picture(render_on(device, scene, request, traversal, development), expected,
                         fmt::format("{}, device {}, {}", variant.name, device.index, name));
         }
       }

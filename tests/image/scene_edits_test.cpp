@@ -51,7 +51,7 @@ void for_each_renderer(Check const& check) {
 Image draw(Renderer& renderer, std::shared_ptr<PreparedScene const> const& prepared, Scene const& scene) {
   renderer.set_scene(prepared);
   Image image;
-  renderer.render(whole_picture(scene.cameras.front(), size), image);
+  render_image(renderer, whole_picture(scene.cameras.front(), size), image);
   return image;
 }
 

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "lichtraum/film.hpp"
 #include "random_scene.hpp"
 #include "shared/frame.h"
 #include "support/catch.hpp"
@@ -13,13 +15,15 @@ using namespace lichtraum::test;
 
 namespace {
 
+constexpr device::uint untouched = 0xffffffffu;
+
 /// A small picture of every kind of shape, with mirrors, glass, an instance and two lights.
 struct SmallPicture {
   SceneArrays scene;
   std::vector<device::FrameParameters> frame = std::vector<device::FrameParameters>(1);
-  std::vector<float> film;
+  Film film;
 
-  explicit SmallPicture(device::uint sample_count) {
+  explicit SmallPicture(device::uint sample_count, PlaneSet const& planes = {Plane::radiance}) {
     for (auto const& [reflect, transmit] : {std::pair{0.f, 0.f}, {0.5f, 0.f}, {0.1f, 0.8f}}) {
       scene.materials.push_back(
           {{0.1f, 0.2f, 0.1f}, 20, {0.5f, 0.6f, 0.7f}, reflect, {0.3f, 0.3f, 0.3f}, transmit, {}, 1.5f});
@@ -36,29 +40,65 @@ struct SmallPicture {
     scene.close_object();
     auto& f = frame[0];
     bool const interpreted = scaled_count(100) < 100;
-    f.width = interpreted ? 10 : 20;
-    f.height = interpreted ? 7 : 14;
+    device::uint const width = interpreted ? 10 : 20, height = interpreted ? 7 : 14;
+    f.region_width = width;
+    f.region_height = height;
     f.camera.corner = {-0.5f, 0.35f, -1, 0};
-    f.camera.step_x = {1.f / float(f.width), 0, 0, 0};
-    f.camera.step_y = {0, -0.7f / float(f.height), 0, 0};
+    f.camera.step_x = {1.f / float(width), 0, 0, 0};
+    f.camera.step_y = {0, -0.7f / float(height), 0, 0};
     f.ambient = {0.3f, 0.3f, 0.3f, 0};
     f.background = {0.1f, 0.1f, 0.2f, 0};
     f.sampling = SAMPLING_SEEDED;
     f.sample_count = sample_count;
     f.seed_low = 7;
     f.max_depth = interpreted ? 2 : 5;
-    f.tone_map = TONE_MAP_REINHARD;
-    f.transfer = TRANSFER_SRGB;
-    film.assign(std::size_t(f.width * f.height * 3), -1.f);
+    film = Film({0, 0, int(width), int(height)}, planes);
+    for (Plane const plane : planes.list()) {
+      std::ranges::fill(film.floats(plane), -1.f);
+      std::ranges::fill(film.numbers(plane), untouched);
+    }
   }
 
-  device::uint width() const { return frame[0].width; }
-  device::uint height() const { return frame[0].height; }
+  std::vector<float> radiance() {
+    auto const sums = film.floats(Plane::radiance);
+    return {sums.begin(), sums.end()};
+  }
+  device::uint width() const { return frame[0].region_width; }
+  device::uint height() const { return frame[0].region_height; }
 
   std::vector<device::WorkItemRays> render(ProbeProgram const& program, device::Tile const& tile) {
     std::vector<device::WorkItemRays> rays(tile.width * tile.height);
-    program.run("render_tile", tile.width, scene.arguments({in(frame), value(tile), updated(film), out(rays)}),
-                tile.height, 8, 8);
+    std::vector<std::vector<float>> floats;
+    std::vector<std::vector<device::uint>> numbers;
+    floats.reserve(plane_count);
+    numbers.reserve(plane_count);
+    std::vector<ProbeArgument> arguments;
+    for (std::size_t i = 0; i < plane_count; ++i) {
+      auto const plane = Plane(i);
+      if (info_of(plane).is_number) {
+        auto& values = numbers.emplace_back(film.numbers(plane).begin(), film.numbers(plane).end());
+        values.resize(std::max<std::size_t>(values.size(), 1));
+        arguments.push_back(updated(values));
+      } else {
+        auto& values = floats.emplace_back(film.floats(plane).begin(), film.floats(plane).end());
+        values.resize(std::max<std::size_t>(values.size(), 1));
+        arguments.push_back(updated(values));
+      }
+    }
+    for (ProbeArgument const& argument : {value(film.planes().bits()), in(frame), value(tile), out(rays)}) {
+      arguments.push_back(argument);
+    }
+    program.run("render_tile", tile.width, scene.arguments(arguments), tile.height, 8, 8);
+    auto next_floats = floats.begin();
+    auto next_numbers = numbers.begin();
+    for (std::size_t i = 0; i < plane_count; ++i) {
+      auto const plane = Plane(i);
+      if (info_of(plane).is_number) {
+        std::copy_n(next_numbers++->begin(), film.numbers(plane).size(), film.numbers(plane).begin());
+      } else {
+        std::copy_n(next_floats++->begin(), film.floats(plane).size(), film.floats(plane).begin());
+      }
+    }
     return rays;
   }
 };
@@ -81,8 +121,8 @@ TEST_CASE("A picture is the same bytes however it is cut into tiles and samples"
   CHECK(sum.camera_hits < samples);
   CHECK(sum.shadow > sum.camera_hits);
   CHECK(sum.secondary > samples / 10);
-  for (float c : whole.film) {
-    if (!(c >= 0 && c < 1)) FAIL("not a tone-mapped value: " << c);
+  for (float const c : whole.film.floats(Plane::radiance)) {
+    if (!(c >= 0 && c < 100)) FAIL("not a sum of radiance: " << c);
   }
 
   SmallPicture cut(4);
@@ -92,7 +132,7 @@ TEST_CASE("A picture is the same bytes however it is cut into tiles and samples"
     cut.render(program, {3, 0, right, 2, first, count, {}});
     cut.render(program, {3, 2, right, below, first, count, {}});
   }
-  CHECK(cut.film == whole.film);
+  CHECK(cut.radiance() == whole.radiance());
 }
 
 TEST_CASE("Only the tile's pixels are written", "[kernel]") {
@@ -100,46 +140,67 @@ TEST_CASE("Only the tile's pixels are written", "[kernel]") {
   SmallPicture picture(1);
   picture.render(ProbeProgram("render.cl"), {3, 4, 5, 2, 0, 1, {}});
   std::size_t wrong = 0;
-  for (std::size_t i = 0; i < picture.film.size(); ++i) {
+  auto const radiance = picture.radiance();
+  for (std::size_t i = 0; i < radiance.size(); ++i) {
     std::size_t const x = i / 3 % picture.width(), y = i / 3 / picture.width();
     bool const inside = x >= 3 && x < 8 && y >= 4 && y < 6;
-    wrong += inside != (picture.film[i] != -1.f);
+    wrong += inside != (radiance[i] != -1.f);
   }
   CHECK(wrong == 0);
 }
 
-TEST_CASE("A program for first surfaces writes what is asked for, whatever the samples", "[kernel]") {
+TEST_CASE("One launch writes all planes, and only those that are wanted", "[kernel]") {
   NEEDS_OPENCL_DEVICE();
-  ProbeProgram const program("render.cl", "-D FIRST_SURFACE");
-  auto const rendered = [&](device::uint aov) {
-    SmallPicture picture(1);
-    picture.frame[0].aov = aov;
-    picture.frame[0].tone_map = TONE_MAP_NONE;
-    picture.frame[0].transfer = TRANSFER_LINEAR;
-    auto const rays = picture.render(program, {0, 0, picture.width(), picture.height(), 0, 1, {}});
-    for (device::WorkItemRays const& counts : rays) CHECK((counts.shadow == 0 && counts.secondary == 0));
-    return picture;
-  };
-  SmallPicture const depth = rendered(AOV_DEPTH), normal = rendered(AOV_NORMAL), object = rendered(AOV_OBJECT_ID);
+  ProbeProgram const program("render.cl");
+  PlaneSet all;
+  for (std::size_t i = 0; i < plane_count; ++i) all.add(Plane(i));
+  SmallPicture picture(2, all);
+  device::Tile const tile{0, 0, picture.width(), picture.height(), 0, 2, {}};
+  picture.render(program, tile);
+  for (Plane const plane : all.list()) {
+    INFO("plane " << info_of(plane).name);
+    SmallPicture alone(2, {plane});
+    alone.render(program, tile);
+    CHECK(std::ranges::equal(alone.film.floats(plane), picture.film.floats(plane)));
+    CHECK(std::ranges::equal(alone.film.numbers(plane), picture.film.numbers(plane)));
+  }
+  Film& film = picture.film;
   std::size_t hits = 0;
-  std::set<float> instances;
-  for (std::size_t i = 0; i < depth.film.size(); i += 3) {
-    INFO("pixel " << i / 3);
-    bool const is_hit = std::isfinite(depth.film[i]);
-    CHECK((depth.film[i + 1] == depth.film[i] && depth.film[i + 2] == depth.film[i]));
-    CHECK(is_hit == (object.film[i + 2] != -1.f));
-    float const length = std::hypot(normal.film[i], normal.film[i + 1], normal.film[i + 2]);
-    CHECK(length == Approx(is_hit ? 1 : 0).margin(1e-4));
+  std::set<device::uint> instances;
+  for (std::size_t i = 0; i < film.floats(Plane::depth).size(); ++i) {
+    INFO("pixel " << i);
+    float const depth = film.floats(Plane::depth)[i];
+    bool const is_hit = std::isfinite(depth);
+    CHECK(is_hit == (film.numbers(Plane::object)[i] != untouched));
+    CHECK(is_hit == (film.numbers(Plane::material)[i] != untouched));
+    float const* const position = &film.floats(Plane::position)[3 * i];
+    float const* const normal = &film.floats(Plane::normal)[3 * i];
+    float const alpha = film.floats(Plane::alpha)[i];
+    CHECK((alpha == 0 || alpha == 1 || alpha == 2));
+    CHECK(std::hypot(normal[0], normal[1], normal[2]) <= alpha * 1.0001f);
     if (!is_hit) continue;
     ++hits;
-    CHECK((depth.film[i] > 1 && depth.film[i] < 20));
-    // The world's own shapes have all bits of the instance's number, the others one of the two instances'.
-    bool const is_in_world = object.film[i + 1] == float(0xffffff) && object.film[i + 2] == float(0xff00);
-    CHECK((is_in_world || (object.film[i + 1] < 2 && object.film[i + 2] == 0)));
-    instances.insert(object.film[i + 1]);
+    CHECK((depth > 1 && depth < 20));
+    CHECK(std::hypot(position[0], position[1], position[2]) == Approx(depth));  // the camera is at the origin
+    CHECK(film.numbers(Plane::material)[i] < 3);
+    instances.insert(film.numbers(Plane::instance)[i]);
   }
-  CHECK((hits > 0 && 3 * hits < depth.film.size()));
-  CHECK(instances.size() == 3);
+  CHECK((hits > 0 && hits < film.floats(Plane::depth).size()));
+  CHECK(instances == std::set<device::uint>{0, 1, untouched});  // the last: the world itself
+}
+
+TEST_CASE("Radiance that is not finite is counted, and not in the sums", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  SmallPicture picture(2);
+  picture.frame[0].background.y = INFINITY;
+  device::uint not_finite = 0;
+  for (auto const& rays :
+       picture.render(ProbeProgram("render.cl"), {0, 0, picture.width(), picture.height(), 0, 2, {}})) {
+    not_finite += rays.not_finite;
+  }
+  CHECK(not_finite > 0);
+  CHECK(not_finite < 2 * picture.width() * picture.height());
+  for (float const c : picture.radiance()) REQUIRE(std::isfinite(c));
 }
 
 TEST_CASE("A ray stack of max_depth + 1 holds the whole tree of rays", "[kernel]") {
@@ -155,5 +216,5 @@ TEST_CASE("A ray stack of max_depth + 1 holds the whole tree of rays", "[kernel]
   enough.render(ProbeProgram("render.cl", fmt::format("-D RAY_STACK_SIZE={}", depth + 1)),
                 {0, 0, enough.width(), enough.height(), 0, 1, {}});
   plenty.render(ProbeProgram("render.cl", "-D RAY_STACK_SIZE=32"), {0, 0, enough.width(), enough.height(), 0, 1, {}});
-  CHECK(enough.film == plenty.film);
+  CHECK(enough.radiance() == plenty.radiance());
 }

@@ -1,7 +1,7 @@
 #include "bsdf/phong.clh"
 #include "bsdf/refract.clh"
-#include "film/tone_map.clh"
 #include "math/affine.clh"
+#include "shared/develop.h"
 
 __kernel void probe_reflect_light(__global PhongMaterial const* materials, __global float4 const* normals,
                                   __global float4 const* to_lights, __global float4 const* to_viewers,
@@ -24,9 +24,10 @@ __kernel void probe_refract(__global float4 const* direction_eta, __global float
   mirrored[i] = (float4)(mirror_direction(direction_eta[i].xyz, normals[i].xyz), 0.f);
 }
 
-__kernel void probe_develop(__global float const* radiance, uint tone_map, uint transfer, __global float* developed) {
+__kernel void probe_develop(__global float const* radiance, DevelopParameters const parameters,
+                            __global float* developed) {
   size_t const i = get_global_id(0);
-  developed[i] = develop_channel(radiance[i], tone_map, transfer);
+  developed[i] = develop_channel(radiance[i], parameters);
 }
 
 __kernel void probe_affine(__global AffineTransform const* maps, __global float4 const* vectors,

@@ -1,5 +1,6 @@
 #include "shared/shading.h"
 #include "reference.hpp"
+#include "shared/develop.h"
 #include "shared/frame.h"
 #include "support/catch.hpp"
 #include "support/opencl_probe.hpp"
@@ -102,7 +103,8 @@ TEST_CASE("Tone map and transfer function", "[kernel]") {
   for (device::uint const tone_map : {TONE_MAP_NONE, TONE_MAP_REINHARD}) {
     for (device::uint const transfer : {TRANSFER_LINEAR, TRANSFER_SRGB}) {
       std::vector<float> developed(radiance.size());
-      program.run("probe_develop", radiance.size(), {in(radiance), value(tone_map), value(transfer), out(developed)});
+      device::DevelopParameters const parameters{1, 1, tone_map, transfer};
+      program.run("probe_develop", radiance.size(), {in(radiance), value(parameters), out(developed)});
       for (std::size_t i = 0; i < radiance.size(); ++i) {
         double c = radiance[i];
         if (tone_map == TONE_MAP_REINHARD) c = 1 - 1 / (1 + c);

@@ -41,7 +41,7 @@ NetpbmHeader read_netpbm_header(std::string_view bytes) {
 
 DecodedImage decode_ppm(std::string_view bytes) {
   NetpbmHeader const header = read_netpbm_header(bytes);
-  DecodedImage image{header.width, header.height, static_cast<int>(header.last), {}};
+  DecodedImage image{header.width, header.height, static_cast<int>(header.last), {}, {}};
   if (image.max != 255 && image.max != 65535) fail("an odd largest value");
   if (header.magic == "P3") {
     std::istringstream in{std::string(header.body)};
@@ -62,13 +62,16 @@ DecodedImage decode_ppm(std::string_view bytes) {
 DecodedImage decode_pfm(std::string_view bytes) {
   NetpbmHeader const header = read_netpbm_header(bytes);
   if (header.last != -1) fail("not little endian");
-  DecodedImage image{header.width, header.height, 0, {}};
-  image.values.resize(value_count(image));
-  if (header.body.size() != 4 * image.values.size()) fail("a wrong number of bytes");
-  std::size_t const row = 12 * static_cast<std::size_t>(image.width);
-  for (int y = 0; y < image.height; ++y) {
-    std::memcpy(reinterpret_cast<char*>(image.values.data()) + row * static_cast<std::size_t>(image.height - 1 - y),
-                header.body.data() + row * static_cast<std::size_t>(y), row);
+  DecodedImage image{header.width, header.height, 0, {}, {}};
+  std::size_t const repeats = header.magic == "Pf" ? 3 : 1;
+  if (header.body.size() * repeats != 4 * value_count(image)) fail("a wrong number of bytes");
+  std::size_t const row = 12 / repeats * static_cast<std::size_t>(image.width);
+  for (int y = image.height - 1; y >= 0; --y) {
+    for (std::size_t byte = 0; byte < row; byte += 4) {
+      float value = 0;
+      std::memcpy(&value, header.body.data() + row * static_cast<std::size_t>(y) + byte, 4);
+      image.values.insert(image.values.end(), repeats, value);
+    }
   }
   return image;
 }
@@ -89,16 +92,18 @@ DecodedImage decode_png(std::string_view bytes) {
     rest.remove_prefix(size);
   });
   png_read_png(reader.png, reader.info, 0, nullptr);
-  if (png_get_color_type(reader.png, reader.info) != PNG_COLOR_TYPE_RGB) fail("not RGB");
+  int const channels = png_get_channels(reader.png, reader.info);
+  if (channels < 3) fail("not RGB or RGBA");
   DecodedImage image{static_cast<int>(png_get_image_width(reader.png, reader.info)),
                      static_cast<int>(png_get_image_height(reader.png, reader.info)),
                      (1 << png_get_bit_depth(reader.png, reader.info)) - 1,
+                     {},
                      {}};
   png_bytepp const rows = png_get_rows(reader.png, reader.info);
   for (int y = 0; y < image.height; ++y) {
-    for (int i = 0; i < 3 * image.width; ++i) {
-      image.values.push_back(
-          static_cast<float>(image.max == 255 ? rows[y][i] : rows[y][2 * i] * 256 + rows[y][2 * i + 1]));
+    for (int i = 0; i < channels * image.width; ++i) {
+      (i % channels == 3 ? image.alpha : image.values)
+          .push_back(static_cast<float>(image.max == 255 ? rows[y][i] : rows[y][2 * i] * 256 + rows[y][2 * i + 1]));
     }
   }
   if (!reader.rest.empty()) fail("bytes after the end");
@@ -124,44 +129,67 @@ DecodedImage decode_jpeg(std::string_view bytes) {
   return image;
 }
 
-DecodedImage decode_exr(std::string_view bytes) {
-  struct Stream final : Imf::IStream {
-    explicit Stream(std::string_view text) : IStream("test"), bytes(text) {}
-    bool read(char out[], int size) override {
-      if (position + static_cast<std::size_t>(size) > bytes.size()) fail("cut off");
-      std::memcpy(out, bytes.data() + position, static_cast<std::size_t>(size));
-      position += static_cast<std::size_t>(size);
-      return position < bytes.size();
-    }
-    std::uint64_t tellg() override { return position; }
-    void seekg(std::uint64_t to) override { position = to; }
-    std::string_view bytes;
-    std::size_t position = 0;
-  } stream(bytes);
+struct ExrStream final : Imf::IStream {
+  explicit ExrStream(std::string_view text) : IStream("test"), bytes(text) {}
+  bool read(char out[], int size) override {
+    if (position + static_cast<std::size_t>(size) > bytes.size()) fail("cut off");
+    std::memcpy(out, bytes.data() + position, static_cast<std::size_t>(size));
+    position += static_cast<std::size_t>(size);
+    return position < bytes.size();
+  }
+  std::uint64_t tellg() override { return position; }
+  void seekg(std::uint64_t to) override { position = to; }
+  std::string_view bytes;
+  std::size_t position = 0;
+};
+
+/// Of a channel that must have that type.
+template <class Value>
+std::vector<Value> read_exr_channel(std::string_view bytes, char const* name, Imf::PixelType type) {
+  ExrStream stream(bytes);
   Imf::InputFile file(stream);
   auto const window = file.header().dataWindow();
   if (window.min.x != 0 || window.min.y != 0) fail("an odd window");
   if (window != file.header().displayWindow()) fail("windows that differ");
-  DecodedImage image{window.max.x + 1, window.max.y + 1, 0, {}};
-  image.values.resize(value_count(image));
+  auto const* const channel = file.header().channels().findChannel(name);
+  if (!channel || channel->type != type) fail(std::string("no such channel: ") + name);
+  auto const width = static_cast<std::size_t>(window.max.x + 1);
+  std::vector<Value> values(width * static_cast<std::size_t>(window.max.y + 1));
   Imf::FrameBuffer frame;
-  char const* const names[] = {"R", "G", "B"};
-  for (int c = 0; c < 3; ++c) {
-    if (!file.header().channels().findChannel(names[c])) fail("a channel is missing");
-    frame.insert(names[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(image.values.data() + c), 12,
-                                      12 * static_cast<std::size_t>(image.width)));
-  }
+  frame.insert(name, Imf::Slice(type, reinterpret_cast<char*>(values.data()), 4, 4 * width));
   file.setFrameBuffer(frame);
-  file.readPixels(0, image.height - 1);
+  file.readPixels(0, window.max.y);
+  return values;
+}
+
+DecodedImage decode_exr(std::string_view bytes) {
+  ExrStream stream(bytes);
+  auto const window = Imf::InputFile(stream).header().dataWindow();
+  DecodedImage image{window.max.x + 1, window.max.y + 1, 0, {}, {}};
+  image.values.resize(value_count(image));
+  std::size_t c = 0;
+  for (char const* const name : {"R", "G", "B"}) {
+    auto const values = decode_exr_floats(bytes, name);
+    for (std::size_t i = 0; i < values.size(); ++i) image.values[3 * i + c] = values[i];
+    ++c;
+  }
   return image;
 }
 
 }  // namespace
 
+std::vector<float> decode_exr_floats(std::string_view bytes, char const* channel) {
+  return read_exr_channel<float>(bytes, channel, Imf::FLOAT);
+}
+
+std::vector<std::uint32_t> decode_exr_numbers(std::string_view bytes, char const* channel) {
+  return read_exr_channel<std::uint32_t>(bytes, channel, Imf::UINT);
+}
+
 DecodedImage decode(std::string_view bytes) {
   auto const starts_with = [&](std::string_view magic) { return bytes.substr(0, magic.size()) == magic; };
   if (starts_with("P3") || starts_with("P6")) return decode_ppm(bytes);
-  if (starts_with("PF")) return decode_pfm(bytes);
+  if (starts_with("PF") || starts_with("Pf")) return decode_pfm(bytes);
   if (starts_with("\x89PNG")) return decode_png(bytes);
   if (starts_with("\xff\xd8\xff")) return decode_jpeg(bytes);
   if (starts_with("\x76\x2f\x31\x01")) return decode_exr(bytes);

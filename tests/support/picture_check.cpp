@@ -89,22 +89,30 @@ RenderRequest whole_picture(Camera const& camera, Resolution const& resolution) 
   RenderRequest request;
   request.camera = camera;
   request.resolution = resolution;
-  request.region = {0, 0, resolution.width, resolution.height};
+  request.region = lichtraum::whole_picture(resolution);
   return request;
 }
 
-Image render_on(DeviceInfo const& device, Scene const& scene, RenderRequest const& request,
-                std::optional<Traversal> traversal) {
+Film film_on(DeviceInfo const& device, Scene const& scene, RenderRequest const& request,
+             std::optional<Traversal> traversal) {
   auto const renderer = make_renderer(device, traversal);
   renderer->set_scene(scene);
-  Image image(request.resolution);
-  RenderResult const result = renderer->render(request, image);
-  REQUIRE(result.complete);
+  Film film;
+  REQUIRE(renderer->render(request, film).complete);
+  return film;
+}
+
+Image render_on(DeviceInfo const& device, Scene const& scene, RenderRequest const& request,
+                std::optional<Traversal> traversal, Development const& development) {
+  auto const renderer = make_renderer(device, traversal);
+  renderer->set_scene(scene);
+  Image image;
+  REQUIRE(render_image(*renderer, request, image, development).complete);
   return image;
 }
 
-Image render_reference(Scene const& scene, RenderRequest const& request) {
-  return render_on(reference_device(), scene, request);
+Image render_reference(Scene const& scene, RenderRequest const& request, Development const& development) {
+  return render_on(reference_device(), scene, request, {}, development);
 }
 
 std::vector<DeviceInfo> const& opencl_devices() {

@@ -23,10 +23,13 @@ RenderRequest whole_picture(Camera const& camera, Resolution const& resolution);
 
 /// `scene` on `device`. `traversal` means nothing to the reference renderer.
 Image render_on(DeviceInfo const& device, Scene const& scene, RenderRequest const& request,
-                std::optional<Traversal> traversal = {});
+                std::optional<Traversal> traversal = {}, Development const& development = {});
+/// The same before it is developed.
+Film film_on(DeviceInfo const& device, Scene const& scene, RenderRequest const& request,
+             std::optional<Traversal> traversal = {});
 
 /// The same by the reference renderer.
-Image render_reference(Scene const& scene, RenderRequest const& request);
+Image render_reference(Scene const& scene, RenderRequest const& request, Development const& development = {});
 
 /// Every OpenCL device of this machine, found once.
 std::vector<DeviceInfo> const& opencl_devices();

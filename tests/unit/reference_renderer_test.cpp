@@ -1,5 +1,6 @@
 #include "render/reference_renderer.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -37,9 +38,8 @@ RenderRequest request_of(Resolution const& size) {
 }
 
 Image rendered(Renderer& renderer, RenderRequest const& request) {
-  Image image(request.resolution);
-  RenderResult const result = renderer.render(request, image);
-  REQUIRE(result.complete);
+  Image image;
+  REQUIRE(render_image(renderer, request, image).complete);
   return image;
 }
 
@@ -82,27 +82,13 @@ TEST_CASE("a picture is the same bytes for any number of threads and any cut", "
       for (int y = 0; y < 43; y += 10) {
         RenderRequest piece = request;
         piece.region = {x, y, std::min(7, 61 - x), std::min(10, 43 - y)};
-        renderer->render(piece, pieces);
+        Image const part = rendered(*renderer, piece);
+        for (int row = 0; row < part.height(); ++row) {
+          std::copy_n(part.pixel(0, row), 3 * part.width(), pieces.pixel(x, y + row));
+        }
       }
     }
     CHECK(pieces.data() == expected);
-  }
-}
-
-TEST_CASE("pixels outside the region are left alone", "[unit][reference]") {
-  auto const renderer = make_reference_renderer();
-  Scene const scene = small_scene();
-  renderer->set_scene(scene);
-  RenderRequest request = request_of({8, 6});
-  request.region = {2, 1, 3, 2};
-  Image image(request.resolution);
-  for (float& value : image.data()) value = -7;
-  renderer->render(request, image);
-  for (int y = 0; y < 6; ++y) {
-    for (int x = 0; x < 8; ++x) {
-      bool const inside = x >= 2 && x < 5 && y >= 1 && y < 3;
-      CHECK((image.pixel(x, y)[0] == -7) == !inside);
-    }
   }
 }
 
@@ -144,8 +130,8 @@ TEST_CASE("the statistics count rays by kind", "[unit][reference]") {
   renderer->set_scene(scene);
   RenderRequest request = request_of({10, 6});
   request.sampling.count = 4;
-  Image image(request.resolution);
-  RayCounts const rays = renderer->render(request, image).statistics.rays;
+  Film film;
+  RayCounts const rays = renderer->render(request, film).statistics.rays;
   CHECK(rays.camera == 240);
   CHECK(rays.camera_hits == 120);
   CHECK(rays.shadow == 240);
@@ -199,12 +185,11 @@ TEST_CASE("progress is reported while rendering and can stop it", "[unit][refere
   renderer->set_scene(scene);
   RenderRequest request = request_of({300, 200});
   request.sampling.count = 100 * 100;  // minutes, if nobody stopped it
-  Image image(request.resolution);
-  for (float& value : image.data()) value = -1;
+  Film film;
   int calls = 0;
   double last_fraction = 0;
   auto const start = std::chrono::steady_clock::now();
-  RenderResult const result = renderer->render(request, image, [&](RenderProgress const& progress) {
+  RenderResult const result = renderer->render(request, film, [&](RenderProgress const& progress) {
     ++calls;
     CHECK(progress.fraction >= last_fraction);
     CHECK(progress.elapsed_seconds > 0);
@@ -215,27 +200,30 @@ TEST_CASE("progress is reported while rendering and can stop it", "[unit][refere
   CHECK(!result.complete);
   CHECK(calls >= 5);  // every 40 ms on a machine that may be busy
   CHECK(seconds < 5);
-  // Rows are whole or black.
-  int black = 0;
-  for (int y = 0; y < 200; ++y) {
-    bool const is_black = image.pixel(0, y)[0] == 0;
-    black += is_black;
-    for (int x = 0; x < 300; ++x) REQUIRE((image.pixel(x, y)[2] == 0) == is_black);
+  // Either blocks of samples are whole, or pixels are whole or black.
+  int const count = film.samples().count();
+  CHECK((count > 0 && count < request.sampling.count && count % Film::block_size == 0));
+  if (count == Film::block_size) {
+    for (int y = 0; y < 200; ++y) {
+      for (int x = 0; x < 300; ++x) {
+        bool const is_black = film.value(Plane::radiance, x, y, 0) == 0;
+        REQUIRE((film.value(Plane::radiance, x, y, 2) == 0) == is_black);
+      }
+    }
   }
-  CHECK(black > 0);
 
-  CHECK_THROWS_AS(renderer->render(request, image, [](RenderProgress const&) -> bool { throw 1; }), int);
+  CHECK_THROWS_AS(renderer->render(request, film, [](RenderProgress const&) -> bool { throw 1; }), int);
 }
 
 TEST_CASE("requests that make no sense are refused", "[unit][reference]") {
   auto const renderer = make_reference_renderer();
   Scene const scene = small_scene();
   renderer->set_scene(scene);
-  Image image(Resolution{4, 4});
+  Film film;
   auto const refused = [&](auto const& change) {
     RenderRequest request = request_of({4, 4});
     change(request);
-    return kind_of_failure([&] { renderer->render(request, image); }) == ErrorKind::usage;
+    return kind_of_failure([&] { renderer->render(request, film); }) == ErrorKind::usage;
   };
   CHECK(refused([](RenderRequest& r) { r.region = {1, 0, 4, 4}; }));
   CHECK(refused([](RenderRequest& r) { r.region = {0, -1, 4, 4}; }));
@@ -245,18 +233,52 @@ TEST_CASE("requests that make no sense are refused", "[unit][reference]") {
   CHECK(refused([](RenderRequest& r) { r.sampling.count = 0; }));
   CHECK(refused([](RenderRequest& r) { r.sampling.count = 8; }));
   CHECK(refused([](RenderRequest& r) { r.max_depth = -1; }));
+  CHECK(refused([](RenderRequest& r) { r.planes = {}; }));
+  CHECK(refused([](RenderRequest& r) { r.samples = SampleRange{0, 2}; }));
+  CHECK(refused([](RenderRequest& r) { r.samples = SampleRange{0, 0}; }));
 }
 
-TEST_CASE("pixels are developed as the request or the scene says", "[unit][reference]") {
+TEST_CASE("a film is developed as it is asked for, or as the scene says", "[unit][reference]") {
   Scene scene;
   scene.background = Rgb(1, 3, 0.5);
   scene.tone_map = ToneMap::reinhard;
   auto const renderer = make_reference_renderer();
   renderer->set_scene(scene);
-  RenderRequest request = request_of({1, 1});
-  CHECK(rendered(*renderer, request).pixel(0, 0)[1] == 3);
-  request.tone_map = ToneMap::automatic;
-  CHECK(rendered(*renderer, request).pixel(0, 0)[1] == 0.75f);
-  request.transfer = Transfer::srgb;
-  CHECK(rendered(*renderer, request).pixel(0, 0)[0] == Approx(0.735357));
+  auto const pixel = [&](int channel, Development const& development) {
+    Image image;
+    render_image(*renderer, request_of({1, 1}), image, development);
+    return image.pixel(0, 0)[channel];
+  };
+  CHECK(pixel(1, {}) == 3);
+  CHECK(pixel(1, {1, ToneMap::none, Transfer::linear}) == 6);
+  CHECK(pixel(1, {0, ToneMap::automatic, Transfer::linear}) == 0.75f);
+  CHECK(pixel(0, {0, ToneMap::automatic, Transfer::srgb}) == Approx(0.735357));
+}
+
+TEST_CASE("samples that are no numbers are counted and left out", "[unit][reference]") {
+  Scene scene = small_scene();
+  scene.background = Rgb(std::numeric_limits<double>::infinity(), 0, 0);
+  auto const renderer = make_reference_renderer();
+  renderer->set_scene(scene);
+  RenderRequest request = request_of({20, 15});
+  request.sampling.count = 4;
+  Film film;
+  RayCounts const rays = renderer->render(request, film).statistics.rays;
+  CHECK(rays.not_finite >= rays.camera - rays.camera_hits);
+  CHECK(rays.not_finite < rays.camera);
+  for (float const value : film.values(Plane::radiance)) REQUIRE(std::isfinite(value));
+}
+
+TEST_CASE("another background than the scene's, or none", "[unit][reference]") {
+  Scene const scene = small_scene();
+  auto const renderer = make_reference_renderer();
+  renderer->set_scene(scene);
+  RenderRequest request = request_of({20, 15});
+  request.background = Rgb(0.5, 0.25, 1);
+  CHECK(rendered(*renderer, request).pixel(0, 0)[1] == 0.25f);
+  request.planes.add(Plane::alpha);
+  Image const cut_out = rendered(*renderer, request);
+  CHECK(cut_out.alpha().at(0) == 0);
+  CHECK(cut_out.pixel(0, 0)[2] == 0);
+  CHECK(cut_out.alpha().at(20 * 7 + 10) == 1);
 }

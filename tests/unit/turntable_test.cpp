@@ -52,11 +52,11 @@ TEST_CASE("a prepared scene does not change with the scene", "[unit][reference]"
   request.camera = Camera("eye", 45);
   request.resolution = {9, 9};
   request.region = {0, 0, 9, 9};
-  Image image;
+  Film film, other;
   renderer->set_scene(prepared);
-  CHECK(renderer->render(request, image).statistics.rays.camera_hits > 0);
+  CHECK(renderer->render(request, film).statistics.rays.camera_hits > 0);
   renderer->set_scene(scene);
-  CHECK(renderer->render(request, image).statistics.rays.camera_hits == 0);
+  CHECK(renderer->render(request, other).statistics.rays.camera_hits == 0);
 }
 
 TEST_CASE("a copied graph shares what was shared", "[unit][scene]") {

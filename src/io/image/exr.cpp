@@ -7,6 +7,7 @@
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <cstring>
+#include <list>
 
 #include "io/image/encoders.hpp"
 #include "lichtraum/error.hpp"
@@ -54,26 +55,34 @@ std::string read_exr_fingerprint(std::filesystem::path const& path) {
   }
 }
 
-std::string encode_exr(Image const& image, ImageEncoding const& encoding) {
-  char const* const names[] = {"R", "G", "B"};
+std::string encode_exr(Film const& film, ImageEncoding const& encoding) {
   StringStream stream;
   try {
-    Imf::Header header(image.width(), image.height());
+    auto const [width, height] = film.size();
+    Imf::Header header(width, height);
     header.compression() = Imf::ZIP_COMPRESSION;
     header.zipCompressionLevel() = 1;
     if (!encoding.fingerprint.empty()) {
       header.insert(fingerprint_key, Imf::StringAttribute(encoding.fingerprint));
     }
     Imf::FrameBuffer frame;
-    for (int c = 0; c < 3; ++c) {
-      header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
-      auto* const base = reinterpret_cast<char*>(const_cast<float*>(image.data().data() + c));  // only read from
-      frame.insert(names[c],
-                   Imf::Slice(Imf::FLOAT, base, 3 * sizeof(float), 3 * sizeof(float) * std::size_t(image.width())));
+    std::list<std::vector<float>> kept;
+    for (Plane const plane : film.planes().list()) {
+      PlaneInfo const& info = info_of(plane);
+      Imf::PixelType const type = info.is_number ? Imf::UINT : Imf::FLOAT;
+      void const* const values = info.is_number ? static_cast<void const*>(film.numbers(plane).data())
+                                                : kept.emplace_back(film.values(plane)).data();
+      for (std::size_t c = 0; c < info.channels.size(); ++c) {
+        std::string const name(info.channels[c]);
+        std::size_t const pixel_bytes = 4 * info.channels.size();
+        header.channels().insert(name, Imf::Channel(type));
+        char* const base = static_cast<char*>(const_cast<void*>(values)) + 4 * c;  // only read from
+        frame.insert(name, Imf::Slice(type, base, pixel_bytes, pixel_bytes * std::size_t(width)));
+      }
     }
     Imf::OutputFile file(stream, header, 0);
     file.setFrameBuffer(frame);
-    file.writePixels(image.height());
+    file.writePixels(height);
   } catch (std::exception const& error) {
     throw Error(ErrorKind::internal, std::string("OpenEXR: ") + error.what());
   }

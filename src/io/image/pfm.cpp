@@ -9,15 +9,22 @@ namespace lichtraum {
 
 static_assert(std::endian::native == std::endian::little, "PFM is written as the floats lie in memory");
 
-std::string encode_pfm(Image const& image, ImageEncoding const&) {
+std::string encode_pfm(Film const& film, ImageEncoding const&) {
+  Plane const plane = film.planes().list().at(0);
+  PlaneInfo const& info = info_of(plane);
+  auto const numbers = info.is_number ? film.numbers(plane) : std::span<std::uint32_t const>();
+  std::vector<float> const values =
+      info.is_number ? std::vector<float>(numbers.begin(), numbers.end()) : film.values(plane);
+  auto const [width, height] = film.size();
   // A negative scale says little endian.
-  std::string bytes = fmt::format("PF\n{} {}\n-1.0\n", image.width(), image.height());
+  std::string bytes = fmt::format("{}\n{} {}\n-1.0\n", info.channels.size() == 3 ? "PF" : "Pf", width, height);
   std::size_t const header = bytes.size();
-  std::size_t const row = 3 * sizeof(float) * std::size_t(image.width());
-  bytes.resize(header + row * std::size_t(image.height()));
-  for (int y = 0; y < image.height(); ++y) {
+  std::size_t const row = info.channels.size() * std::size_t(width);
+  bytes.resize(header + sizeof(float) * values.size());
+  for (int y = 0; y < height; ++y) {
     // The first row of the file is the lowest.
-    std::memcpy(bytes.data() + header + row * std::size_t(image.height() - 1 - y), image.pixel(0, y), row);
+    std::memcpy(bytes.data() + header + sizeof(float) * row * std::size_t(height - 1 - y),
+                values.data() + row * std::size_t(y), sizeof(float) * row);
   }
   return bytes;
 }

@@ -109,15 +109,23 @@ std::string encode_png(Image const& image, ImageEncoding const& encoding) {
   auto const width = static_cast<png_uint_32>(image.width());
   auto const height = static_cast<png_uint_32>(image.height());
   png_set_user_limits(writer.png, 0x7fffffff, 0x7fffffff);  // libpng's own limit is a million
-  png_set_IHDR(writer.png, writer.info, width, height, encoding.bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+  png_set_IHDR(writer.png, writer.info, width, height, encoding.bits,
+               image.alpha().empty() ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   add_fingerprint(writer, encoding.fingerprint);
   png_write_info(writer.png, writer.info);
-  std::size_t const count = 3 * std::size_t(image.width());
+  std::size_t const channels = image.alpha().empty() ? 3 : 4;
+  std::size_t const count = channels * std::size_t(image.width());
+  std::vector<float> with_alpha(channels == 4 ? count : 0);
   std::vector<unsigned char> row(count * (encoding.bits == 16 ? 2 : 1));
   for (int y = 0; y < image.height(); ++y) {
-    encoding.bits == 16 ? quantize_16(image.pixel(0, y), count, row.data())
-                        : quantize_8(image.pixel(0, y), count, row.data());
+    float const* values = image.pixel(0, y);
+    if (channels == 4) {
+      float const* const alpha = image.alpha().data() + std::size_t(y) * std::size_t(image.width());
+      for (std::size_t i = 0; i < count; ++i) with_alpha[i] = i % 4 == 3 ? alpha[i / 4] : values[i / 4 * 3 + i % 4];
+      values = with_alpha.data();
+    }
+    encoding.bits == 16 ? quantize_16(values, count, row.data()) : quantize_8(values, count, row.data());
     png_write_row(writer.png, row.data());
   }
   png_write_end(writer.png, writer.info);

@@ -37,7 +37,7 @@ Panel::Changes Panel::draw() {
   Changes changes;
   if (ImGui::Begin("scene", nullptr, ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav)) {
     ImGui::PushItemWidth(-100);
-    changes.aov = draw_views();
+    changes.plane = draw_views();
     changes.selection = draw_objects();
     changes.values = draw_lights();
     changes.values |= draw_materials();
@@ -49,10 +49,23 @@ Panel::Changes Panel::draw() {
 }
 
 bool Panel::draw_views() {
-  int number = int(aov);
-  if (!ImGui::Combo("view", &number, "picture (P)\0depth (D)\0normals (N)\0objects (O)\0")) return false;
-  aov = Aov(number);
-  return true;
+  struct View {
+    Plane plane;
+    char const* label;
+  };
+  constexpr View views[] = {
+      {Plane::radiance, "picture (P)"}, {Plane::depth, "depth (D)"},    {Plane::normal, "normals (N)"},
+      {Plane::object, "objects (O)"},   {Plane::albedo, "albedo"},      {Plane::position, "positions"},
+      {Plane::material, "materials"},   {Plane::instance, "instances"},
+  };
+  auto const current = std::ranges::find(views, plane, &View::plane);
+  if (!ImGui::BeginCombo("view", current->label)) return false;
+  Plane const before = plane;
+  for (View const& view : views) {
+    if (ImGui::Selectable(view.label, view.plane == plane)) plane = view.plane;
+  }
+  ImGui::EndCombo();
+  return plane != before;
 }
 
 bool Panel::draw_objects() {

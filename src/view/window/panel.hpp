@@ -16,14 +16,14 @@ class Panel {
 
   /// What a user has changed while it was drawn.
   struct Changes {
-    bool aov = false;
+    bool plane = false;
     bool values = false;
     bool selection = false;
   };
   /// In the current frame of Dear ImGui.
   Changes draw();
 
-  Aov aov = Aov::picture;
+  Plane plane = Plane::radiance;
   SceneValues const& values() const { return values_; }
   ObjectTree::Objects selected_objects() const { return tree_.selected_objects(); }
 

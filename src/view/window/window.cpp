@@ -92,13 +92,13 @@ void Window::show() {
   RenderRequest view = scene_.request;
   view.camera = camera_->camera();
   view.resolution = shown_size_;
-  view.aov = panel_.aov;
+  view.planes = {panel_.plane};
   has_marking_ = false;
   worker_->show(view);
 }
 
-void Window::show(Aov aov) {
-  panel_.aov = aov;
+void Window::show(Plane plane) {
+  panel_.plane = plane;
   show();
 }
 
@@ -168,10 +168,10 @@ void Window::handle_character(char32_t character) {
   if (character == 'q') close();
   if (!camera_) return;
   if (character >= '1' && character <= '9') choose_camera(character - '1');
-  if (character == 'p') show(Aov::picture);
-  if (character == 'd') show(Aov::depth);
-  if (character == 'n') show(Aov::normal);
-  if (character == 'o') show(Aov::object_id);
+  if (character == 'p') show(Plane::radiance);
+  if (character == 'd') show(Plane::depth);
+  if (character == 'n') show(Plane::normal);
+  if (character == 'o') show(Plane::object);
   if (character == 's') save();
   if (character == 'c') copy_camera();
   if (character == 'f') frame_everything();
@@ -256,7 +256,7 @@ void Window::draw_panel() {
   Panel::Changes const changes = panel_.draw();
   if (changes.values) worker_->edit(scene_.number, panel_.values().edits());
   if (changes.selection) mark_selection();
-  if (changes.aov) show();
+  if (changes.plane) show();
 }
 
 std::string Window::statistics() const {

@@ -1,4 +1,7 @@
-#include "render/reference_aov.hpp"
+#include "render/reference_surfaces.hpp"
+
+#include <algorithm>
+#include <limits>
 
 #include "render/reference_integrator.hpp"
 #include "render/reference_point.hpp"
@@ -6,11 +9,13 @@
 
 namespace lichtraum {
 
-ReferenceAov::ReferenceAov(ReferenceScene const& scene, Aov aov) : scene_(scene), aov_(aov) {
-  if (aov == Aov::object_id) list_objects();
+ReferenceSurfaces::ReferenceSurfaces(ReferenceScene const& scene, ReferenceNumbers const& numbers,
+                                     PlaneSet const& planes)
+    : scene_(scene), numbers_(numbers) {
+  if (planes.has(Plane::object) || planes.has(Plane::instance)) list_objects();
 }
 
-void ReferenceAov::list_objects() {
+void ReferenceSurfaces::list_objects() {
   struct Pending {
     Shape const* shape;
     std::size_t parent;
@@ -33,7 +38,7 @@ void ReferenceAov::list_objects() {
   }
 }
 
-std::uint64_t ReferenceAov::object_number(Ray const& ray) const {
+std::uint64_t ReferenceSurfaces::object_number(Ray const& ray) const {
   double nearest = std::numeric_limits<double>::infinity();
   std::uint64_t number = 0;
   for (std::size_t i = 0; i < leaves_.size(); ++i) {
@@ -56,19 +61,27 @@ std::uint64_t ReferenceAov::object_number(Ray const& ray) const {
   return number;
 }
 
-Rgb ReferenceAov::trace(Ray const& ray, RayCounts& counts) const {
-  ++counts.camera;
-  if (aov_ == Aov::object_id) {
-    std::uint64_t const number = object_number(ray);
-    counts.camera_hits += number != 0;
-    return Rgb(double(number));
-  }
+ReferenceSurfaces::Means ReferenceSurfaces::sample(Ray const& ray) const {
   Hit hit;
-  if (!find_closest(scene_, ray, 0, hit)) {
-    return aov_ == Aov::depth ? Rgb(std::numeric_limits<double>::infinity()) : Rgb(0);
+  if (!find_closest(scene_, ray, 0, hit)) return {};
+  ReferencePoint const point = find_reference_point(ray, hit);
+  return {1, glm::min(point.phong.kd + point.phong.ks, Rgb(1)), point.normal};
+}
+
+ReferenceSurfaces::Center ReferenceSurfaces::center(Ray const& ray) const {
+  Hit hit;
+  Center center;
+  if (!find_closest(scene_, ray, 0, hit)) return center;
+  center.depth = hit.t;
+  center.position = ray.at(hit.t);
+  center.material = numbers_.materials.at(hit.shape->material().get());
+  if (!leaves_.empty()) {
+    std::uint64_t const object = object_number(ray);
+    auto const instance = numbers_.objects.instance_of(object);
+    center.object = std::uint32_t(std::min<std::uint64_t>(object, std::numeric_limits<std::uint32_t>::max()));
+    center.instance = instance ? *instance + 1 : 0;
   }
-  ++counts.camera_hits;
-  return aov_ == Aov::depth ? Rgb(hit.t) : find_reference_point(ray, hit).normal;
+  return center;
 }
 
 }  // namespace lichtraum

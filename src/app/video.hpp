@@ -26,15 +26,15 @@ FilmFormat const* find_film_format(std::filesystem::path const& path);
 
 /// A film being made by the ffmpeg program, which must be installed. It is written beside its target and renamed when
 /// it is whole.
-class Film {
+class Video {
  public:
   /// Throws Error{unavailable} when there is no ffmpeg, Error{usage} when the format cannot have that size, and
   /// Error{cannot_create}.
-  Film(std::filesystem::path path, Resolution size, double frames_per_second);
+  Video(std::filesystem::path path, Resolution size, double frames_per_second);
   /// Leaves nothing behind unless it was finished.
-  ~Film();
-  Film(Film const&) = delete;
-  Film& operator=(Film const&) = delete;
+  ~Video();
+  Video(Video const&) = delete;
+  Video& operator=(Video const&) = delete;
 
   Resolution size() const { return size_; }
   int frame_count() const { return frame_count_; }

@@ -1,4 +1,4 @@
-#include "app/film.hpp"
+#include "app/video.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -102,7 +102,7 @@ void check_ffmpeg() {
               "-o picture-%04d.png)");
 }
 
-Film::Film(fs::path path, Resolution size, double frames_per_second) : path_(std::move(path)), size_(size) {
+Video::Video(fs::path path, Resolution size, double frames_per_second) : path_(std::move(path)), size_(size) {
   check_ffmpeg();
   FilmFormat const& format = *find_film_format(path_);
   if (format.needs_even_size && (size.width % 2 != 0 || size.height % 2 != 0)) {
@@ -171,7 +171,7 @@ Film::Film(fs::path path, Resolution size, double frames_per_second) : path_(std
   removed_on_signal_.emplace(child, unfinished_);
 }
 
-Film::~Film() {
+Video::~Video() {
   if (pixels_ >= 0) ::close(pixels_);
   if (process_ > 0) {
     ::kill(process_, SIGKILL);
@@ -181,7 +181,7 @@ Film::~Film() {
   ::unlink(unfinished_.c_str());
 }
 
-int Film::wait_for_ffmpeg() {
+int Video::wait_for_ffmpeg() {
   int status = -1;
   while (process_ > 0 && ::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }
@@ -189,7 +189,7 @@ int Film::wait_for_ffmpeg() {
   return status;
 }
 
-void Film::fail() {
+void Video::fail() {
   if (pixels_ >= 0) ::close(pixels_);
   pixels_ = -1;
   wait_for_ffmpeg();
@@ -204,7 +204,7 @@ void Film::fail() {
                                          lines.empty() ? ": it ended early" : "; it said:", lines));
 }
 
-void Film::add(std::string_view pixels) {
+void Video::add(std::string_view pixels) {
   while (!pixels.empty()) {
     ssize_t const written = ::write(pixels_, pixels.data(), pixels.size());
     if (written < 0 && errno == EINTR) continue;
@@ -214,7 +214,7 @@ void Film::add(std::string_view pixels) {
   ++frame_count_;
 }
 
-void Film::finish_as(fs::path const& path) {
+void Video::finish_as(fs::path const& path) {
   ::close(pixels_);
   pixels_ = -1;
   int const status = wait_for_ffmpeg();

@@ -1,0 +1,179 @@
+#include <sys/resource.h>
+
+#include <cmath>
+
+#include "lichtraum/drawn_objects.hpp"
+#include "lichtraum/seen_point.hpp"
+#include "support/catch.hpp"
+#include "support/esdf.hpp"
+#include "support/picture_check.hpp"
+#include "support/skip.hpp"
+#include "support/textured_meshes.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+namespace {
+
+Resolution const size{160, 120};
+
+/// Shapes of each kind; a part that occurs four times (an instance on the device: it has more than eight primitives),
+/// between shapes of the world before and after it; shapes that occur twice and are copied.
+std::string const graph =
+    "define material red 1 0 0  0.8 0.1 0.1  0 0 0  1\n"
+    "define shape box floor -30 -3 -30 30 -2.5 30 red\n"
+    "define shape sphere ball 0 0.9 0 0.4 red\n"
+    "define shape box plate -0.6 -0.6 -0.6 0.6 0.4 0.6 red\n"
+    "define shape triangle t1 -1 0 0  0 1 0  -1 1 0 red\ndefine shape triangle t2 1 0 0  1 1 0  0 1 0 red\n"
+    "define shape triangle t3 -1 0 0.1  0 1 0.1  -1 1 0.1 red\ndefine shape triangle t4 1 0 0.1  1 1 0.1  0 1 0.1 red\n"
+    "define shape triangle t5 -1 -1 0  -0.6 -1 0  -0.8 0 0 red\ndefine shape triangle t6 1 -1 0  0.6 -1 0  0.8 0 0 "
+    "red\n"
+    "define shape composite wings t1 t2 t3 t4 t5 t6\n"
+    "define shape composite part ball plate wings\n"
+    "define shape composite left part\ntransform left rotate 30 0 1 0\ntransform left translate -2.2 0 0\n"
+    "define shape sphere middle 0 0 0 0.8 red\ntransform middle scale 0.5 1 0.7\n"
+    "define shape composite right part\ntransform right scale -1 1.3 0.8\ntransform right translate 2.2 0 0\n"
+    "define shape composite row left middle right\n"
+    "define shape composite above row\ntransform above rotate 10 0 0 1\ntransform above translate 0 2.8 -1\n"
+    "define shape composite all row above\n"
+    "define shape box last 3.5 -2 -1 4.2 4 0 red\n"
+    "define camera eye 50\ntransform eye rotate -5 1 0 0\ntransform eye translate 0 2.5 12\n";
+
+/// How many values differ: by more than `tolerance` of the expected one's size.
+std::size_t differing(Film const& actual, Film const& expected, Plane plane, double tolerance) {
+  std::size_t count = 0;
+  auto const a = actual.values(plane), e = expected.values(plane);
+  for (std::size_t i = 0; i < e.size(); ++i) {
+    bool const is_near = a[i] == e[i] || std::abs(a[i] - e[i]) <= float(tolerance) * std::max(1.0f, std::abs(e[i]));
+    count += !is_near;
+  }
+  auto const numbers = actual.numbers(plane), expected_numbers = expected.numbers(plane);
+  for (std::size_t i = 0; i < expected_numbers.size(); ++i) count += numbers[i] != expected_numbers[i];
+  return count;
+}
+
+/// All planes at once, and each alone, on each device in each layout.
+void check_planes(Scene const& scene, std::string const& name) {
+  struct Tolerated {
+    Plane plane;
+    double tolerance;
+  };
+  std::vector<Tolerated> const planes{{Plane::alpha, 0},    {Plane::albedo, 1e-3},   {Plane::normal, 2e-4},
+                                      {Plane::depth, 2e-5}, {Plane::position, 1e-4}, {Plane::object, 0},
+                                      {Plane::instance, 0}, {Plane::material, 0}};
+  RenderRequest request = whole_picture(scene.cameras.front(), size);
+  request.sampling = {Sampling::Pattern::seeded, 3};
+  request.planes.add(Plane::radiance);
+  for (auto const& [plane, tolerance] : planes) request.planes.add(plane);
+  Film const expected = film_on(reference_device(), scene, request);
+  for (DeviceInfo const& device : opencl_devices()) {
+    for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
+      INFO(name << ", traversal " << int(traversal.grouping));
+      Film const actual = film_on(device, scene, request, traversal);
+      for (auto const& [plane, tolerance] : planes) {
+        INFO("plane " << info_of(plane).name);
+        std::size_t const values = info_of(plane).channels.size() * std::size_t(size.width * size.height);
+        // Silhouettes, which three samples cross more often, and a bumpy normal's steps.
+        CHECK(differing(actual, expected, plane, tolerance) <= values / 200);
+        RenderRequest alone = request;
+        alone.planes = {plane};
+        Film const other = film_on(device, scene, alone, traversal);
+        CHECK(differing(other, actual, plane, 0) == 0);
+      }
+    }
+  }
+}
+
+std::size_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::size_t(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace
+
+TEST_CASE("every plane is what the reference tracer finds", "[image][planes]") {
+  REQUIRE_OPENCL_DEVICE();
+  check_planes(scene_of(graph), "graph");
+}
+
+TEST_CASE("a picture's objects lead back to their places in the graph", "[image][planes]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene const scene = scene_of(graph);
+  DrawnObjects const objects(scene);
+  CHECK(objects.count() == 2 * (8 + 1 + 8) + 2);
+  auto const renderer = make_renderer(opencl_devices().front());
+  renderer->set_scene(scene);
+  RenderRequest request = whole_picture(scene.cameras.front(), size);
+  auto const name_at = [&](Vec3 const& point) {
+    // Where the camera sees a point: its coordinates in the camera's frame.
+    Vec3 const p = request.camera.world_from_camera().inverse().point(point);
+    double const width = 2 * std::tan(0.5 * 50 * 3.14159265358979 / 180);
+    int const x = int(size.width * (0.5 - p.x / p.z / width)),
+              y = int(size.height / 2.0 + size.width * p.y / p.z / width);
+    auto const seen = look_at_pixel(*renderer, request, x, y);
+    if (!seen) return std::string("nothing");
+    CHECK(glm::distance(seen->position, request.camera.world_from_camera().point(Vec3(0))) ==
+          Approx(seen->distance).epsilon(1e-6));
+    CHECK(glm::distance(seen->position, point) < 0.8);
+    CHECK(glm::length(seen->normal) == Approx(1).epsilon(1e-4));
+    std::string names;
+    for (auto const& shape : objects.shapes_on(objects.path_of(seen->object))) names += "/" + shape->name();
+    return names;
+  };
+  CHECK(name_at({-2.2, 0.9, 0.3}) == "/all/row/left/part/ball");
+  CHECK(name_at({2.2, -0.2, 0.5}) == "/all/row/right/part/plate");
+  CHECK(name_at({0, 0, 0.5}) == "/all/row/middle");
+  CHECK(name_at({0, 2.8, -0.5}) == "/all/above/row/middle");
+  CHECK(name_at({3.8, 2, 0}) == "/last");
+  CHECK(name_at({0, -2.5, -3}) == "/floor");
+  CHECK(name_at({-5, 5, 0}) == "nothing");
+}
+
+TEST_CASE("smooth, bumpy and cut out surfaces show in all planes", "[image][planes]") {
+  REQUIRE_OPENCL_DEVICE();
+  check_planes(make_textured_scene(), "textured");
+}
+
+TEST_CASE("a device develops films to the bytes of the host", "[image][planes]") {
+  REQUIRE_OPENCL_DEVICE();
+  Film film({0, 0, 61, 47}, {Plane::radiance, Plane::alpha});
+  float value = 1e-9f;
+  for (float& sum : film.floats(Plane::radiance)) sum = value = value > 1e6f ? 1e-9f : value * 1.0371f;
+  float covered = 0;
+  for (float& sum : film.floats(Plane::alpha)) sum = covered = covered == 7 ? 0 : covered + 1;
+  film.set_end(7);
+  for (DeviceInfo const& device : opencl_devices()) {
+    auto const renderer = make_renderer(device);
+    renderer->set_scene(scene_of(graph));
+    for (bool const has_alpha : {true, false}) {
+      if (!has_alpha) film.keep({Plane::radiance});
+      for (ToneMap const tone_map : {ToneMap::none, ToneMap::reinhard}) {
+        for (Transfer const transfer : {Transfer::linear, Transfer::srgb}) {
+          Development const development{0.7, tone_map, transfer};
+          Image const here = develop(film, development), there = renderer->develop(film, development);
+          CHECK(there.data() == here.data());
+          CHECK(there.alpha() == here.alpha());
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a part of a huge picture takes memory for that part", "[image][planes]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene const scene = scene_of(graph);
+  RenderRequest request = whole_picture(scene.cameras.front(), {100'000, 100'000});
+  request.region = {50'000, 50'000, 256, 256};
+  for (std::size_t i = 0; i < plane_count; ++i) request.planes.add(Plane(i));
+  auto const renderer = make_renderer(opencl_devices().front());
+  renderer->set_scene(scene);
+  Film film;
+  renderer->render(request, film);  // with the program
+  film = {};
+  auto const before = peak_memory_bytes();
+  renderer->render(request, film);
+  CHECK(film.size() == Resolution{256, 256});
+  CHECK(film.samples() == SampleRange{0, 1});
+  CHECK(peak_memory_bytes() - before < 50'000'000);
+}

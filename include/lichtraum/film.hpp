@@ -16,7 +16,8 @@ namespace lichtraum {
 /// What a film can hold of each pixel. The order is that of the device's planes (kernels/shared/film.h).
 enum class Plane {
   radiance,  ///< linear red, green, blue
-  alpha,     ///< share of the samples that hit something, 0..1; with it, radiance leaves out what lies behind
+  alpha,     ///< share of the samples that hit something, 0..1; with it, radiance leaves out the background that the
+             ///< camera sees
   albedo,    ///< how much of white light the first surface reflects, linear red, green, blue
   normal,    ///< x, y, z in the world, on the camera's side, as shaded (smooth, bumpy); unit length in each sample
   depth,     ///< distance of the first surface from the camera, in units of the world; infinity where nothing is

@@ -26,9 +26,7 @@ device::FrameParameters frame_parameters(RenderRequest const& request, SceneShad
   device::FrameParameters frame{};
   frame.camera = pinhole_camera(request.camera, request.resolution);
   frame.ambient = device_float4(scene.ambient);
-  // What is seen through a picture with alpha is somebody else's.
-  Rgb const background = request.background.value_or(scene.background);
-  frame.background = device_float4(request.planes.has(Plane::alpha) ? Rgb(0) : background);
+  frame.background = device_float4(request.background.value_or(scene.background));
   frame.region_x = device::uint(request.region.x);
   frame.region_y = device::uint(request.region.y);
   frame.region_width = device::uint(request.region.width);

@@ -81,7 +81,6 @@ class PixelTracer {
               SampleRange const& samples, Film& film)
       : scene_(scene), surfaces_(scene, numbers, request.planes), request_(request), samples_(samples), film_(film) {
     if (request.background) scene_.background = *request.background;
-    if (request.planes.has(Plane::alpha)) scene_.background = Rgb(0);
   }
 
   void trace(int x, int y, RayCounts& counts) const {
@@ -119,6 +118,7 @@ class PixelTracer {
       }
       if (planes.has(Plane::radiance)) {
         Rgb const radiance = trace_radiance(scene_, ray, request_.max_depth, counts);
+        if (planes.has(Plane::alpha) && !is_hit) continue;
         if (is_finite(radiance)) {
           pixel.add(Plane::radiance, radiance);
         } else {

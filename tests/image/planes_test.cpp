@@ -135,6 +135,25 @@ TEST_CASE("smooth, bumpy and cut out surfaces show in all planes", "[image][plan
   check_planes(make_textured_scene(), "textured");
 }
 
+TEST_CASE("a transparent picture leaves out the background, and mirrors still show it", "[image][planes]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene const scene = scene_of(
+      "define material mirror 0 0 0  0 0 0  0 0 0  1 reflect=1\ndefine shape sphere ball 0 0 -5 1 mirror\n"
+      "define background 0.5 0.25 1\ndefine camera eye 60\n");
+  RenderRequest request = whole_picture(scene.cameras.front(), {31, 31});
+  request.planes.add(Plane::alpha);
+  std::vector<DeviceInfo> devices = opencl_devices();
+  devices.push_back(reference_device());
+  for (DeviceInfo const& device : devices) {
+    INFO(device.name);
+    Film const film = film_on(device, scene, request);
+    CHECK(film.value(Plane::alpha, 0, 0) == 0);
+    CHECK(film.value(Plane::radiance, 0, 0, 0) == 0);
+    CHECK(film.value(Plane::alpha, 15, 15) == 1);
+    CHECK(film.value(Plane::radiance, 15, 15, 2) == Approx(1));
+  }
+}
+
 TEST_CASE("a device develops films to the bytes of the host", "[image][planes]") {
   REQUIRE_OPENCL_DEVICE();
   Film film({0, 0, 61, 47}, {Plane::radiance, Plane::alpha});

@@ -4,8 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/elementary.hpp"
+
 namespace lichtraum {
 namespace {
+
+float logarithm(float x) { return float(log_of(double(x))); }
 
 void show_depth(std::vector<float>& values) {
   float nearest = std::numeric_limits<float>::infinity(), farthest = 0;
@@ -17,9 +21,9 @@ void show_depth(std::vector<float>& values) {
   // Equal ratios look equally far apart: a floor that reaches to the horizon leaves the things on it their contrast.
   constexpr float darkest = 0.1f;
   nearest = std::max(nearest, 1e-6f * farthest);
-  float const scale = farthest > nearest ? (1 - darkest) / std::log(farthest / nearest) : 0;
+  float const scale = farthest > nearest ? (1 - darkest) / logarithm(farthest / nearest) : 0;
   for (float& value : values) {
-    value = std::isfinite(value) ? 1 - scale * std::log(std::max(value, nearest) / nearest) : 0;
+    value = std::isfinite(value) ? 1 - scale * logarithm(std::max(value, nearest) / nearest) : 0;
   }
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/srgb.hpp"
+
 namespace lichtraum {
 namespace {
 
@@ -21,7 +23,7 @@ Rgb per_channel(Rgb const& c, Function const& f) {
 Rgb develop(Rgb const& radiance, ToneMap tone_map, Transfer transfer) {
   if (tone_map == ToneMap::automatic) throw std::invalid_argument("develop needs a definite tone map");
   Rgb const mapped = tone_map == ToneMap::reinhard ? per_channel(radiance, reinhard) : radiance;
-  return transfer == Transfer::srgb ? per_channel(mapped, srgb) : mapped;
+  return transfer == Transfer::srgb ? per_channel(mapped, srgb_from_linear) : mapped;
 }
 
 }  // namespace lichtraum

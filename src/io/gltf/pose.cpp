@@ -7,6 +7,8 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/elementary.hpp"
+
 namespace lichtraum::gltf {
 namespace {
 
@@ -70,7 +72,16 @@ class Track {
     auto const rotation = [this](std::size_t k) {
       return normalized(component(k, 0), component(k, 1), component(k, 2), component(k, 3));
     };
-    glm::dquat const q = glm::slerp(rotation(key), rotation(key + 1), t);
+    glm::dquat const from = rotation(key);
+    glm::dquat to = rotation(key + 1);
+    if (glm::dot(from, to) < 0) to = -to;  // the same rotation, the shorter way
+    // Half the angle between them from the sides of an isosceles triangle: exact for small angles too.
+    double const angle = 2 * atan2_of(glm::length(to - from), glm::length(to + from));
+    double const sine = sin_of(angle);
+    bool const is_short = sine < 1e-8;
+    double const a = is_short ? 1 - t : sin_of((1 - t) * angle) / sine;
+    double const b = is_short ? t : sin_of(t * angle) / sine;
+    glm::dquat const q = a * from + b * to;
     return {q.x, q.y, q.z, q.w};
   }
 

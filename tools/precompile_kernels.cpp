@@ -42,8 +42,8 @@ std::string escaped(std::string_view bytes) {
   std::string text;
   text.reserve(4 * bytes.size());
   for (char const byte : bytes) {
-    bool const is_plain = byte >= ' ' && byte <= '~' && byte != '"' && byte != '\\' && byte != '?';
-    text += is_plain ? std::string(1, byte) : fmt::format("\\{:03o}", static_cast<unsigned char>(byte));
+    bool const is_verbatim = byte >= ' ' && byte <= '~' && byte != '"' && byte != '\\' && byte != '?';
+    text += is_verbatim ? std::string(1, byte) : fmt::format("\\{:03o}", static_cast<unsigned char>(byte));
   }
   return text;
 }

@@ -44,7 +44,7 @@ std::string last_line(std::string text) {
 
 }  // namespace
 
-bool is_opencl_suspicious() {
+bool opencl_may_abort() {
   if (access("/sys/devices/system/cpu/cpu0", R_OK | X_OK) != 0) return true;
   rlimit address_space{};
   if (getrlimit(RLIMIT_AS, &address_space) == 0 && address_space.rlim_cur != RLIM_INFINITY) return true;
@@ -52,7 +52,7 @@ bool is_opencl_suspicious() {
   return sysinfo(&memory) != 0 || std::uint64_t(memory.totalram) * memory.mem_unit < little_memory;
 }
 
-std::optional<std::string> opencl_kills_a_child() {
+std::optional<std::string> probe_opencl_in_child() {
   int ends[2];
   if (pipe(ends) != 0) return "no pipe to a child process could be made";
   pid_t const child = fork();

@@ -16,8 +16,8 @@ struct RenderProgram {
   static constexpr cl_uint own_arguments = 4;
 
   RayGrouping grouping = RayGrouping::packet;
-  bool first_surface = false;  ///< writes what the first surface is, instead of its light
-  bool is_plain = false;       ///< for scenes without other features than SCENE_PLAIN
+  bool first_surface = false;   ///< writes what the first surface is, instead of its light
+  bool without_models = false;  ///< for scenes without what only models have: SCENE_WITHOUT_MODELS
   unsigned ray_stack_size = 8;
   std::size_t traversal_stack_size = 96;
 
@@ -28,10 +28,10 @@ struct RenderProgram {
 /// Those that are compiled with lichtraum: of pictures, and of what their first surfaces are (which the window asks
 /// for, too), for plain scenes and for all, with the layout and the limits that they have unless asked otherwise.
 inline constexpr RenderProgram usual_render_programs[] = {
-    {.is_plain = true},
-    {.is_plain = false},
-    {.grouping = RayGrouping::stream, .first_surface = true, .is_plain = true},
-    {.grouping = RayGrouping::stream, .first_surface = true, .is_plain = false},
+    {.without_models = true},
+    {.without_models = false},
+    {.grouping = RayGrouping::stream, .first_surface = true, .without_models = true},
+    {.grouping = RayGrouping::stream, .first_surface = true, .without_models = false},
 };
 
 /// The entries of the ray stack that a depth needs, as one of a few sizes: each is a program of its own.

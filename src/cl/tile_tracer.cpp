@@ -103,7 +103,7 @@ struct TileTracer::State {
   }
 
   KnownKernel& kernel_for(device::FrameParameters const& parameters) {
-    RenderProgram const program{frame_grouping(), parameters.aov != 0, (tables->features & ~SCENE_PLAIN) == 0,
+    RenderProgram const program{frame_grouping(), parameters.aov != 0, (tables->features & ~SCENE_WITHOUT_MODELS) == 0,
                                 ray_stack_size(parameters.max_depth), traversal_stack_size(scene->stack_size)};
     auto const options = program.options();
     auto found = kernels.find(options);

@@ -60,8 +60,8 @@ DeviceList find_devices(ProbeInChild probe) {
   DeviceList list;
   auto const add_opencl_devices = [&] {
     std::optional<std::string> const no_cache = ensure_pocl_cache();
-    if (probe == ProbeInChild::always || is_opencl_suspicious()) {
-      if (auto const reason = opencl_kills_a_child()) {
+    if (probe == ProbeInChild::always || opencl_may_abort()) {
+      if (auto const reason = probe_opencl_in_child()) {
         list.warnings.push_back(
             fmt::format("OpenCL cannot be used here: it was tried in a child process, and {}", *reason));
         return;

@@ -127,9 +127,9 @@ TEST_CASE("what is no picture is shown as one", "[image][aov]") {
   CHECK(aov_as_picture(normal, Aov::normal).data() == std::vector<float>{0.5f, 0.5f, 0, 0, 0, 0});
   Image ids(Resolution{3, 1});
   ids.data() = {0, 0, 0, 1, 1, 1, 2, 2, 2};
-  auto const colours = aov_as_picture(ids, Aov::object_id).data();
-  CHECK((colours[0] == 0 && colours[1] == 0 && colours[2] == 0));
+  auto const colors = aov_as_picture(ids, Aov::object_id).data();
+  CHECK((colors[0] == 0 && colors[1] == 0 && colors[2] == 0));
   double apart = 0;
-  for (std::size_t c = 0; c < 3; ++c) apart += std::abs(double(colours[3 + c] - colours[6 + c]));
+  for (std::size_t c = 0; c < 3; ++c) apart += std::abs(double(colors[3 + c] - colors[6 + c]));
   CHECK(apart > 0.3);
 }

@@ -49,8 +49,8 @@ bool is_within_float(Rgb const& c) {
 }
 
 /// Whether colour times brightness is still a number on the device.
-bool check_brightness(Interpreter& interpreter, Statement const& statement, Rgb const& colour) {
-  if (is_within_float(colour)) return true;
+bool check_brightness(Interpreter& interpreter, Statement const& statement, Rgb const& color) {
+  if (is_within_float(color)) return true;
   interpreter.error(statement.last(), "colour times brightness is too large",
                     "numbers reach to about 3.4e38 in single precision");
   return false;

@@ -28,9 +28,9 @@ Parts split(Interpreter const& interpreter, std::span<Token const> arguments) {
     return interpreter.scene.cameras.contains(name) || interpreter.is_faulty(Kind::camera, name);
   };
   // By position wherever that makes sense: any token may be a name, also a number.
-  bool const is_plain = arguments.size() == 2 ||
-                        (arguments.size() == 4 && looks_like_number(arguments[2]) && looks_like_number(arguments[3]));
-  if (is_plain && (camera_exists(arguments[0]) || !looks_like_number(arguments[1]))) {
+  bool const is_by_position = arguments.size() == 2 || (arguments.size() == 4 && looks_like_number(arguments[2]) &&
+                                                        looks_like_number(arguments[3]));
+  if (is_by_position && (camera_exists(arguments[0]) || !looks_like_number(arguments[1]))) {
     return {arguments[0], arguments.subspan(1, 1), arguments.subspan(2)};
   }
   std::size_t words = arguments.size();

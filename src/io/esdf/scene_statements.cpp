@@ -23,7 +23,7 @@ bool has_arguments(Interpreter& interpreter, Statement const& statement, std::si
 
 void define_background(Interpreter& interpreter, Statement const& statement) {
   if (!has_arguments(interpreter, statement, 3, "3 numbers")) return;
-  if (auto const colour = read_vec3(interpreter, statement.arguments)) interpreter.scene.background = *colour;
+  if (auto const color = read_vec3(interpreter, statement.arguments)) interpreter.scene.background = *color;
 }
 
 void define_filename(Interpreter& interpreter, Statement const& statement) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/values.hpp"
+#include "core/edit_distance.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -35,20 +36,6 @@ class Formatter final : public CLI::Formatter {
   std::string make_footer(CLI::App const* app) const override { return "Examples:\n" + app->get_footer(); }
 };
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      std::size_t const replaced = diagonal + (a[i - 1] != b[j - 1]);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-    }
-  }
-  return row.back();
-}
-
 std::vector<std::string> option_names(CLI::App const& parser) {
   std::vector<std::string> names;
   for (CLI::Option const* const option : parser.get_options()) {
@@ -75,9 +62,9 @@ void refuse_unknown_options(CLI::App const& parser) {
 
 std::string nearest(std::string_view word, std::vector<std::string> const& known) {
   std::string best;
-  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+  std::size_t best_distance = likely_slips(word) + 1;
   for (std::string const& candidate : known) {
-    std::size_t const distance = edit_distance(word, candidate);
+    std::size_t const distance = edit_distance(word, candidate, best_distance);
     if (distance < best_distance) {
       best = candidate;
       best_distance = distance;

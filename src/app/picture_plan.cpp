@@ -1,28 +1,19 @@
 #include "app/picture_plan.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <iterator>
 
 #include "app/arguments.hpp"
+#include "core/memory.hpp"
 
 namespace lichtraum::app {
 namespace {
 
 constexpr Resolution default_resolution{640, 480};
 constexpr int default_depth = 5;
-
-/// What the machine has, or this process's control group may use where that is less.
-double memory_bytes() {
-  double bytes = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGE_SIZE));
-  double limit = 0;
-  if (std::ifstream("/sys/fs/cgroup/memory.max") >> limit) bytes = std::min(bytes, limit);
-  return bytes;
-}
 
 std::string human(double bytes) {
   for (char const* const unit : {"bytes", "kB", "MB", "GB", "TB", "PB"}) {
@@ -131,10 +122,10 @@ RenderRequest first_view(LoadedScene const& loaded, SceneSource const& source, R
 void check_memory(Resolution const& size, ErrorKind kind) {
   // Three floats a pixel for the picture, as much again while it is encoded.
   double const needed = 24.0 * size.width * size.height;
-  double const available = memory_bytes();
+  double const available = double(usable_memory_bytes());
   if (needed <= available) return;
-  throw Error(kind, fmt::format("a picture of {}x{} pixels needs {} of memory; this machine has {}", size.width,
-                                size.height, human(needed), human(available)));
+  throw Error(kind, fmt::format("a picture of {}x{} pixels needs {} of memory; {} can be used", size.width, size.height,
+                                human(needed), human(available)));
 }
 
 std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource const& source,

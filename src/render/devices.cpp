@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 
 #include "cl/child_probe.hpp"
 #include "cl/opencl_devices.hpp"
 #include "cl/pocl_cache.hpp"
+#include "core/ascii.hpp"
 #include "lichtraum/device.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/renderer.hpp"
@@ -51,7 +51,7 @@ bool matches(DeviceInfo const& device, std::string const& selector) {
   if (auto const [stop, error] = std::from_chars(selector.data(), end, index); error == std::errc() && stop == end) {
     return device.index == index;
   }
-  return lower_case(device.name).find(selector) != std::string::npos;
+  return to_lower_ascii(device.name).find(selector) != std::string::npos;
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ DeviceList find_devices(ProbeInChild probe) {
 
 DeviceInfo const& select_device(DeviceList const& list, std::string_view selector) {
   if (selector.empty()) return list.devices.front();
-  auto const lower = lower_case(selector);
+  auto const lower = to_lower_ascii(selector);
   std::string known;
   for (DeviceInfo const& device : list.devices) {
     if (matches(device, lower)) return device;

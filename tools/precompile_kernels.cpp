@@ -1,5 +1,5 @@
 // precompile_kernels OUTPUT: compiles the device programs that most pictures take, for each OpenCL device that is a
-// processor of this machine, and writes the C++ file that src/cl/precompiled_program.hpp tells of.
+// processor of this machine, and writes the C++ file that src/cl/precompiled_program.hpp declares.
 //
 // Part of the build, so it needs little of the library. Run by tools/precompile_kernels.cmake, as PoCL may abort it.
 

@@ -52,7 +52,7 @@ void refuse_unknown_options(CLI::App const& parser) {
   std::vector<std::string> const unknown = parser.remaining();
   if (unknown.empty()) return;
   std::string const option = unknown.front().substr(0, unknown.front().find('='));
-  if (option.empty() || option.front() != '-') fail(parser, fmt::format("do not know what to do with '{}'", option));
+  if (option.empty() || option.front() != '-') fail(parser, fmt::format("unexpected argument '{}'", option));
   std::string const suggestion = nearest(option, option_names(parser));
   if (suggestion.empty()) fail(parser, fmt::format("there is no option '{}'", option));
   fail(parser, fmt::format("there is no option '{}': did you mean {}?", option, suggestion));
@@ -114,11 +114,11 @@ std::string parse_name(std::string_view text) {
 void add_verbosity(CLI::App& parser, Console& console) {
   parser
       .add_flag_callback(
-          "-q,--quiet", [&] { console.set_verbosity(Verbosity::quiet); }, "Say nothing but errors")
+          "-q,--quiet", [&] { console.set_verbosity(Verbosity::quiet); }, "Print errors only")
       ->group("General");
   parser
       .add_flag_callback(
-          "-v,--verbose", [&] { console.set_verbosity(Verbosity::verbose); }, "Say more: notes, timings")
+          "-v,--verbose", [&] { console.set_verbosity(Verbosity::verbose); }, "Print more: notes, timings")
       ->group("General");
 }
 
@@ -127,7 +127,7 @@ void add_language_options(CLI::App& parser, EsdfOptions& options) {
   parser.add_flag("--strict", options.strict, "Accept the standard only, no dialects")->group(group);
   parser.add_flag("--keep-going", options.keep_going, "Leave faulty statements out and go on")->group(group);
   add_value(parser, "--transform-order", options.transform_order, parse_transform_order, "ORDER",
-            "Frame a transform happens in: parent\n(default) or local", group);
+            "Frame that transforms apply in: parent\n(default) or local", group);
   add_value(parser, "--rotation", options.rotation, parse_rotation, "SENSE",
             "Rotations are right- (default) or left-handed:\nright or left", group);
   add_value(parser, "--material-extras", options.material_extras, parse_material_extras, "WORDS",
@@ -149,11 +149,11 @@ void add_language_options(CLI::App& parser, EsdfOptions& options) {
 void add_model_options(CLI::App& parser, ModelOptions& options) {
   std::string const group = "Models";
   add_value(parser, "--scene", options.scene, parse_name, "NAME", "Scene of the file: name or number", group);
-  add_value(parser, "--time", options.time_seconds, parse_time, "SECONDS", "Pose of the animation at that time", group);
+  add_value(parser, "--time", options.time_seconds, parse_time, "SECONDS", "Show the animation at this time", group);
   add_value(parser, "--animation", options.animation, parse_name, "NAME",
-            "Animation that --time is for: name or number\n(default: the first)", group);
+            "Animation to show: name or number\n(default: the first)", group);
   add_value(parser, "--max-texture", options.max_texture, parse_texture_size, "N",
-            "Make pictures with a longer side smaller\n(default: 4096)", group);
+            "Shrink textures with a longer side\n(default: 4096)", group);
 }
 
 }  // namespace lichtraum::app

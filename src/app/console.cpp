@@ -102,7 +102,7 @@ void write_standard_output(std::string_view bytes) {
     ssize_t const written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
-      std::string const reason = errno == EPIPE    ? "nobody reads it any more"
+      std::string const reason = errno == EPIPE    ? "the reader closed the pipe"
                                  : errno == ENOSPC ? "the disk is full"
                                                    : std::strerror(errno);
       throw Error(ErrorKind::io, fmt::format("cannot write to standard output: {}", reason));

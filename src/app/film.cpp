@@ -104,7 +104,7 @@ Film::Film(fs::path path, Resolution size, double frames_per_second) : path_(std
   check_ffmpeg();
   FilmFormat const& format = *find_film_format(path_);
   if (format.needs_even_size && (size.width % 2 != 0 || size.height % 2 != 0)) {
-    throw Error(ErrorKind::usage, fmt::format("'{}': the width and height of an {} are even, not {}x{}", path_.string(),
+    throw Error(ErrorKind::usage, fmt::format("'{}': an {} needs an even width and height, not {}x{}", path_.string(),
                                               format.extension, size.width, size.height));
   }
   check_writable(path_);

@@ -76,11 +76,11 @@ Region choose_region(Resolution const& size, RenderOptions const& options) {
 void check_encoding(PicturePlan const& plan) {
   ImageFormat const& format = *plan.output.format;
   if (plan.encoding.bits > format.max_bits) {
-    throw Error(ErrorKind::usage, fmt::format("--bits {}: '{}' has {} bits a channel; .png and .ppm have 16",
+    throw Error(ErrorKind::usage, fmt::format("--bits {}: '{}' has {} bits per channel; .png and .ppm have 16",
                                               plan.encoding.bits, plan.output.shown, format.max_bits));
   }
   if (std::max(plan.region.width, plan.region.height) > format.max_side) {
-    throw Error(ErrorKind::usage, fmt::format("'{}': a {} has at most {} pixels a side, not {}x{}", plan.output.shown,
+    throw Error(ErrorKind::usage, fmt::format("'{}': a {} has at most {} pixels per side, not {}x{}", plan.output.shown,
                                               format.name, format.max_side, plan.region.width, plan.region.height));
   }
 }

@@ -26,7 +26,8 @@ struct RenderProgram {
 };
 
 /// Those that are compiled with lichtraum: of pictures, and of what their first surfaces are (which the window asks
-/// for, too), for plain scenes and for all, with the layout and the limits that they have unless asked otherwise.
+/// for, too), for scenes without models and for all, with the layout and the limits that they have unless asked
+/// otherwise.
 inline constexpr RenderProgram usual_render_programs[] = {
     {.without_models = true},
     {.without_models = false},

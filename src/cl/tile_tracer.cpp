@@ -36,7 +36,7 @@ cl::Device find_device(DeviceInfo const& wanted) {
   for (OpenClDevice const& found : find_opencl_devices(warnings)) {
     if (found.info.name == wanted.name && found.info.platform == wanted.platform) return found.device;
   }
-  throw DeviceError(fmt::format("the device '{}' is not there any more", wanted.name), "clGetDeviceIDs",
+  throw DeviceError(fmt::format("the device '{}' is no longer available", wanted.name), "clGetDeviceIDs",
                     CL_DEVICE_NOT_FOUND);
 }
 
@@ -149,7 +149,7 @@ void TileTracer::upload(std::shared_ptr<SceneBuffers const> scene, std::shared_p
   if (has_scene && tables == state_->tables) return;
   state_->is_uploaded = false;
   state_->scene = std::move(scene);
-  state_->tables.swap(tables);  // the old ones go when no buffer is over them any more
+  state_->tables.swap(tables);  // the old ones go when no buffer uses them any longer
   state_->check_size();
   checked([&] {
     auto const add_to = [&](std::vector<cl::Buffer>& buffers) {

@@ -34,12 +34,6 @@ int rank(DeviceKind kind) {
   return 4;
 }
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return lower;
-}
-
 Traversal default_traversal(DeviceKind kind) { return kind == DeviceKind::cpu ? Traversal::packet : Traversal::scalar; }
 
 bool matches(DeviceInfo const& device, std::string const& selector) {
@@ -88,8 +82,8 @@ DeviceInfo const& select_device(DeviceList const& list, std::string_view selecto
     known += fmt::format("\n  {}  {}", device.index, device.name);
   }
   throw Error(ErrorKind::no_device,
-              fmt::format("no device is called '{}'. There are (an index, cpu, gpu, reference or a "
-                          "part of a name selects one):{}",
+              fmt::format("there is no device '{}'; select one by its index, a part of its name, cpu, gpu "
+                          "or reference:{}",
                           selector, known));
 }
 

@@ -5,7 +5,7 @@
 
 namespace lichtraum {
 
-/// What a pixel holds that is no picture, from the graph itself: the definition of Aov.
+/// What a pixel holds instead of a picture, from the graph itself: the definition of Aov.
 class ReferenceAov {
  public:
   /// Both must outlive it. Object numbers need a list of all that is drawn: 16 bytes an object.
@@ -15,7 +15,7 @@ class ReferenceAov {
   Rgb trace(Ray const& ray, RayCounts& counts) const;
 
  private:
-  /// One occurrence of a shape that is no composite.
+  /// One occurrence of a shape that is not a composite.
   struct Leaf {
     Shape const* shape;
     std::size_t parent;  // its place in the transforms

@@ -10,9 +10,6 @@ namespace {
 
 double reinhard(double c) { return std::isinf(c) ? 1 : c / (c + 1); }
 
-// IEC 61966-2-1, the encoding of one linear component.
-double srgb(double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055; }
-
 template <class Function>
 Rgb per_channel(Rgb const& c, Function const& f) {
   return {f(c.r), f(c.g), f(c.b)};

@@ -115,7 +115,7 @@ TEST_CASE("smooth, bumpy and cut out surfaces show in normals, depth and objects
   check_aovs(make_textured_scene(), "textured");
 }
 
-TEST_CASE("what is no picture is shown as one", "[image][aov]") {
+TEST_CASE("planes other than the picture can be shown as one", "[image][aov]") {
   Image depth(Resolution{3, 1});
   depth.data() = {2, 2, 2, 4, 4, 4, INFINITY, INFINITY, INFINITY};
   Image const grey = aov_as_picture(depth, Aov::depth);

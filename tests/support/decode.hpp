@@ -17,5 +17,6 @@ struct DecodedImage {
   }
 };
 
-/// By its first bytes: PPM (P3, P6), PNG, JPEG, OpenEXR or PFM. Throws std::runtime_error when it is none or broken.
+/// By its first bytes: PPM (P3, P6), PNG, JPEG, OpenEXR or PFM. Throws std::runtime_error when it is another format or
+/// broken.
 DecodedImage decode(std::string_view bytes);

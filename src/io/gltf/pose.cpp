@@ -16,7 +16,7 @@ bool is_finite(std::vector<double> const& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
-/// Of unit length; a zero one is no rotation.
+/// Of unit length; a zero one means no rotation.
 glm::dquat normalized(double x, double y, double z, double w) {
   double const largest = std::max({std::abs(x), std::abs(y), std::abs(z), std::abs(w)});
   if (!(largest > 0 && std::isfinite(largest))) return {1, 0, 0, 0};
@@ -117,7 +117,7 @@ std::optional<Track> read_track(tinygltf::AnimationSampler const& sampler, std::
     return std::nullopt;
   }
   if (!std::is_sorted(times->values.begin(), times->values.end())) {
-    findings.warn(pointer + "/input", "the times do not rise");
+    findings.warn(pointer + "/input", "the times are not increasing");
     return std::nullopt;
   }
   return Track(times->values, values->values, components, sampler.interpolation);
@@ -157,7 +157,7 @@ std::vector<NodePose> rest_pose(tinygltf::Model const& model, Findings& findings
         for (int row = 0; row < 4; ++row) matrix[column][row] = node.matrix[std::size_t(4 * column + row)];
       }
       if (glm::dvec4(matrix[0].w, matrix[1].w, matrix[2].w, matrix[3].w) != glm::dvec4(0, 0, 0, 1)) {
-        findings.warn(fmt::format("/nodes/{}/matrix", i), "the last row is not 0 0 0 1; it is taken as that");
+        findings.warn(fmt::format("/nodes/{}/matrix", i), "the last row is not 0 0 0 1; treated as if it were");
         for (int column = 0; column < 4; ++column) matrix[column].w = column == 3 ? 1 : 0;
       }
       pose[i].matrix = matrix;

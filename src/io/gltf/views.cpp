@@ -142,7 +142,7 @@ std::vector<Camera> read_cameras(tinygltf::Model const& model, NodeTree const& t
     if (camera) {
       cameras.push_back(std::move(*camera));
     } else {
-      findings.warn(fmt::format("/cameras/{}", number), "it opens no view: left out");
+      findings.warn(fmt::format("/cameras/{}", number), "it has no valid opening angle: left out");
     }
   }
   return cameras;
@@ -168,7 +168,7 @@ std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tre
     if (source.type == "spot" && light->kind != LightKind::spot) {
       findings.warn(
           fmt::format("/extensions/{}/lights/{}/spot", lights_extension, *number),
-          "its angles are not 0 <= inner < outer <= 90 degrees, or it has no direction: it shines all around");
+          "its angles are not 0 <= inner < outer <= 90 degrees, or it has no direction: it shines in all directions");
     }
     found.push_back(std::move(*light));
   }

@@ -10,11 +10,6 @@
 namespace lichtraum {
 namespace {
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return text;
-}
-
 std::string known_extensions() {
   std::string list;
   for (ImageFormat const& format : image_formats()) {

@@ -231,7 +231,7 @@ class Reader {
     double value = 0;
     if (!source_.number(property.count_type, value)) return false;
     if (!(value >= 0 && value <= double(source_.capacity(property.type)))) {
-      source_.warn(fmt::format("a list promises {} numbers", value));
+      source_.warn(fmt::format("a list declares {} numbers", value));
       return false;
     }
     count = std::uint64_t(value);

@@ -27,8 +27,8 @@ struct ImageFormat {
   int max_side;                              ///< pixels
   bool is_linear_float;                      ///< stores radiance as it is: neither tone map nor transfer apply
   std::string (*encode)(Image const& image, ImageEncoding const& encoding);  ///< the file's bytes
-  /// The fingerprint in a whole picture; empty when there is none, or the file is of another
-  /// format, or truncated. Null for formats without.
+  /// The fingerprint in a whole picture; empty when there is none, or the file is of another format, or
+  /// truncated. Null for formats without.
   std::string (*read_fingerprint)(std::filesystem::path const& path);
 };
 

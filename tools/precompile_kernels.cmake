@@ -1,6 +1,6 @@
 # cmake -D OUTPUT=x.cpp [-D PROGRAM=precompile_kernels] -P precompile_kernels.cmake
 #
-# Writes the C++ file that src/cl/precompiled_program.hpp tells of: with what PROGRAM makes, or with no programs where
+# Writes the C++ file that src/cl/precompiled_program.hpp declares: with what PROGRAM makes, or with no programs where
 # it is not given or fails. Then the first picture waits for the compiler, and that is all.
 
 cmake_minimum_required(VERSION 3.22)

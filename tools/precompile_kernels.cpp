@@ -1,5 +1,5 @@
 // precompile_kernels OUTPUT: compiles the device programs that most pictures take, for each OpenCL device that is a
-// processor of this machine, and writes the C++ file that src/cl/precompiled_program.hpp tells of.
+// processor of this machine, and writes the C++ file that src/cl/precompiled_program.hpp declares.
 //
 // Part of the build, so it needs little of the library. Run by tools/precompile_kernels.cmake, as PoCL may abort it.
 
@@ -64,8 +64,8 @@ std::string escaped(std::string_view bytes) {
   std::string text;
   text.reserve(4 * bytes.size());
   for (char const byte : bytes) {
-    bool const is_plain = byte >= ' ' && byte <= '~' && byte != '"' && byte != '\\' && byte != '?';
-    text += is_plain ? std::string(1, byte) : fmt::format("\\{:03o}", static_cast<unsigned char>(byte));
+    bool const is_verbatim = byte >= ' ' && byte <= '~' && byte != '"' && byte != '\\' && byte != '?';
+    text += is_verbatim ? std::string(1, byte) : fmt::format("\\{:03o}", static_cast<unsigned char>(byte));
   }
   return text;
 }

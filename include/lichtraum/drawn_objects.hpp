@@ -10,9 +10,9 @@
 
 namespace lichtraum {
 
-/// The objects that a scene draws: each path from a root to a shape that is no composite is one. They are numbered from
-/// 1 in the order in which a walk down from the roots meets them, so those below one path of a composite follow each
-/// other. What Aov::object_id shows.
+/// The objects that a scene draws: each path from a root to a shape that is not a composite is one. They are numbered
+/// from 1 in the order in which a walk down from the roots meets them, so those below one path of a composite follow
+/// each other. What Aov::object_id shows.
 class DrawnObjects {
  public:
   DrawnObjects() = default;
@@ -21,7 +21,7 @@ class DrawnObjects {
   explicit DrawnObjects(Scene const& scene, std::string_view root = {});
 
   std::vector<std::shared_ptr<Shape const>> const& roots() const { return roots_; }
-  /// How many there are in all, and below one occurrence of a shape (of one that is no composite: 1). At most 2^62.
+  /// How many there are in all, and below one occurrence of a shape (of one that is not a composite: 1). At most 2^62.
   std::uint64_t count() const { return count_; }
   std::uint64_t count_below(Shape const& shape) const;
 

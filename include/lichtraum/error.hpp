@@ -8,7 +8,7 @@ namespace lichtraum {
 
 /// What went wrong, as far as a caller has to tell cases apart. The program maps each to an exit code (sysexits.h).
 enum class ErrorKind {
-  usage,          ///< the request itself makes no sense (64)
+  usage,          ///< the request itself is invalid (64)
   scene,          ///< a scene or model is faulty (65)
   no_input,       ///< an input cannot be opened (66)
   no_device,      ///< no such device, or it cannot be used (69)

@@ -32,8 +32,8 @@ class GltfAnimation {
 bool is_gltf_file(std::filesystem::path const& path);
 
 /// Reads a glTF 2.0 model, .gltf or .glb: a composite per node, named after it, and a Mesh per primitive. Each message
-/// begins with the place in the file, a JSON pointer. Throws what import_model throws, a SceneError also for what is no
-/// glTF 2, and Error{usage} for an unknown scene or animation.
+/// begins with the place in the file, a JSON pointer. Throws what import_model throws, a SceneError also for what is
+/// not glTF 2, and Error{usage} for an unknown scene or animation.
 Model import_gltf(std::filesystem::path const& path, ModelOptions const& options = {});
 
 /// The scene alone.

@@ -33,8 +33,8 @@ struct ImageFormat {
   /// transfer do not apply. Null for the others.
   std::string (*encode_film)(Film const& film, ImageEncoding const& encoding);
   std::size_t max_planes;
-  /// The fingerprint in a whole picture; empty when there is none, or the file is none, or not whole. Null for formats
-  /// without.
+  /// The fingerprint in a whole picture; empty when there is none, or the file is of another format, or
+  /// truncated. Null for formats without.
   std::string (*read_fingerprint)(std::filesystem::path const& path);
 };
 
@@ -53,7 +53,7 @@ ImageFormat const& image_format_named(std::string_view name);
 void check_writable(std::filesystem::path const& path);
 
 /// Writes `bytes` to a temporary file beside `path` and renames it: `path` is the old file or the whole new one. When
-/// `path` exists and is no regular file (/dev/stdout, a pipe) it is written directly.
+/// `path` exists and is not a regular file (/dev/stdout, a pipe) it is written directly.
 /// Throws Error{cannot_create} or Error{io} and leaves the old file as it was.
 void write_file_atomically(std::filesystem::path const& path, std::string_view bytes);
 

@@ -34,7 +34,7 @@ class Light {
   /// is what arrives at distance 1. Throws std::invalid_argument unless range > 0.
   static Light falling_off(std::string name, Vec3 const& position, Rgb const& intensity,
                            double range = std::numeric_limits<double>::infinity());
-  /// The same within a cone about `direction` (not zero). Also throws for a cone that is none.
+  /// The same within a cone about `direction` (not zero). Also throws for invalid angles.
   static Light spot(std::string name, Vec3 const& position, Vec3 const& direction, Rgb const& intensity,
                     SpotCone const& cone, double range = std::numeric_limits<double>::infinity());
   /// Shines along `direction` (not zero, else throws std::invalid_argument); `ld` arrives everywhere.

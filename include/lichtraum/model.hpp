@@ -47,7 +47,7 @@ struct ModelContents {
 /// An imported model.
 struct Model {
   /// One root composite; below it what the file's parts are called, and Mesh shapes. A name that is taken already gets
-  /// "#2" and so on behind it. Never without a camera and a light: where the file has none, the scene gets a camera
+  /// "#2" and so on after it. Never without a camera and a light: where the file has none, the scene gets a camera
   /// that shows all of it from the front, slightly above, and a key light, a fill light and an ambient one.
   Scene scene;
   /// Warnings: what was repaired or left out, each with its place in the file.

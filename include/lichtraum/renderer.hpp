@@ -91,8 +91,8 @@ struct RenderResult {
   RenderStatistics statistics;
 };
 
-/// A scene made ready for a renderer: flat lists, their hierarchies, what shading needs. It does not need the Scene it
-/// was made from any more.
+/// A scene made ready for a renderer: flat lists, their hierarchies, what shading needs. It no longer needs the Scene
+/// it was made from.
 class PreparedScene {
  public:
   virtual ~PreparedScene() = default;

@@ -74,8 +74,8 @@ DEVICE_STRUCT_SIZE(SceneConstants, 16);
 #define SCENE_ATTRIBUTES 4u   /* triangles have vertices with normals, colours or texture coordinates */
 #define SCENE_PBR 8u          /* a material is derived from a physically based one */
 #define SCENE_LIGHT_KINDS 16u /* a light is not LIGHT_CONSTANT */
-/* What eSDF's own shapes, materials and lights can have. */
-#define SCENE_PLAIN SCENE_TRANSPARENCY
+/* What remains where no model is: what eSDF's own shapes, materials and lights can have. */
+#define SCENE_WITHOUT_MODELS SCENE_TRANSPARENCY
 
 DEVICE_NAMESPACE_END
 

@@ -7,6 +7,11 @@
 
 #ifdef __OPENCL_C_VERSION__
 
+/* All device code includes this file, so this holds everywhere: a * b + c rounds twice and fma(a, b, c) once, as
+ * written. Left to the compiler, the choice would depend on the processor and on how it vectorises a work-group, and so
+ * would the picture's bytes. (The host's compiler is told so in CMakeLists.txt.) */
+#pragma OPENCL FP_CONTRACT OFF
+
 #define DEVICE_STRUCT_SIZE(type, bytes) typedef char size_of_##type##_is_##bytes[(sizeof(type) == (bytes)) ? 1 : -1]
 /* Between a struct's closing brace and its name. */
 #define DEVICE_ALIGNED(bytes) __attribute__((aligned(bytes)))

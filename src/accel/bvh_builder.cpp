@@ -92,7 +92,7 @@ class Builder {
     return {begin, end, buffer, in_parts<Extents>(begin, end, work)};
   }
 
-  /// The subtree of a range that is no leaf.
+  /// The subtree of a range that is not a leaf.
   Subtree build(Range const& range, std::size_t depth) {
     Subtree tree;
     if (range.size() < min_parallel_size) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/values.hpp"
+#include "core/edit_distance.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -35,20 +36,6 @@ class Formatter final : public CLI::Formatter {
   std::string make_footer(CLI::App const* app) const override { return "Examples:\n" + app->get_footer(); }
 };
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      std::size_t const replaced = diagonal + (a[i - 1] != b[j - 1]);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-    }
-  }
-  return row.back();
-}
-
 std::vector<std::string> option_names(CLI::App const& parser) {
   std::vector<std::string> names;
   for (CLI::Option const* const option : parser.get_options()) {
@@ -65,7 +52,7 @@ void refuse_unknown_options(CLI::App const& parser) {
   std::vector<std::string> const unknown = parser.remaining();
   if (unknown.empty()) return;
   std::string const option = unknown.front().substr(0, unknown.front().find('='));
-  if (option.empty() || option.front() != '-') fail(parser, fmt::format("do not know what to do with '{}'", option));
+  if (option.empty() || option.front() != '-') fail(parser, fmt::format("unexpected argument '{}'", option));
   std::string const suggestion = nearest(option, option_names(parser));
   if (suggestion.empty()) fail(parser, fmt::format("there is no option '{}'", option));
   fail(parser, fmt::format("there is no option '{}': did you mean {}?", option, suggestion));
@@ -75,9 +62,9 @@ void refuse_unknown_options(CLI::App const& parser) {
 
 std::string nearest(std::string_view word, std::vector<std::string> const& known) {
   std::string best;
-  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+  std::size_t best_distance = likely_slips(word) + 1;
   for (std::string const& candidate : known) {
-    std::size_t const distance = edit_distance(word, candidate);
+    std::size_t const distance = edit_distance(word, candidate, best_distance);
     if (distance < best_distance) {
       best = candidate;
       best_distance = distance;
@@ -127,11 +114,11 @@ std::string parse_name(std::string_view text) {
 void add_verbosity(CLI::App& parser, Console& console) {
   parser
       .add_flag_callback(
-          "-q,--quiet", [&] { console.set_verbosity(Verbosity::quiet); }, "Say nothing but errors")
+          "-q,--quiet", [&] { console.set_verbosity(Verbosity::quiet); }, "Print errors only")
       ->group("General");
   parser
       .add_flag_callback(
-          "-v,--verbose", [&] { console.set_verbosity(Verbosity::verbose); }, "Say more: notes, timings")
+          "-v,--verbose", [&] { console.set_verbosity(Verbosity::verbose); }, "Print more: notes, timings")
       ->group("General");
 }
 
@@ -140,7 +127,7 @@ void add_language_options(CLI::App& parser, EsdfOptions& options) {
   parser.add_flag("--strict", options.strict, "Accept the standard only, no dialects")->group(group);
   parser.add_flag("--keep-going", options.keep_going, "Leave faulty statements out and go on")->group(group);
   add_value(parser, "--transform-order", options.transform_order, parse_transform_order, "ORDER",
-            "Frame a transform happens in: parent\n(default) or local", group);
+            "Frame that transforms apply in: parent\n(default) or local", group);
   add_value(parser, "--rotation", options.rotation, parse_rotation, "SENSE",
             "Rotations are right- (default) or left-handed:\nright or left", group);
   add_value(parser, "--material-extras", options.material_extras, parse_material_extras, "WORDS",
@@ -162,11 +149,11 @@ void add_language_options(CLI::App& parser, EsdfOptions& options) {
 void add_model_options(CLI::App& parser, ModelOptions& options) {
   std::string const group = "Models";
   add_value(parser, "--scene", options.scene, parse_name, "NAME", "Scene of the file: name or number", group);
-  add_value(parser, "--time", options.time_seconds, parse_time, "SECONDS", "Pose of the animation at that time", group);
+  add_value(parser, "--time", options.time_seconds, parse_time, "SECONDS", "Show the animation at this time", group);
   add_value(parser, "--animation", options.animation, parse_name, "NAME",
-            "Animation that --time is for: name or number\n(default: the first)", group);
+            "Animation to show: name or number\n(default: the first)", group);
   add_value(parser, "--max-texture", options.max_texture, parse_texture_size, "N",
-            "Make pictures with a longer side smaller\n(default: 4096)", group);
+            "Shrink textures with a longer side\n(default: 4096)", group);
 }
 
 }  // namespace lichtraum::app

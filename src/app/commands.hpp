@@ -32,8 +32,8 @@ inline constexpr Command commands[] = {
     {"view", "SCENE", "open a window on a scene", view_command},
     {"preview", "SCENE", "show a scene in the terminal", preview_command},
     {"check", "SCENE...", "report what is wrong in scenes, draw nothing", check_command},
-    {"info", "FILE", "tell what is in a scene", info_command},
-    {"devices", "", "list what can draw", devices_command},
+    {"info", "FILE", "describe what is in a scene", info_command},
+    {"devices", "", "list the devices that can draw", devices_command},
     {"doctor", "", "test every device, say what is missing", doctor_command},
 };
 

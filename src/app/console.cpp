@@ -17,7 +17,7 @@ constexpr std::string_view magenta = "\x1b[1;35m";
 constexpr std::string_view cyan = "\x1b[1;36m";
 constexpr std::string_view plain = "\x1b[0m";
 
-bool wants_colour() {
+bool wants_color() {
   char const* const no_color = std::getenv("NO_COLOR");
   char const* const term = std::getenv("TERM");
   return (!no_color || !*no_color) && (!term || std::strcmp(term, "dumb") != 0);
@@ -27,7 +27,7 @@ void write_standard_error(std::string_view text) { std::fwrite(text.data(), 1, t
 
 struct Label {
   std::string_view word;
-  std::string_view colour;
+  std::string_view color;
 };
 
 Label label_of(Severity severity) {
@@ -47,11 +47,11 @@ Label label_of(Severity severity) {
 Console::Console(std::vector<std::string> command_line)
     : command_line_(std::move(command_line)),
       is_terminal_(::isatty(STDERR_FILENO) == 1),
-      is_coloured_(is_terminal_ && wants_colour()) {}
+      is_colored_(is_terminal_ && wants_color()) {}
 
-void Console::labelled(std::string_view label, std::string_view colour, std::string_view message) const {
-  write_standard_error(is_coloured_ ? fmt::format("lichtraum: {}{}{} {}\n", colour, label, plain, message)
-                                    : fmt::format("lichtraum: {} {}\n", label, message));
+void Console::labelled(std::string_view label, std::string_view color, std::string_view message) const {
+  write_standard_error(is_colored_ ? fmt::format("lichtraum: {}{}{} {}\n", color, label, plain, message)
+                                   : fmt::format("lichtraum: {} {}\n", label, message));
 }
 
 void Console::data(std::string_view text) const { write_standard_error(text); }
@@ -77,9 +77,9 @@ void Console::show(std::vector<Diagnostic> const& diagnostics) const {
     std::string text = format_diagnostic(diagnostic);
     Label const label = label_of(diagnostic.severity);
     std::size_t const place = text.find(label.word);
-    if (is_coloured_ && place < text.find('\n')) {
+    if (is_colored_ && place < text.find('\n')) {
       text.insert(place + label.word.size(), plain);
-      text.insert(place, label.colour);
+      text.insert(place, label.color);
     }
     write_standard_error(text);
   }
@@ -102,7 +102,7 @@ void write_standard_output(std::string_view bytes) {
     ssize_t const written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
-      std::string const reason = errno == EPIPE    ? "nobody reads it any more"
+      std::string const reason = errno == EPIPE    ? "the reader closed the pipe"
                                  : errno == ENOSPC ? "the disk is full"
                                                    : std::strerror(errno);
       throw Error(ErrorKind::io, fmt::format("cannot write to standard output: {}", reason));

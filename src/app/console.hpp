@@ -36,11 +36,11 @@ class Console {
   void fault(std::string_view what) const;
 
  private:
-  void labelled(std::string_view label, std::string_view colour, std::string_view message) const;
+  void labelled(std::string_view label, std::string_view color, std::string_view message) const;
 
   std::vector<std::string> command_line_;
   bool is_terminal_;
-  bool is_coloured_;
+  bool is_colored_;
   Verbosity verbosity_ = Verbosity::normal;
 };
 

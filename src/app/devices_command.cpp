@@ -12,7 +12,7 @@ namespace lichtraum::app {
 namespace {
 
 constexpr char const* description =
-    "Lists what can draw, the best first: its index, name or kind is what\n"
+    "Lists the devices that can draw, best first: index, name or kind is what\n"
     "render --device takes.";
 
 constexpr char const* examples =

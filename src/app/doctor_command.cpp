@@ -18,7 +18,7 @@ namespace {
 constexpr char const* description =
     "Draws a small known scene on every OpenCL device and compares it with the\n"
     "reference tracer, which is plain C++. Says what to install when something is\n"
-    "missing. Exit status 0 when at least one device draws right, else 69.";
+    "missing. Exit status 0 when at least one device draws correctly, else 69.";
 
 constexpr char const* examples = "  lichtraum doctor\n  lichtraum doctor -v\n";
 
@@ -57,7 +57,7 @@ Finding examine(DeviceInfo const& device, TestScene const& test, Image const& ex
     std::size_t const differing = count_differing_pixels(image, expected);
     std::size_t const pixels = expected.data().size() / 3;
     bool const is_good = double(differing) <= tolerated_share * double(pixels);
-    return {is_good, fmt::format("{}: {} of {} pixels differ from the reference, {:.0f} ms with everything",
+    return {is_good, fmt::format("{}: {} of {} pixels differ from the reference, {:.0f} ms in total",
                                  is_good ? "good" : "WRONG", differing, pixels, ms)};
   } catch (Error const& error) {
     return {false, fmt::format("FAILED: {}", error.what())};
@@ -94,7 +94,7 @@ int doctor_command(Arguments const& arguments, Console& console) {
     return 0;
   }
   console.error(
-      "no OpenCL device draws right. Debian and Ubuntu have one for every processor: "
+      "no OpenCL device draws correctly. Debian and Ubuntu have one for every processor: "
       "apt install pocl-opencl-icd ocl-icd-libopencl1; a graphics card needs its maker's OpenCL driver. Until "
       "then lichtraum render --device reference draws without OpenCL, slowly");
   return exit_code(ErrorKind::no_device);

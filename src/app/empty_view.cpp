@@ -30,8 +30,8 @@ std::string describe_direction(Camera const& camera, Bounds const& bounds) {
   bool const is_tilted = std::abs(up) >= 1;
   if (!is_turned && !is_tilted) {
     return fmt::format(
-        "the scene is straight ahead, {:.3g} away and {:.3g} wide: its shapes are too small to be met, "
-        "or lie beside the middle",
+        "the scene is straight ahead, {:.3g} away and {:.3g} wide: its shapes are too small to be hit, "
+        "or lie off-centre",
         distance, 2 * radius);
   }
   std::string where;

@@ -11,7 +11,7 @@ namespace lichtraum::app {
 namespace {
 
 constexpr char const* description =
-    "Tells what is in a scene, as it is at the end of the file. FILE is an eSDF file,\n"
+    "Describes a scene as it is at the end of the file. FILE is an eSDF file,\n"
     "a model (glTF, OBJ, PLY), or - for standard input.";
 
 constexpr char const* examples =

@@ -49,7 +49,7 @@ UnfinishedFile::~UnfinishedFile() { unfinished = nullptr; }
 
 // Calls only what is async-signal-safe (POSIX, 2.4.3).
 void UnfinishedFile::remove() const {
-  // One that has been waited for already is no child any more: its number may be another process's.
+  // One that has been waited for already is no longer a child: its number may be another process's.
   if (::waitpid(writer_, nullptr, WNOHANG) == 0) {
     ::kill(writer_, SIGKILL);
     while (::waitpid(writer_, nullptr, 0) < 0 && errno == EINTR) {

@@ -39,7 +39,7 @@ std::string help() {
                              : is_file       ? fmt::format("to draw a scene: lichtraum render {}", word)
                              : !near.empty() ? fmt::format("did you mean 'lichtraum {}'?", near)
                                              : "lichtraum --help lists the commands";
-  throw Error(ErrorKind::usage, fmt::format("'{}' is no command: {}", word, advice));
+  throw Error(ErrorKind::usage, fmt::format("'{}' is not a command: {}", word, advice));
 }
 
 int run(Arguments arguments, Console& console) {

@@ -131,9 +131,10 @@ Output OutputNames::from_scene(std::string const& name) const {
   }
   SandboxedPath const place = resolve_sandboxed(options_.folder, file, options_.allowed_paths);
   if (!place) {
-    throw Error(ErrorKind::scene,
-                fmt::format("a scene may not write '{}': {} (-o FILE names the picture, --allow-path FOLDER permits)",
-                            name, place.reason));
+    throw Error(
+        ErrorKind::scene,
+        fmt::format("a scene may not write '{}': {} (-o FILE names the picture, --allow-path FOLDER permits it)", name,
+                    place.reason));
   }
   output.path = place.path;
   output.shown = (file.is_absolute() || options_.folder == "." ? file : options_.folder / file).string();

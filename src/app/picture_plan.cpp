@@ -1,28 +1,19 @@
 #include "app/picture_plan.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <iterator>
 
 #include "app/arguments.hpp"
+#include "core/memory.hpp"
 
 namespace lichtraum::app {
 namespace {
 
 constexpr Resolution default_resolution{640, 480};
 constexpr int default_depth = 5;
-
-/// What the machine has, or this process's control group may use where that is less.
-double memory_bytes() {
-  double bytes = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGE_SIZE));
-  double limit = 0;
-  if (std::ifstream("/sys/fs/cgroup/memory.max") >> limit) bytes = std::min(bytes, limit);
-  return bytes;
-}
 
 std::string human(double bytes) {
   for (char const* const unit : {"bytes", "kB", "MB", "GB", "TB", "PB"}) {
@@ -102,11 +93,11 @@ void check_planes(PicturePlan const& plan) {
 void check_encoding(PicturePlan const& plan) {
   ImageFormat const& format = *plan.output.format;
   if (plan.encoding.bits > format.max_bits) {
-    throw Error(ErrorKind::usage, fmt::format("--bits {}: '{}' has {} bits a channel; .png and .ppm have 16",
+    throw Error(ErrorKind::usage, fmt::format("--bits {}: '{}' has {} bits per channel; .png and .ppm have 16",
                                               plan.encoding.bits, plan.output.shown, format.max_bits));
   }
   if (std::max(plan.region.width, plan.region.height) > format.max_side) {
-    throw Error(ErrorKind::usage, fmt::format("'{}': a {} has at most {} pixels a side, not {}x{}", plan.output.shown,
+    throw Error(ErrorKind::usage, fmt::format("'{}': a {} has at most {} pixels per side, not {}x{}", plan.output.shown,
                                               format.name, format.max_side, plan.region.width, plan.region.height));
   }
 }
@@ -159,9 +150,9 @@ void check_memory(Region const& region, PlaneSet const& planes, int sample_count
     pixel_bytes += 4.0 * double(info_of(plane).channels.size()) * (has_blocks ? 3 : 2);
   }
   double const needed = pixel_bytes * region.width * region.height;
-  double const available = memory_bytes();
+  double const available = double(usable_memory_bytes());
   if (needed <= available) return;
-  throw Error(kind, fmt::format("a picture of {}x{} pixels needs {} of memory; this machine has {}. --region draws a "
+  throw Error(kind, fmt::format("a picture of {}x{} pixels needs {} of memory; {} can be used. --region draws a "
                                 "part of it",
                                 region.width, region.height, human(needed), human(available)));
 }

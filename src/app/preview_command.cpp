@@ -16,9 +16,9 @@ namespace lichtraum::app {
 namespace {
 
 constexpr char const* description =
-    "Shows a scene in the terminal: in the terminal's own graphics where it says it\n"
-    "has some (kitty's or sixel), else as characters in two colours. SCENE is an\n"
-    "eSDF file, a glTF model, or - for standard input.";
+    "Shows a scene in the terminal: in the terminal's own graphics (kitty's or\n"
+    "sixel) where it has them, else as characters in two colours. SCENE is an eSDF\n"
+    "file, a glTF model, or - for standard input.";
 
 constexpr char const* examples =
     "  lichtraum preview hello.sdf\n"
@@ -53,7 +53,7 @@ bool parse_preview(Arguments const& arguments, PreviewOptions& options, Console&
   add_value(*parser, "--graphics", options.graphics, parse_graphics, "NAME",
             "auto (default: ask the terminal), blocks, kitty\nor sixel", group);
   add_viewpoint_options(*parser, render, group);
-  add_value(*parser, "--samples", render.sampling, parse_samples, "N|NxN", "Samples a pixel (default: 3x3)", group);
+  add_value(*parser, "--samples", render.sampling, parse_samples, "N|NxN", "Samples per pixel (default: 3x3)", group);
   add_device_option(*parser, render, group);
   add_language_options(*parser, render.load.language);
   add_model_options(*parser, render.load.model);

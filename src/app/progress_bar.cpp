@@ -35,7 +35,7 @@ std::string progress_line(std::string const& title, RenderProgress const& progre
   double const fraction = std::clamp(progress.fraction, 0.0, 1.0);
   double const rate = progress.elapsed_seconds > 0 ? 1e-6 * double(progress.rays) / progress.elapsed_seconds : 0;
   std::string const left = fraction > 0 ? duration(progress.elapsed_seconds * (1 - fraction) / fraction) + " left" : "";
-  std::string const numbers = fmt::format("{:3} %  {:.1f} Mrays/s  {}", int(100 * fraction), rate, left);
+  std::string const numbers = fmt::format("{:3}%  {:.1f} Mrays/s  {}", int(100 * fraction), rate, left);
   int const room = columns - 1 - int(numbers.size()) - int(title.size()) - 6;
   if (room < 10) return numbers.substr(0, static_cast<std::size_t>(std::max(0, columns - 1)));
   auto const width = static_cast<std::size_t>(std::min(room, 40));
@@ -57,7 +57,7 @@ void ProgressBar::update(std::string const& title, RenderProgress const& progres
   if (!is_wanted_ || progress.elapsed_seconds < next_seconds_) return;
   next_seconds_ = progress.elapsed_seconds + interval_seconds;
   is_drawn_ = true;
-  // Overwrites the old line and clears what is left of it behind: no empty line in between, no flicker.
+  // Overwrites the old line and clears what remains after it: no empty line in between, no flicker.
   write_at_once("\r" + progress_line(title, progress, terminal_columns()) + "\x1b[K");
 }
 

@@ -43,19 +43,20 @@ void add_output_options(CLI::App& parser, RenderOptions& options) {
             "Write to FILE: a name with .png, .ppm, .jpg,\n.exr or .pfm; %04d numbers pictures; .mp4,\n.webm or .gif "
             "is a film; - is standard output",
             group);
-  add_value(parser, "--format", options.output.format, format, "NAME", "png, ppm, jpg, exr or pfm, whatever the name",
-            group);
-  add_value(parser, "--output-dir", options.output.folder, path, "FOLDER", "Where pictures go (default: here)", group);
+  add_value(parser, "--format", options.output.format, format, "NAME",
+            "png, ppm, jpg, exr or pfm, whatever the extension", group);
+  add_value(parser, "--output-dir", options.output.folder, path, "FOLDER",
+            "Folder for pictures (default: the current one)", group);
   auto const bits = [&options](std::string const& text) {
     options.has_bits = true;
     return parse_bits(text);
   };
-  add_value(parser, "--bits", options.encoding.bits, bits, "8|16", "Bits a channel, 16 for .png and .ppm", group);
+  add_value(parser, "--bits", options.encoding.bits, bits, "8|16", "Bits per channel, 16 for .png and .ppm", group);
   auto const quality = [&options](std::string const& text) {
     options.has_quality = true;
     return parse_quality(text);
   };
-  add_value(parser, "--quality", options.encoding.jpeg_quality, quality, "1-100", "Of .jpg (default: 92)", group);
+  add_value(parser, "--quality", options.encoding.jpeg_quality, quality, "1-100", "JPEG quality (default: 92)", group);
   parser.add_flag("--ppm-ascii", options.encoding.ppm_ascii, "Write .ppm as text")->group(group);
   parser.add_flag("--show", options.show, "Then open a window on the scene")->group(group);
   parser
@@ -68,12 +69,12 @@ void add_sequence_options(CLI::App& parser, RenderOptions& options) {
   add_value(parser, "--frames", options.frames, parse_frames, "A..B",
             "Draw these frames of a model's animation: frame\nN is N / fps seconds from its start", group);
   add_value(parser, "--fps", options.frames_per_second, parse_frame_rate, "N",
-            "Frames a second of --frames and of films\n(default: 25)", group);
+            "Frames per second of --frames and of films\n(default: 25)", group);
   add_value(parser, "--turntable", options.turntable, parse_turntable, "N",
-            "Draw N pictures with the camera going around\nwhat is seen", group);
+            "Draw N pictures with the camera circling what\nis in view", group);
   parser
       .add_flag("--resume", options.resume,
-                "Leave pictures that are there already, from the\nsame scene with the same settings (.png, .exr)")
+                "Skip pictures that exist already, drawn from the\nsame scene with the same settings (.png, .exr)")
       ->group(group);
 }
 
@@ -81,7 +82,7 @@ void add_picture_options(CLI::App& parser, RenderOptions& options) {
   std::string const group = "Picture";
   add_value(parser, "--size", options.size, parse_size, "WxH",
             "Pixels, such as 1280x720 (default: the scene's,\nelse 640x480)", group);
-  add_value(parser, "--region", options.region, parse_region, "X,Y,W,H", "Draw and write this part of it only", group);
+  add_value(parser, "--region", options.region, parse_region, "X,Y,W,H", "Draw and write only this part", group);
   add_viewpoint_options(parser, options, group);
   add_value(parser, "--planes", options.planes, parse_planes, "LIST",
             "What is stored of each pixel, commas between:\nradiance (default), alpha, depth, normal, albedo,\n"
@@ -130,8 +131,8 @@ void combine(RenderOptions& options, std::vector<std::string> const& inputs, Out
                 "such as -o picture-%04d.png, or make a film, -o film.mp4");
   }
   if (options.frames) {
-    if (options.load.model.time_seconds) throw Error(ErrorKind::usage, "--time and --frames: one of them");
-    if (options.turntable > 0) throw Error(ErrorKind::usage, "--turntable and --frames: one of them");
+    if (options.load.model.time_seconds) throw Error(ErrorKind::usage, "--time and --frames cannot be combined");
+    if (options.turntable > 0) throw Error(ErrorKind::usage, "--turntable and --frames cannot be combined");
     if (inputs.size() != 1 || !is_gltf_file(inputs.front())) {
       throw Error(ErrorKind::usage, "--frames is for one animated glTF model");
     }

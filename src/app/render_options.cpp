@@ -8,7 +8,7 @@ namespace lichtraum::app {
 
 void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string const& group) {
   add_value(parser, "--camera", options.camera, parse_name, "NAME", "Look through this camera: name or number", group);
-  add_value(parser, "--root", options.root, parse_name, "NAME", "Draw this shape and what is below it only", group);
+  add_value(parser, "--root", options.root, parse_name, "NAME", "Draw only this shape and what is below it", group);
 }
 
 void add_device_option(CLI::App& parser, RenderOptions& options, std::string const& group) {
@@ -19,12 +19,13 @@ void add_device_option(CLI::App& parser, RenderOptions& options, std::string con
 void add_quality_options(CLI::App& parser, RenderOptions& options, std::string const& default_samples) {
   std::string const group = "Quality";
   add_value(parser, "--samples", options.sampling, parse_samples, "N|NxN",
-            "Samples a pixel: 16 random ones, or a grid such\nas 4x4 (default: " + default_samples + ")", group);
-  add_value(parser, "--depth", options.depth, parse_depth, "N", "Mirrors and glass in a row (default: 5)", group);
-  add_value(parser, "--seed", options.seed, parse_seed, "N", "Of random samples (default: 0)", group);
+            "Samples per pixel: 16 random ones, or a grid such\nas 4x4 (default: " + default_samples + ")", group);
+  add_value(parser, "--depth", options.depth, parse_depth, "N",
+            "Maximum depth of reflection and refraction\n(default: 5)", group);
+  add_value(parser, "--seed", options.seed, parse_seed, "N", "Seed of the random samples (default: 0)", group);
   auto const background = [](std::string const& text) { return RenderOptions::Background{parse_background(text)}; };
   add_value(parser, "--background", options.background, background, "R,G,B|none",
-            "Radiance where nothing is; none: transparent\n(default: the scene's)", group);
+            "Radiance where nothing is hit; none: transparent\n(default: the scene's)", group);
   auto const exposure = [&options](std::string const& text) {
     options.has_development = true;
     return parse_exposure(text);

@@ -10,7 +10,7 @@
 namespace lichtraum::app {
 namespace {
 
-/// Thrown inside the loader when nobody wants its results any more.
+/// Thrown inside the loader when its results are no longer wanted.
 struct Stopped {};
 
 RenderRequest make_request(Scene const& scene, std::string const& source, PicturePlan const& plan,

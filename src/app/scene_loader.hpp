@@ -47,12 +47,12 @@ class SceneLoader {
   /// All arguments must outlive it. It is the only one to use `names`.
   SceneLoader(std::vector<std::string> const& inputs, RenderOptions const& options, OutputNames& names,
               Renderer const& renderer);
-  /// Stops after what it is at.
+  /// Stops after the current item.
   ~SceneLoader();
   SceneLoader(SceneLoader const&) = delete;
   SceneLoader& operator=(SceneLoader const&) = delete;
 
-  /// What comes next; nothing when that takes longer than a moment. Not to be called after the last SceneClosed.
+  /// What comes next; nothing when that takes longer than 50 ms. Not to be called after the last SceneClosed.
   std::optional<LoaderMessage> next();
 
  private:

@@ -53,8 +53,7 @@ class Sequence {
     }
     if (is_film_) end_film();
     if (skipped_ > 0) {
-      console_.info(
-          fmt::format("{} picture{} already there and left as they are", skipped_, skipped_ == 1 ? " was" : "s were"));
+      console_.info(fmt::format("{} picture{} already there and skipped", skipped_, skipped_ == 1 ? " was" : "s were"));
     }
     return code_;
   }
@@ -113,7 +112,7 @@ class Sequence {
       int const use = is_own_file ? ++uses[plan.output.path] : 1;
       if (use == 2) {
         console_.warning(
-            fmt::format("several pictures are called '{}': the last one stays (-o picture-%04d.png numbers them)",
+            fmt::format("several pictures are called '{}': the last one is kept (-o picture-%04d.png numbers them)",
                         plan.output.shown));
       }
       if (use > 1) continue;

@@ -15,7 +15,7 @@ struct TerminalSize {
   int cell_height = 20;
 };
 
-/// Of the terminal that standard output is; nothing when it is none.
+/// Of the terminal that standard output is; nothing when it is not one.
 std::optional<TerminalSize> terminal_size();
 
 /// Asks the terminal that standard output is what it can show. One that does not answer in time shows blocks; so does

@@ -93,7 +93,7 @@ Sampling parse_samples(std::string_view text) {
     return {Sampling::Pattern::grid, *first * *first};
   }
   throw std::invalid_argument(fmt::format(
-      "expected a number of samples a pixel from 1 to {}, or a square grid such as 4x4", max_side * max_side));
+      "expected a number of samples per pixel from 1 to {}, or a square grid such as 4x4", max_side * max_side));
 }
 
 int parse_depth(std::string_view text) { return number_in_range(text, 0, 1000); }
@@ -120,7 +120,7 @@ FrameRange parse_frames(std::string_view text) {
 
 double parse_frame_rate(std::string_view text) {
   auto const rate = number<double>(text);
-  if (!rate || !(*rate > 0 && *rate <= 1000)) throw std::invalid_argument("expected frames a second, up to 1000");
+  if (!rate || !(*rate > 0 && *rate <= 1000)) throw std::invalid_argument("expected frames per second, up to 1000");
   return *rate;
 }
 

@@ -9,12 +9,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
 
+#include "core/ascii.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/image_io.hpp"
 
@@ -86,9 +86,7 @@ std::span<FilmFormat const> film_formats() {
 }
 
 FilmFormat const* find_film_format(fs::path const& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
+  std::string const extension = to_lower_ascii(path.extension().string());
   for (FilmFormat const& format : film_formats()) {
     if (format.extension == extension) return &format;
   }
@@ -106,7 +104,7 @@ Video::Video(fs::path path, Resolution size, double frames_per_second) : path_(s
   check_ffmpeg();
   FilmFormat const& format = *find_film_format(path_);
   if (format.needs_even_size && (size.width % 2 != 0 || size.height % 2 != 0)) {
-    throw Error(ErrorKind::usage, fmt::format("'{}': the width and height of an {} are even, not {}x{}", path_.string(),
+    throw Error(ErrorKind::usage, fmt::format("'{}': an {} needs an even width and height, not {}x{}", path_.string(),
                                               format.extension, size.width, size.height));
   }
   check_writable(path_);

@@ -44,7 +44,7 @@ std::string last_line(std::string text) {
 
 }  // namespace
 
-bool is_opencl_suspicious() {
+bool opencl_may_abort() {
   if (access("/sys/devices/system/cpu/cpu0", R_OK | X_OK) != 0) return true;
   rlimit address_space{};
   if (getrlimit(RLIMIT_AS, &address_space) == 0 && address_space.rlim_cur != RLIM_INFINITY) return true;
@@ -52,9 +52,9 @@ bool is_opencl_suspicious() {
   return sysinfo(&memory) != 0 || std::uint64_t(memory.totalram) * memory.mem_unit < little_memory;
 }
 
-std::optional<std::string> opencl_kills_a_child() {
+std::optional<std::string> probe_opencl_in_child() {
   int ends[2];
-  if (pipe(ends) != 0) return "no pipe to a child process could be made";
+  if (pipe(ends) != 0) return "a pipe to a child process could not be created";
   pid_t const child = fork();
   if (child == 0) {
     rlimit const no_core{0, 0};
@@ -70,7 +70,7 @@ std::optional<std::string> opencl_kills_a_child() {
   close(ends[1]);
   if (child < 0) {
     close(ends[0]);
-    return "no child process could be started";
+    return "a child process could not be started";
   }
   std::string printed;
   bool const ended = read_until_end(ends[0], printed);
@@ -82,8 +82,8 @@ std::optional<std::string> opencl_kills_a_child() {
   if (!ended) return fmt::format("it did not answer within {} seconds", time_limit.count());
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
   auto reason = WIFSIGNALED(status)
-                    ? fmt::format("it was ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)))
-                    : fmt::format("it ended with status {}", WEXITSTATUS(status));
+                    ? fmt::format("it was killed by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)))
+                    : fmt::format("it exited with status {}", WEXITSTATUS(status));
   if (auto const line = last_line(printed); !line.empty()) reason += ": " + line;
   return reason;
 }

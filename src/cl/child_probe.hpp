@@ -5,11 +5,11 @@
 
 namespace lichtraum {
 
-/// Whether something is missing that makes PoCL abort its process: a readable /sys, or memory.
-bool is_opencl_suspicious();
+/// Whether PoCL might abort the process here: /sys cannot be read, or memory is short.
+bool opencl_may_abort();
 
 /// Lists all platforms and devices in a child process. Nothing when the child came back; else how it died, with the
 /// last of what it had printed ("it was ended by signal 6 (Aborted): Not enough memory to run on this device.").
-std::optional<std::string> opencl_kills_a_child();
+std::optional<std::string> probe_opencl_in_child();
 
 }  // namespace lichtraum

@@ -27,7 +27,7 @@ std::string RenderProgram::options() const {
   std::string text = fmt::format("-cl-std=CL1.2 -D RAY_STACK_SIZE={}{}", ray_stack_size, grouping_options(grouping));
   if (!has_all_planes) text += fmt::format(" -D POSSIBLE_PLANES={}", PLANE_RADIANCE);
   if (grouping != RayGrouping::one) text += fmt::format(" -D TRAVERSAL_STACK_SIZE={}", traversal_stack_size);
-  if (is_plain) text += fmt::format(" -D POSSIBLE_FEATURES={}", SCENE_PLAIN);
+  if (without_models) text += fmt::format(" -D POSSIBLE_FEATURES={}", SCENE_WITHOUT_MODELS);
   return text;
 }
 

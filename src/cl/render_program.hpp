@@ -22,7 +22,7 @@ struct RenderProgram {
 
   RayGrouping grouping = RayGrouping::packet;
   bool has_all_planes = false;  ///< else radiance alone
-  bool is_plain = false;        ///< for scenes without other features than SCENE_PLAIN
+  bool without_models = false;  ///< for scenes without what only models have: SCENE_WITHOUT_MODELS
   unsigned ray_stack_size = 8;
   std::size_t traversal_stack_size = 96;
 
@@ -30,13 +30,13 @@ struct RenderProgram {
   std::string options() const;
 };
 
-/// Those that are compiled with lichtraum: of pictures, and of all planes (which the window asks for, too), for plain
-/// scenes and for all, with the layout and the limits that they have unless asked otherwise.
+/// Those that are compiled with lichtraum: of pictures, and of all planes (which the window asks for, too), for scenes
+/// without models and for all, with the layout and the limits that they have unless asked otherwise.
 inline constexpr RenderProgram usual_render_programs[] = {
-    {.has_all_planes = false, .is_plain = true},
-    {.has_all_planes = false, .is_plain = false},
-    {.has_all_planes = true, .is_plain = true},
-    {.has_all_planes = true, .is_plain = false},
+    {.has_all_planes = false, .without_models = true},
+    {.has_all_planes = false, .without_models = false},
+    {.has_all_planes = true, .without_models = true},
+    {.has_all_planes = true, .without_models = false},
 };
 
 /// kernels/develop.cl.

@@ -36,7 +36,7 @@ cl::Device find_device(DeviceInfo const& wanted) {
   for (OpenClDevice const& found : find_opencl_devices(warnings)) {
     if (found.info.name == wanted.name && found.info.platform == wanted.platform) return found.device;
   }
-  throw DeviceError(fmt::format("the device '{}' is not there any more", wanted.name), "clGetDeviceIDs",
+  throw DeviceError(fmt::format("the device '{}' is no longer available", wanted.name), "clGetDeviceIDs",
                     CL_DEVICE_NOT_FOUND);
 }
 
@@ -112,7 +112,7 @@ struct TileTracer::State {
       throw Error(
           ErrorKind::no_device,
           fmt::format("{}x{} pixels need a buffer of {} bytes; {} takes at most {}. Render the picture in parts, "
-                      "with --crop.",
+                      "with --region.",
                       size.width, size.height, values.size_bytes(), info.name, info.max_allocation_bytes));
     }
     film.push_back({cl::Buffer(context, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, values.size_bytes(), values.data()),
@@ -121,8 +121,9 @@ struct TileTracer::State {
   }
 
   KnownKernel& kernel_for(device::FrameParameters const& parameters, PlaneSet const& wanted) {
-    RenderProgram const program{grouping, wanted != PlaneSet{Plane::radiance}, (tables->features & ~SCENE_PLAIN) == 0,
-                                ray_stack_size(parameters.max_depth), traversal_stack_size(scene->stack_size)};
+    RenderProgram const program{grouping, wanted != PlaneSet{Plane::radiance},
+                                (tables->features & ~SCENE_WITHOUT_MODELS) == 0, ray_stack_size(parameters.max_depth),
+                                traversal_stack_size(scene->stack_size)};
     auto const options = program.options();
     auto found = kernels.find(options);
     if (found == kernels.end()) {
@@ -167,7 +168,7 @@ void TileTracer::upload(std::shared_ptr<SceneBuffers const> scene, std::shared_p
   if (has_scene && tables == state_->tables) return;
   state_->is_uploaded = false;
   state_->scene = std::move(scene);
-  state_->tables.swap(tables);  // the old ones go when no buffer is over them any more
+  state_->tables.swap(tables);  // the old ones go when no buffer uses them any longer
   state_->check_size();
   checked([&] {
     auto const add_to = [&](std::vector<cl::Buffer>& buffers) {

@@ -1,8 +1,8 @@
 #include "compile/light_table.hpp"
 
-#include <cmath>
 #include <glm/trigonometric.hpp>
 
+#include "core/elementary.hpp"
 #include "scene/device_conversion.hpp"
 
 namespace lichtraum {
@@ -29,8 +29,8 @@ device::PunctualLight punctual_light(Light const& light, DeviceBounds const& wor
   out.inverse_range = float(1 / light.range());
   out.cone_offset = 1;
   if (light.kind() == LightKind::spot) {
-    double const inner = std::cos(glm::radians(light.cone().inner_degrees));
-    double const outer = std::cos(glm::radians(light.cone().outer_degrees));
+    double const inner = cos_of(glm::radians(light.cone().inner_degrees));
+    double const outer = cos_of(glm::radians(light.cone().outer_degrees));
     double const scale = 1 / std::max(inner - outer, 0.001);
     out.direction = device_float4(light.direction());
     out.cone_scale = float(scale);

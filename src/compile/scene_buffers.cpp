@@ -40,8 +40,8 @@ ContentHash hash_of_primitives(FlatObject const& object) {
 }
 
 device::uint features_of(BigVector<device::PunctualLight> const& lights) {
-  auto const is_plain = [](device::PunctualLight const& light) { return light.kind == LIGHT_CONSTANT; };
-  return std::all_of(lights.begin(), lights.end(), is_plain) ? 0 : SCENE_LIGHT_KINDS;
+  auto const is_constant = [](device::PunctualLight const& light) { return light.kind == LIGHT_CONSTANT; };
+  return std::all_of(lights.begin(), lights.end(), is_constant) ? 0 : SCENE_LIGHT_KINDS;
 }
 
 class Compiler {

@@ -36,4 +36,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
   return std::min(last[b.size()], too_far);
 }
 
+std::size_t likely_slips(std::string_view word) {
+  return word.size() < 2 ? 0 : std::clamp<std::size_t>(word.size() / 3, 1, 3);
+}
+
 }  // namespace lichtraum

@@ -10,4 +10,8 @@ namespace lichtraum {
 /// longer than 64 bytes count as more. Takes O(limit * length).
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit);
 
+/// Up to how far from `word` somebody may have meant a known one: one slip in three letters, at most three. 'bleu' is
+/// blue, 'box' is not 'row'.
+std::size_t likely_slips(std::string_view word);
+
 }  // namespace lichtraum

@@ -7,7 +7,7 @@
 
 namespace lichtraum {
 
-/// One character of a text as it can be shown: a UTF-8 sequence, or '?' for a byte that is none, and for controls and
+/// One character of a text as it can be shown: a UTF-8 sequence, or '?' for an invalid byte, and for controls and
 /// marks of direction, which could do harm to a terminal or hide what a line says. A tab stays.
 struct PrintableCharacter {
   std::string_view text;

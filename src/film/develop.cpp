@@ -1,13 +1,14 @@
 #include "film/develop.hpp"
 
-#include <cmath>
 #include <stdexcept>
+
+#include "core/elementary.hpp"
 
 namespace lichtraum {
 
 device::DevelopParameters develop_parameters(Development const& development, int sample_count) {
   if (development.tone_map == ToneMap::automatic) throw std::invalid_argument("no scene says which tone map to take");
-  return {float(sample_count), float(std::exp2(development.exposure_ev)),
+  return {float(sample_count), float(pow_of(2.0, development.exposure_ev)),
           development.tone_map == ToneMap::reinhard ? TONE_MAP_REINHARD : TONE_MAP_NONE,
           development.transfer == Transfer::srgb ? TRANSFER_SRGB : TRANSFER_LINEAR};
 }

@@ -2,10 +2,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/elementary.hpp"
 #include "lichtraum/film.hpp"
 
 namespace lichtraum {
 namespace {
+
+float logarithm(float x) { return float(log_of(double(x))); }
 
 /// One colour channel for each of the plane's; of a plane of one channel, three of the same.
 Image values_of(Film const& film, Plane plane) {
@@ -29,9 +32,9 @@ Image show_depth(Image image) {
   }
   constexpr float darkest = 0.1f;
   nearest = std::max(nearest, 1e-6f * farthest);
-  float const scale = farthest > nearest ? (1 - darkest) / std::log(farthest / nearest) : 0;
+  float const scale = farthest > nearest ? (1 - darkest) / logarithm(farthest / nearest) : 0;
   for (float& value : image.data()) {
-    value = std::isfinite(value) ? 1 - scale * std::log(std::max(value, nearest) / nearest) : 0;
+    value = std::isfinite(value) ? 1 - scale * logarithm(std::max(value, nearest) / nearest) : 0;
   }
   return image;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
+#include "core/elementary.hpp"
+
 namespace lichtraum {
 namespace {
 
@@ -24,9 +26,9 @@ Camera frame_box(std::string name, Bounds const& box) {
   Bounds const seen = box.is_empty() ? Bounds{Vec3(-1), Vec3(1)} : box;
   Vec3 const center = seen.center();
   double const elevation = glm::radians(elevation_degrees);
-  Vec3 const back(0, std::sin(elevation), std::cos(elevation));  // from the centre to the camera
+  Vec3 const back(0, sin_of(elevation), cos_of(elevation));  // from the centre to the camera
   Transform const world_from_camera_frame = Transform::look_along(Vec3(0), -back, Vec3(0, 1, 0));
-  double const tan_x = std::tan(glm::radians(fov_x_degrees) / 2);
+  double const tan_x = tan_of(glm::radians(fov_x_degrees) / 2);
   double const tan_y = tan_x * resolution.height / resolution.width;
   double distance = 0;
   for (Vec3 const& corner : corners_of(seen)) {

@@ -32,7 +32,7 @@ bool is_model_file(std::filesystem::path const& path) { return find_mesh_format(
 
 Model import_model(std::filesystem::path const& path, ModelOptions const& options) {
   MeshFormat const* const format = find_mesh_format(mesh_formats(), path);
-  if (!format) throw Error(ErrorKind::usage, fmt::format("'{}' is no model of a known format", path.string()));
+  if (!format) throw Error(ErrorKind::usage, fmt::format("'{}' is not a model in a known format", path.string()));
   return format->import(path, options);
 }
 

@@ -1,7 +1,5 @@
 #include "io/model_scene.hpp"
 
-#include <cmath>
-
 #include "io/framing.hpp"
 #include "io/names.hpp"
 #include "scene/graph_fold.hpp"
@@ -36,11 +34,6 @@ std::shared_ptr<Material> default_material(bool has_colors) {
   auto material = std::make_shared<Material>("default", color, color, Rgb(0), 1);
   material->set_pbr(std::make_shared<PbrMaterial const>(matt_pbr(color)));
   return material;
-}
-
-float linear_from_srgb(float value) {
-  auto const c = double(value);
-  return float(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
 }
 
 void check_static(ModelOptions const& options, std::string const& file, std::vector<Diagnostic>& diagnostics) {

@@ -24,9 +24,6 @@ PbrMaterial matt_pbr(Rgb const& color);
 /// A light grey, matt material; white where the vertices bring their own colours.
 std::shared_ptr<Material> default_material(bool has_colors);
 
-/// Colours of OBJ and PLY vertices are what a screen shows; linear ones are kept (IEC 61966-2-1).
-float linear_from_srgb(float value);
-
 /// Warns when the options ask for what only glTF has.
 void check_static(ModelOptions const& options, std::string const& file, std::vector<Diagnostic>& diagnostics);
 

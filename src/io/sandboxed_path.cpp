@@ -49,7 +49,7 @@ std::optional<fs::path> follow_links(fs::path const& absolute, std::string& reas
       return std::nullopt;
     }
     if (++links > max_links) {
-      reason = "its symbolic links lead in a circle";
+      reason = "its symbolic links form a loop";
       return std::nullopt;
     }
     if (target.is_absolute()) result = target.root_path();

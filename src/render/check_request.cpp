@@ -29,7 +29,7 @@ void check_request(RenderRequest const& request) {
   require(count > 0, fmt::format("{} samples per pixel: at least 1 is needed", count));
   if (request.sampling.pattern == Sampling::Pattern::grid) {
     auto const side = int(std::lround(std::sqrt(double(count))));
-    require(std::int64_t(side) * side == count, fmt::format("a grid of {} samples is no square", count));
+    require(std::int64_t(side) * side == count, fmt::format("a grid of {} samples is not square", count));
   }
   if (request.samples) {
     auto const [first, end] = *request.samples;

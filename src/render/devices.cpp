@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 
 #include "cl/child_probe.hpp"
 #include "cl/opencl_devices.hpp"
 #include "cl/pocl_cache.hpp"
+#include "core/ascii.hpp"
 #include "lichtraum/device.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/renderer.hpp"
@@ -34,12 +34,6 @@ int rank(DeviceKind kind) {
   return 4;
 }
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return lower;
-}
-
 Traversal default_traversal(DeviceKind kind) { return kind == DeviceKind::cpu ? Traversal::packet : Traversal::scalar; }
 
 bool matches(DeviceInfo const& device, std::string const& selector) {
@@ -51,7 +45,7 @@ bool matches(DeviceInfo const& device, std::string const& selector) {
   if (auto const [stop, error] = std::from_chars(selector.data(), end, index); error == std::errc() && stop == end) {
     return device.index == index;
   }
-  return lower_case(device.name).find(selector) != std::string::npos;
+  return to_lower_ascii(device.name).find(selector) != std::string::npos;
 }
 
 }  // namespace
@@ -60,8 +54,8 @@ DeviceList find_devices(ProbeInChild probe) {
   DeviceList list;
   auto const add_opencl_devices = [&] {
     std::optional<std::string> const no_cache = ensure_pocl_cache();
-    if (probe == ProbeInChild::always || is_opencl_suspicious()) {
-      if (auto const reason = opencl_kills_a_child()) {
+    if (probe == ProbeInChild::always || opencl_may_abort()) {
+      if (auto const reason = probe_opencl_in_child()) {
         list.warnings.push_back(
             fmt::format("OpenCL cannot be used here: it was tried in a child process, and {}", *reason));
         return;
@@ -81,15 +75,15 @@ DeviceList find_devices(ProbeInChild probe) {
 
 DeviceInfo const& select_device(DeviceList const& list, std::string_view selector) {
   if (selector.empty()) return list.devices.front();
-  auto const lower = lower_case(selector);
+  auto const lower = to_lower_ascii(selector);
   std::string known;
   for (DeviceInfo const& device : list.devices) {
     if (matches(device, lower)) return device;
     known += fmt::format("\n  {}  {}", device.index, device.name);
   }
   throw Error(ErrorKind::no_device,
-              fmt::format("no device is called '{}'. There are (an index, cpu, gpu, reference or a "
-                          "part of a name selects one):{}",
+              fmt::format("there is no device '{}'; select one by its index, a part of its name, cpu, gpu "
+                          "or reference:{}",
                           selector, known));
 }
 

@@ -46,7 +46,7 @@ std::vector<std::shared_ptr<Shape const>> DrawnObjects::shapes_on(std::vector<st
       continue;
     }
     Composite const* const composite = as_composite(*shapes.back());
-    if (!composite) throw std::out_of_range("a shape that is no composite has no children");
+    if (!composite) throw std::out_of_range("a shape that is not a composite has no children");
     shapes.push_back(composite->children().at(number));
   }
   return shapes;

@@ -1,8 +1,8 @@
 #include "render/frame_parameters.hpp"
 
-#include <cmath>
 #include <glm/trigonometric.hpp>
 
+#include "core/elementary.hpp"
 #include "render/check_request.hpp"
 #include "scene/device_conversion.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 
 device::PinholeCamera pinhole_camera(Camera const& camera, Resolution const& size) {
   Transform const& world_from_camera = camera.world_from_camera();
-  double const half_width = std::tan(glm::radians(0.5 * camera.fov_x_degrees()));
+  double const half_width = tan_of(glm::radians(0.5 * camera.fov_x_degrees()));
   double const half_height = half_width * size.height / size.width;
   return {device_float4(world_from_camera.point(Vec3(0))),
           device_float4(world_from_camera.vector({-half_width, half_height, -1})),

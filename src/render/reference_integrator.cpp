@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/elementary.hpp"
 #include "render/reference_point.hpp"
 #include "scene/unit_vector.hpp"
 #include "shared/frame.h"
@@ -61,8 +62,8 @@ double terminator_share(ReferencePoint const& point, Vec3 const& to_light) {
 /// costs no shadow ray.
 Rgb local_radiance(ReferenceScene const& scene, ReferencePoint const& point, RayCounts& counts) {
   PhongCoefficients const& phong = point.phong;
-  double const matt_share = 1 - phong.reflect - phong.transmit;
-  Rgb radiance = phong.emission + matt_share * phong.ka * scene.ambient;
+  double const diffuse_weight = 1 - phong.reflect - phong.transmit;
+  Rgb radiance = phong.emission + diffuse_weight * phong.ka * scene.ambient;
   for (Light const& light : scene.lights) {
     Vec3 const towards_light = light.has_position() ? light.position() - point.position : -light.direction();
     if (towards_light == Vec3(0)) continue;
@@ -70,9 +71,9 @@ Rgb local_radiance(ReferenceScene const& scene, ReferencePoint const& point, Ray
     double const cosine = glm::dot(point.normal, to_light);
     if (!(cosine > 0)) continue;
     Vec3 const mirrored_light = 2 * cosine * point.normal - to_light;
-    double const gloss = std::pow(std::max(0.0, glm::dot(mirrored_light, point.to_viewer)), phong.m);
-    Rgb reflected = light.arriving_at(point.position) * (matt_share * cosine * phong.kd + gloss * phong.ks);
-    if (point.is_bent) reflected *= terminator_share(point, to_light);
+    double const gloss = pow_of(std::max(0.0, glm::dot(mirrored_light, point.to_viewer)), phong.m);
+    Rgb reflected = light.arriving_at(point.position) * (diffuse_weight * cosine * phong.kd + gloss * phong.ks);
+    if (point.has_shading_normal) reflected *= terminator_share(point, to_light);
     if (reflected == Rgb(0)) continue;
     ++counts.shadow;
     radiance += visibility(scene, point.above(), light) * reflected;

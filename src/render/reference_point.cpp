@@ -96,7 +96,7 @@ ReferencePoint find_reference_point(Ray const& ray, Hit const& hit) {
   if (point.is_on_mesh() && !(pbr && pbr->unlit)) {
     Vec3 const outward = shading_normal(pbr, point, hit.linear_from_shape, hit.normal);
     result.normal = result.from_outside ? outward : -outward;
-    result.is_bent = glm::dot(outward, hit.normal) < 1;
+    result.has_shading_normal = glm::dot(outward, hit.normal) < 1;
   }
   return result;
 }

@@ -19,9 +19,9 @@ struct ReferencePoint {
   Vec3 normal{0};            // the same, for shading: smooth, and bumpy by a normal map
   Vec3 to_viewer{0};         // unit length
   PhongCoefficients phong;
-  bool from_outside = true;  // the viewer is on the side that the surface's own normal points to
-  bool is_bent = false;      // whether the two normals differ
-  double offset = 0;         // rays start this far off the surface, so as not to hit it again
+  bool from_outside = true;         // the viewer is on the side that the surface's own normal points to
+  bool has_shading_normal = false;  // whether the two normals differ
+  double offset = 0;                // rays start this far off the surface, so as not to hit it again
 
   Vec3 above() const { return position + offset * geometric_normal; }
   Vec3 below() const { return position - offset * geometric_normal; }

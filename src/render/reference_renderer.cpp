@@ -218,10 +218,11 @@ class ReferenceRenderer final : public Renderer {
     GraphSummary const summary = summarise(drawn.roots);
     std::uint64_t const primitives = summary.drawn.primitives();
     if (primitives > most_primitives) {
-      throw Error(ErrorKind::no_device,
-                  fmt::format("the scene draws {:.3g} primitives, and the reference device, which tests every ray with "
-                              "each, takes at most {:.3g}",
-                              double(primitives), double(most_primitives)));
+      throw Error(
+          ErrorKind::no_device,
+          fmt::format("the scene draws {:.3g} primitives, and the reference device, which tests every ray against "
+                      "each, takes at most {:.3g}",
+                      double(primitives), double(most_primitives)));
     }
     auto const copies = copy_graph(drawn.roots);
     drawn.roots.assign(copies.begin(), copies.end());

@@ -1,10 +1,10 @@
 #include "lichtraum/camera.hpp"
 
-#include <cmath>
 #include <glm/trigonometric.hpp>
 #include <ostream>
 #include <stdexcept>
 
+#include "core/elementary.hpp"
 #include "core/format_numbers.hpp"
 #include "scene/unit_vector.hpp"
 
@@ -22,7 +22,7 @@ Camera::Camera(std::string name, double fov_x_degrees, Transform const& world_fr
 }
 
 Ray Camera::generate_ray(double x, double y, Resolution const& size) const {
-  double const pixel = 2 * std::tan(glm::radians(fov_x_degrees_) / 2) / size.width;  // its width at distance 1
+  double const pixel = 2 * tan_of(glm::radians(fov_x_degrees_) / 2) / size.width;  // its width at distance 1
   Vec3 const direction((x - size.width / 2.0) * pixel, (size.height / 2.0 - y) * pixel, -1);
   return {world_from_camera_.point(Vec3(0)), unit_vector(world_from_camera_.vector(direction))};
 }

@@ -39,7 +39,7 @@ void Composite::add(std::shared_ptr<Shape> child) {
   if (auto* const composite = dynamic_cast<Composite*>(child.get())) {
     // Who is nobody's child cannot be below its own: building a graph from its leaves upwards costs no search.
     if (composite == this || (has_parent_ && composite->holds(*this))) {
-      throw std::invalid_argument("composite '" + name() + "' would hold itself");
+      throw std::invalid_argument("composite '" + name() + "' would contain itself");
     }
     composite->has_parent_ = true;
   }

@@ -7,7 +7,7 @@
 namespace lichtraum {
 namespace {
 
-/// Copies a node; a composite's children must have been copied before.
+/// Copies a node. A composite's children are to be copied first, or this recurses as deep as the graph.
 class NodeCopier final : private ShapeVisitor {
  public:
   explicit NodeCopier(MaterialChoice const& material_of) : material_of_(material_of) {}

@@ -1,10 +1,10 @@
 #include "scene/flatten.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <unordered_map>
 
+#include "core/memory.hpp"
 #include "scene/bake.hpp"
 #include "scene/graph_order.hpp"
 
@@ -65,17 +65,16 @@ void check_size(UnfoldedCounts const& counts) {
   constexpr std::uint64_t bytes_per_instance = 264 + 64 + 40 + 64;
   auto const needed = saturating_add(saturating_multiply(counts.primitives, bytes_per_primitive),
                                      saturating_multiply(counts.instances, bytes_per_instance));
-  auto const memory = std::uint64_t(sysconf(_SC_PHYS_PAGES)) * std::uint64_t(sysconf(_SC_PAGESIZE));
+  auto const memory = usable_memory_bytes();
   constexpr std::uint64_t max_index = 0xFFFFFFFFu;  // indices on the device have 32 bits
   if (needed <= memory && saturating_add(counts.primitives, counts.instances) < max_index) return;
   auto const shown = [](std::uint64_t count) {
     return count >= GraphNode::uncountable ? std::string("more than 10^18") : fmt::format("{}", count);
   };
-  throw Error(
-      ErrorKind::scene,
-      fmt::format("the scene unfolds to {} primitives and {} instances, which need {} bytes of memory; this machine "
-                  "has {} bytes. Use fewer instances of composites in composites.",
-                  shown(counts.primitives), shown(counts.instances), shown(needed), memory));
+  throw Error(ErrorKind::scene,
+              fmt::format("the scene unfolds to {} primitives and {} instances, which need {} bytes of memory; {} "
+                          "bytes can be used here. Use fewer instances of composites in composites.",
+                          shown(counts.primitives), shown(counts.instances), shown(needed), memory));
 }
 
 class Flattener {

@@ -11,7 +11,7 @@ namespace lichtraum {
 /// A value for each shape that can be reached, made of the values of the shapes below it: children first, without
 /// recursion, each composite once however many paths lead there.
 ///
-///   leaf(shape)                       the value of a shape that is no composite
+///   leaf(shape)                       the value of a shape that is not a composite
 ///   add(value, child, child's value)  takes a child into its composite's value, which begins as Value()
 template <class Value, class Leaf, class Add>
 class GraphFold {

@@ -6,6 +6,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "core/elementary.hpp"
 #include "core/format_numbers.hpp"
 #include "scene/unit_vector.hpp"
 
@@ -71,13 +72,15 @@ Rgb Light::arriving_at(Vec3 const& point) const {
   Vec3 const way = point - position_;
   double const distance = glm::length(way);
   if (distance == 0) return Rgb(0);
-  double const window = std::clamp(1 - std::pow(distance / range_, 4), 0.0, 1.0);
+  double const share = distance / range_;
+  double const window = std::clamp(1 - share * share * share * share, 0.0, 1.0);
   double cone = 1;
   if (kind_ == LightKind::spot) {
-    double const inner = std::cos(glm::radians(cone_.inner_degrees));
-    double const outer = std::cos(glm::radians(cone_.outer_degrees));
+    double const inner = cos_of(glm::radians(cone_.inner_degrees));
+    double const outer = cos_of(glm::radians(cone_.outer_degrees));
     double const cosine = glm::dot(direction_, way) / distance;
-    cone = std::pow(std::clamp((cosine - outer) / std::max(inner - outer, 0.001), 0.0, 1.0), 2);
+    double const inside = std::clamp((cosine - outer) / std::max(inner - outer, 0.001), 0.0, 1.0);
+    cone = inside * inside;
   }
   return ld_ * (window * cone / (distance * distance));
 }

@@ -9,7 +9,7 @@
 namespace lichtraum {
 namespace {
 
-/// All ones for an empty slot, and for one whose texture coordinates the mesh has not.
+/// All ones for an empty slot, and for one whose texture coordinates the mesh lacks.
 glm::dvec4 sample(TextureSlot const& slot, MeshPoint const& point, TexelContent content) {
   if (!slot) return glm::dvec4(1);
   auto const uv = point.texcoord(slot.texcoord);

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "core/elementary.hpp"
+#include "core/srgb.hpp"
+
 namespace lichtraum {
 namespace {
-
-// IEC 61966-2-1, the decoding of one component.
-double linear_from_srgb(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 
 /// The texel in whose column (or row) `place` lies; both count in texels. Always one of 0..size-1.
 int wrapped(double place, int size, TextureWrap wrap) {
@@ -36,8 +36,8 @@ glm::dvec4 texel_at(TextureImage const& image, int column, int row, TexelContent
 }  // namespace
 
 glm::dvec2 transform_coordinate(TextureSlot const& slot, glm::dvec2 const& uv) {
-  double const cosine = std::cos(slot.rotation_radians);
-  double const sine = std::sin(slot.rotation_radians);
+  double const cosine = cos_of(slot.rotation_radians);
+  double const sine = sin_of(slot.rotation_radians);
   glm::dvec2 const scaled = slot.scale * uv;
   // Counter-clockwise as seen where v points down.
   return slot.offset + glm::dvec2(cosine * scaled.x + sine * scaled.y, cosine * scaled.y - sine * scaled.x);

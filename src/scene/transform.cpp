@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <stdexcept>
 
+#include "core/elementary.hpp"
 #include "scene/unit_vector.hpp"
 
 namespace lichtraum {
@@ -24,6 +25,16 @@ bool is_direction(Vec3 const& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && v != Vec3(0);
 }
 
+/// Rodrigues' rotation formula, for an axis of unit length.
+Mat3 about(Vec3 const& axis, double radians) {
+  double const c = cos_of(radians);
+  Vec3 const across = sin_of(radians) * axis;
+  Vec3 const along = (1 - c) * axis;
+  return {{c + along.x * axis.x, along.x * axis.y + across.z, along.x * axis.z - across.y},
+          {along.y * axis.x - across.z, c + along.y * axis.y, along.y * axis.z + across.x},
+          {along.z * axis.x + across.y, along.z * axis.y - across.x, c + along.z * axis.z}};
+}
+
 }  // namespace
 
 Transform Transform::translation(Vec3 const& offset) {
@@ -33,7 +44,7 @@ Transform Transform::translation(Vec3 const& offset) {
 Transform Transform::rotation(double angle_degrees, Vec3 const& axis) {
   if (!is_direction(axis)) throw std::invalid_argument("the axis of a rotation must not be zero");
   double const angle = glm::radians(std::fmod(angle_degrees, 360.0));
-  Mat4 const matrix = glm::rotate(Mat4(1), angle, unit_vector(axis));
+  Mat4 const matrix(about(unit_vector(axis), angle));
   return Transform(matrix, glm::transpose(matrix));
 }
 

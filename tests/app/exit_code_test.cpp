@@ -76,7 +76,7 @@ TEST_CASE("64: what makes no sense is refused in one line that says what to do",
   refused("render - - -o -", "more than once");
   refused("render a.sdf --camera nose --device reference", "there are: eye");
   refused("render a.sdf --root nose --device reference", "nose");
-  refused("info a.sdf two.sdf", "do not know what to do with");
+  refused("info a.sdf two.sdf", "unexpected argument");
   CHECK(lichtraum.folder.names() == std::vector<std::string>{"a.sdf", "two.sdf"});
 }
 

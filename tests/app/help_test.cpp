@@ -5,6 +5,7 @@
 
 #include "lichtraum.hpp"
 #include "support/catch.hpp"
+#include "support/skip.hpp"
 
 namespace {
 
@@ -105,5 +106,18 @@ TEST_CASE("the man page and the completions know every command and option", "[ap
   for (std::string const& word : matches(man, "\n\\.It Fl (?:[a-zA-Z] , )?(?:Fl )?-([a-z-]+)")) {
     INFO(word);
     CHECK((all.count("--" + word) == 1 || word == "version"));
+  }
+}
+
+TEST_CASE("bash completes each command with its options, and with no others", "[app][help]") {
+  if (!is_installed("bash")) SKIP_TEST("bash is not installed");
+  Lichtraum const lichtraum;
+  for (std::string const command : commands) {
+    Process shell = lichtraum.process("");
+    shell.arguments = {"bash", "-c",
+                       "source " LICHTRAUM_SOURCE_DIR "/completions/lichtraum.bash; COMP_WORDS=(lichtraum " + command +
+                           " --); COMP_CWORD=2; _lichtraum; printf '\\n  %s' \"${COMPREPLY[@]}\""};
+    INFO(command);
+    CHECK(options_of(run_process(shell).out) == options_of(lichtraum(command + " --help").out));
   }
 }

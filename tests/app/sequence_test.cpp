@@ -70,7 +70,7 @@ TEST_CASE("a pattern is the files that it matches, in the order of their numbers
   auto const none = lichtraum.render("nothing/*.sdf");
   CHECK(none.exit_code == 66);
   CHECK_THAT(none.err, contains_text("no file matches 'nothing/*.sdf'"));
-  // What is called like a pattern is no pattern.
+  // A file whose name looks like a pattern is not one.
   lichtraum.folder.write("ball[1].sdf", scene_with_ball_at(0));
   CHECK(lichtraum.render("ball[1].sdf").exit_code == 0);
   CHECK(std::filesystem::exists(lichtraum.folder / "ball[1].png"));

@@ -24,3 +24,29 @@ __kernel void probe_functions(__global float const* xs, __global float const* ys
     }
   }
 }
+
+/* a * b + c, a * b - c * a and fma(a, b, c) for LANES numbers a work-item. */
+__kernel void probe_products(__global float const* a_of, __global float const* b_of, __global float const* c_of,
+                             __global float* results) {
+  size_t const first = get_global_id(0) * LANES;
+  float values[LANES];
+  for (uint lane = 0u; lane < LANES; ++lane) {
+    values[lane] = a_of[first + lane];
+  }
+  Real const a = load_real(values);
+  for (uint lane = 0u; lane < LANES; ++lane) {
+    values[lane] = b_of[first + lane];
+  }
+  Real const b = load_real(values);
+  for (uint lane = 0u; lane < LANES; ++lane) {
+    values[lane] = c_of[first + lane];
+  }
+  Real const c = load_real(values);
+  Real const products[3] = {a * b + c, a * b - c * a, fma(a, b, c)};
+  for (uint i = 0u; i < 3u; ++i) {
+    store_real(products[i], values);
+    for (uint lane = 0u; lane < LANES; ++lane) {
+      results[(first + lane) * 3u + i] = values[lane];
+    }
+  }
+}

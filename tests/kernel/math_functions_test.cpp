@@ -58,3 +58,30 @@ TEST_CASE("elementary functions have the host's bytes, in one lane and in sixtee
     CHECK(first_difference == "");
   }
 }
+
+TEST_CASE("products and sums are rounded one by one, unless fma is written", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  std::size_t const count = 16 * scaled_count(1 << 10);
+  std::mt19937_64 random(6);
+  std::vector<float> a, b, c;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::vector<float>* const list : {&a, &b, &c}) list->push_back(1 + float(random() >> 40) * 0x1p-24f);
+  }
+  for (int const lanes : {1, 16}) {
+    std::vector<float> results(3 * count);
+    ProbeProgram const program("math_functions.cl", fmt::format("-D LANES={}", lanes));
+    program.run("probe_products", count / std::size_t(lanes), {in(a), in(b), in(c), out(results)});
+    std::size_t wrong = 0, telling = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      // A product of two floats is exact as a double.
+      auto const product = [](float x, float y) { return float(double(x) * double(y)); };
+      float const sum = float(double(product(a[i], b[i])) + double(c[i]));
+      float const difference = float(double(product(a[i], b[i])) - double(product(c[i], a[i])));
+      float const fused = std::fma(a[i], b[i], c[i]);
+      wrong += !(results[3 * i] == sum && results[3 * i + 1] == difference && results[3 * i + 2] == fused);
+      telling += sum != fused;
+    }
+    CHECK(wrong == 0);
+    CHECK(telling > count / 20);
+  }
+}

@@ -37,7 +37,7 @@ TEST_CASE("a compiled program is taken where it fits, else the source", "[kernel
   NEEDS_OPENCL_DEVICE();
   cl::Device const device = find_test_device().value().device;
   cl::Context const context(device);
-  RenderProgram const wanted{.grouping = RayGrouping::one, .is_plain = true};
+  RenderProgram const wanted{.grouping = RayGrouping::one, .without_models = true};
   auto const options = wanted.options();
   auto const build = [&](std::vector<PrecompiledProgram> const& table) {
     return build_program(context, device, wanted.name, options, table);

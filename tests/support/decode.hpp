@@ -25,5 +25,5 @@ std::vector<float> decode_exr_floats(std::string_view bytes, char const* channel
 std::vector<std::uint32_t> decode_exr_numbers(std::string_view bytes, char const* channel);
 
 /// By its first bytes: PPM (P3, P6), PNG, JPEG, OpenEXR (R, G and B) or PFM (one channel becomes three). Throws
-/// std::runtime_error when it is none or broken.
+/// std::runtime_error when it is another format or broken.
 DecodedImage decode(std::string_view bytes);

@@ -40,7 +40,7 @@ await_window() {
 shot() {
   ffmpeg -v error -y -f x11grab -draw_mouse 0 -video_size "$window_size" -i "$DISPLAY+$X,$Y" -frames:v 1 "$1"
 }
-# settled PICTURE: one that does not change any more.
+# settled PICTURE: one that no longer changes.
 settled() {
   shot "$1"
   sleep 0.4

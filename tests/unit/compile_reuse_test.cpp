@@ -73,7 +73,7 @@ TEST_CASE("a scene compiled after another is the same as compiled alone", "[unit
   }
 }
 
-TEST_CASE("an object that stays is found again behind one whose blocks have become more", "[unit][compile]") {
+TEST_CASE("an object that stays is found again after one whose blocks have become more", "[unit][compile]") {
   // Groups of spheres, far from each other.
   auto const row = [](std::vector<int> const& groups) {
     auto composite = std::make_shared<Composite>("row");

@@ -50,7 +50,7 @@ TEST_CASE("no problem hides another one", "[unit][esdf]") {
   CHECK(found[3].location.line == 6);
 }
 
-TEST_CASE("what refers to a faulty definition is no second error", "[unit][esdf]") {
+TEST_CASE("what refers to a faulty definition is not a second error", "[unit][esdf]") {
   CHECK(findings("define material red 1\ndefine shape sphere s 0 0 0 1 red\n").size() == 1);
   CHECK(findings(red + "define shape sphere s 0 red\ndefine shape composite c s\ntransform s scale 2\n").size() == 1);
   CHECK(findings("define shape teapot t 1 2 3\ndefine shape composite c t\n").size() == 1);

@@ -84,8 +84,7 @@ TEST_CASE("what material extras mean, the options say", "[unit][esdf]") {
   Scene const other = scene_of(text, options);  // 1.5 is brought into range; the third number has no name
   CHECK(material(other, "a").transmit() == 1);
   CHECK(material(other, "a").reflect() == 0);
-  CHECK_THAT(shown(text, options),
-             contains_text("s.sdf:1:47: warning: material: 3 numbers behind m, only the first 2"));
+  CHECK_THAT(shown(text, options), contains_text("s.sdf:1:47: warning: material: 3 numbers after m, only the first 2"));
 
   options.material_extras = {reflectance, transmittance};
   Scene const too_much = scene_of("define material a 0 0 0 0 0 0 0 0 0 1 .8 .7\n", options);

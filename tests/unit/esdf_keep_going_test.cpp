@@ -98,7 +98,7 @@ TEST_CASE("keep going: a render without its camera is left out", "[unit][esdf]")
   CHECK(scene_of("camera a 450\nrender a x.png 1 1\n", keep_going).renders.empty());
 }
 
-TEST_CASE("keep going goes on behind any number of problems", "[unit][esdf]") {
+TEST_CASE("keep going goes on after any number of problems", "[unit][esdf]") {
   std::string text;
   for (int i = 0; i < 1000; ++i) text += "nonsense\n";
   CHECK(scene_of(text + eye, keep_going).cameras.size() == 1);

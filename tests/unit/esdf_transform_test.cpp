@@ -114,12 +114,12 @@ TEST_CASE("the standard's example camera looks away from its scene, and at it wi
   CHECK(sees_origin(left));
 }
 
-TEST_CASE("transforms that leave the range of numbers are refused", "[unit][esdf]") {
+TEST_CASE("transforms that exceed the range of numbers are refused", "[unit][esdf]") {
   std::string text = eye;
   for (int i = 0; i < 20; ++i) text += "transform eye scale 1e38\n";
   auto const found = findings(text);
   REQUIRE_FALSE(found.empty());
-  CHECK(found[0].message == "the transforms of 'eye' leave the range of numbers");
+  CHECK(found[0].message == "the transforms of 'eye' exceed the range of numbers");
   EsdfOptions options;
   options.keep_going = true;
   Scene const scene = scene_of(text, options);

@@ -113,7 +113,7 @@ TEST_CASE("quantised, strided and sparse positions", "[unit][gltf]") {
     writer.json["accessors"][std::size_t(accessor)]["byteOffset"] = 4;
     writer.json["bufferViews"][0]["byteStride"] = 16;
     CHECK(world_triangles(import_model(writer).scene) == std::vector<Corners>{{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)}});
-    writer.json["accessors"][std::size_t(accessor)]["byteOffset"] = 8;  // the last would end behind the view
+    writer.json["accessors"][std::size_t(accessor)]["byteOffset"] = 8;  // the last would end after the view
     CHECK_THROWS_WITH(import_model(writer), contains_text("/meshes/0/primitives/0/attributes/POSITION") &&
                                                 contains_text("are out of range of buffer view 0 (48 bytes)"));
   }
@@ -182,13 +182,13 @@ TEST_CASE("what is broken is named by its JSON pointer, and the rest is drawn", 
     broken["indices"] = writer.add_accessor("SCALAR", 1, std::vector<std::uint8_t>{0, 1, 9});
     expect("/meshes/1/primitives/0/indices: 1 triangle left out: it has an index that is out of range (3)");
   }
-  SECTION("a corner that is no number") {
+  SECTION("a corner that is not a number") {
     broken["attributes"]["POSITION"] = writer.add_vec3({0, 0, 0, 1, NAN, 0, 0, 1, 0});
-    expect("/meshes/1/primitives/0/attributes/POSITION: 1 triangle left out: it has a corner that is no finite number");
+    expect("/meshes/1/primitives/0/attributes/POSITION: 1 triangle left out: it has a corner that is not finite");
   }
   SECTION("an unknown mode") {
     broken["mode"] = 7;
-    expect("/meshes/1/primitives/0/mode: glTF knows no mode 7");
+    expect("/meshes/1/primitives/0/mode: glTF has no mode 7");
   }
   SECTION("points") {
     broken["mode"] = 0;
@@ -197,7 +197,7 @@ TEST_CASE("what is broken is named by its JSON pointer, and the rest is drawn", 
   SECTION("a cycle") {
     writer.json["nodes"][1] = {{"children", {1}}};
     writer.json["scenes"] = {{{"nodes", {0, 1}}}};
-    expect("/nodes/1: it occurs twice in the tree of nodes");
+    expect("/nodes/1: it occurs twice in the node tree");
   }
   SECTION("a required extension") {
     writer.json["nodes"].erase(1);
@@ -213,7 +213,7 @@ TEST_CASE("what is broken is named by its JSON pointer, and the rest is drawn", 
   }
 }
 
-TEST_CASE("JSON that is none is refused with its place", "[unit][gltf]") {
+TEST_CASE("invalid JSON is refused with its place", "[unit][gltf]") {
   TemporaryFolder const folder;
   auto const error_of = [&](std::string const& text) -> std::string {
     try {

@@ -96,7 +96,7 @@ TEST_CASE("OBJ: what is wrong is told with its place and left out", "[unit][obj]
       {triangle + "v 1 2\n", "m.obj:5:6: expected 3 numbers, found 2\n"},
       {triangle + "v 1 1e99 nan\n", "m.obj:5:5: '1e99' is too large\n"},
       {triangle + "v nan 1 1\nf 1 2 4\nf 4 2 3 1\n",
-       "m.obj:0:0: 3 triangles left out: they have a corner that is no finite number\n"
+       "m.obj:0:0: 3 triangles left out: they have a corner that is not finite\n"
        "m.obj:5:3: 'nan' is not a finite number\n"},
       {triangle + "f 1 2 9\n",
        "m.obj:0:0: 1 triangle left out: it has a vertex that is not there\n"
@@ -110,7 +110,7 @@ TEST_CASE("OBJ: what is wrong is told with its place and left out", "[unit][obj]
       {triangle + "l 1 2\np 1\n",
        "m.obj:5:0: points and lines are not drawn\nm.obj:6:0: points and lines are not drawn\n"},
       {triangle + "curv 0 1 1 2\nsurf 0 1\n", "m.obj:5:0: free-form curves and surfaces are not drawn\n"},
-      {"vx 1 2 3\n" + triangle, "m.obj:1:1: OBJ knows no 'vx': the line is left out\n"},
+      {"vx 1 2 3\n" + triangle, "m.obj:1:1: unknown OBJ keyword 'vx': the line is left out\n"},
       {"mtllib nowhere.mtl\n" + triangle, ""},
       {"mtllib ../secret.mtl\n" + triangle, ""},
   };
@@ -178,9 +178,9 @@ TEST_CASE("MTL: pictures keep their place and options; what is wrong is told in 
   std::string const mtl = (folder / "materials/my stuff.mtl").string();
   CHECK_THAT(all, contains_text(mtl + ":1:1: a property before the first newmtl is left out\n"));
   CHECK_THAT(all, contains_text(mtl + ":3:6: 'x' is not a number\n"));
-  CHECK_THAT(all, contains_text(mtl + ":4:0: the picture is left out: it is no PNG, JPEG or WebP\n"));
+  CHECK_THAT(all, contains_text(mtl + ":4:0: the picture is left out: it is not a PNG, JPEG or WebP file\n"));
   CHECK_THAT(all, contains_text(mtl + ":5:0: the picture is left out: cannot use 'materials/../../secret.png'"));
-  CHECK_THAT(all, contains_text(mtl + ":6:1: MTL knows no 'wibble': the line is left out\n"));
+  CHECK_THAT(all, contains_text(mtl + ":6:1: unknown MTL keyword 'wibble': the line is left out\n"));
   CHECK_THAT(all, contains_text(mtl + ":7:0: the picture is left out: cannot open"));
 }
 

@@ -118,17 +118,17 @@ TEST_CASE("PLY: strips, with a negative number between two", "[unit][ply]") {
 
 TEST_CASE("PLY: faults of the header are errors at their place", "[unit][ply]") {
   CHECK(error_of("") == "0:0: the header has no end: end_header is missing\n");
-  CHECK(error_of("solid\n") == "1:1: this is no PLY file: it does not begin with 'ply'\n");
+  CHECK(error_of("solid\n") == "1:1: this is not a PLY file: it does not begin with 'ply'\n");
   CHECK(error_of("ply\nformat ascii 1.0\n") == "0:0: the header has no end: end_header is missing\n");
   CHECK(error_of("ply\nelement vertex 1\nend_header\n") == "3:1: the format is missing\n");
   CHECK(error_of("ply\nformat weird 1.0\n") ==
         "2:8: format: expected ascii, binary_little_endian or binary_big_endian, found 'weird'\n");
   CHECK(error_of("ply\nelement vertex -1\n") == "2:16: element: expected a name and a number, found '-1'\n");
   CHECK(error_of("ply\nproperty float x\n") == "2:1: a property before the first element\n");
-  CHECK(error_of("ply\nelement a 1\nproperty half x\n") == "3:10: PLY knows no type 'half'\n");
+  CHECK(error_of("ply\nelement a 1\nproperty half x\n") == "3:10: PLY has no type 'half'\n");
   CHECK(error_of("ply\nelement a 1\nproperty list float int x\n") ==
-        "3:15: 'float' is no type that a list can count with\n");
-  CHECK(error_of("ply\nwibble\n") == "2:1: PLY headers know no 'wibble'\n");
+        "3:15: 'float' is not a type that can count the elements of a list\n");
+  CHECK(error_of("ply\nwibble\n") == "2:1: unknown keyword in a PLY header: 'wibble'\n");
 }
 
 TEST_CASE("PLY: faults of the data are told with their place; what is whole is drawn", "[unit][ply]") {
@@ -143,7 +143,7 @@ TEST_CASE("PLY: faults of the data are told with their place; what is whole is d
   CHECK(warnings("3 0 1 2\n3 0 1 x\n", 2) ==
         "0:0: 1 triangle left out: it has a vertex that is not there\n14:7: 'x' is not a number\n");
   CHECK_THAT(warnings("3 0 1 2\n3 0 1\n", 2), contains_text("the data ends in face 1 of 2"));
-  CHECK_THAT(warnings("3 0 1 2\n999999 0 1\n", 2), contains_text("14:1: a list promises 999999 numbers"));
+  CHECK_THAT(warnings("3 0 1 2\n999999 0 1\n", 2), contains_text("14:1: a list declares 999999 numbers"));
   CHECK_THAT(warnings("3 0 1 2\n2 0 1\n", 2), contains_text("face 1 has 2 corners"));
   CHECK_THAT(error_of(ascii + "0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n"),
              contains_text("11:1: 'nan' is not a finite number") && contains_text("it has no triangles"));

@@ -53,8 +53,8 @@ std::string hint_for_no_number(Token token) {
       return fmt::format("is a line break missing before '{}'?", word);
     }
   }
-  if (token.find('=') != Token::npos) return "key=value arguments come last, and only materials take some";
-  return token.find(',') == Token::npos ? "" : "numbers are separated by blanks";
+  if (token.find('=') != Token::npos) return "key=value arguments come last, and only materials take them";
+  return token.find(',') == Token::npos ? "" : "separate numbers by spaces";
 }
 
 // A key=value argument where none belongs.
@@ -81,7 +81,7 @@ void report_wrong_count(Interpreter& interpreter, Statement const& statement, Si
       fmt::format("{} number{}{}", listed(counts, "or"), expected == 1 && counts.size() == 1 ? "" : "s",
                   signature.takes_material ? " and a material" : "");
   if (statement.arguments.empty()) {
-    interpreter.error(place_behind(statement.keyword),
+    interpreter.error(place_after(statement.keyword),
                       fmt::format("{}: expected a name{} {}, found nothing", statement.what,
                                   signature.takes_material ? "," : " and", wanted),
                       std::string(signature.usage));
@@ -93,7 +93,7 @@ void report_wrong_count(Interpreter& interpreter, Statement const& statement, Si
   auto const numbers = static_cast<std::size_t>(first_word - tokens.begin());
   std::size_t const words = tokens.size() - numbers;
   if (report_unknown_key(interpreter, statement, tokens.subspan(numbers))) return;
-  // A number that is none explains a wrong count better than the count does.
+  // An argument that is not a number explains a wrong count better than the count does.
   auto const faulty = std::find_if_not(tokens.begin(), first_word, is_number);
   if (faulty != first_word) {
     read_number(interpreter, *faulty);
@@ -118,7 +118,7 @@ void report_wrong_count(Interpreter& interpreter, Statement const& statement, Si
     at = statement[0];
   } else if (lacks_number || (signature.takes_material && words == 0 && numbers == expected)) {
     if (words < 2) missing = what_is_missing(signature, numbers, words > 0);  // else a word is wrong, not the count
-    at = words > 0 ? *first_word : place_behind(statement.last());
+    at = words > 0 ? *first_word : place_after(statement.last());
   } else {
     std::size_t good = expected;
     for (std::size_t const count : signature.other_counts) {
@@ -129,7 +129,7 @@ void report_wrong_count(Interpreter& interpreter, Statement const& statement, Si
   }
   std::string hint(signature.usage);
   bool const has_comment = std::any_of(first_word, tokens.end(), [](Token t) { return t.substr(0, 2) == "//"; });
-  if (has_comment) hint = "a comment behind a statement starts with '#'";
+  if (has_comment) hint = "a comment after a statement starts with '#'";
   interpreter.error(at,
                     fmt::format("{}: expected {}, found {}{}", statement.what, wanted, found,
                                 missing.empty() ? "" : fmt::format(" ({})", missing)),
@@ -142,7 +142,7 @@ std::optional<double> read_number(Interpreter& interpreter, Token token) {
     case NumberProblem::none:
       break;
     case NumberProblem::trailing_f:
-      interpreter.warning(token, fmt::format("{}: the f behind the number is not part of it", in_quotes(token)),
+      interpreter.warning(token, fmt::format("{}: the f after the number is not part of it", in_quotes(token)),
                           "leave it out");
       break;
     case NumberProblem::not_a_number:
@@ -164,7 +164,7 @@ std::optional<double> read_number(Interpreter& interpreter, Token token) {
       return std::nullopt;
     case NumberProblem::too_large:
       interpreter.error(token, fmt::format("{} is too large", in_quotes(token)),
-                        "numbers reach to about 3.4e38 in single precision");
+                        "single-precision numbers reach about 3.4e38");
       return std::nullopt;
   }
   return number.value;
@@ -191,9 +191,10 @@ std::optional<Vec3> read_vec3(Interpreter& interpreter, std::span<Token const> t
 std::optional<int> read_whole_number(Interpreter& interpreter, Token token, std::string_view what, int smallest) {
   auto const value = read_number(interpreter, token);
   if (!value) return std::nullopt;
-  if (*value != std::floor(*value) || *value < smallest || *value > std::numeric_limits<int>::max()) {
-    interpreter.error(token,
-                      fmt::format("{} must be a whole number from {} on, not {}", what, smallest, in_quotes(token)));
+  constexpr int largest = std::numeric_limits<int>::max();
+  if (*value != std::floor(*value) || *value < smallest || *value > largest) {
+    interpreter.error(token, fmt::format("{} must be a whole number from {} to {}, not {}", what, smallest, largest,
+                                         in_quotes(token)));
     return std::nullopt;
   }
   return static_cast<int>(*value);

@@ -15,7 +15,7 @@ namespace lichtraum::esdf {
 
 class Interpreter;
 
-/// A statement: what it is called in messages, and its tokens behind that word.
+/// A statement: what it is called in messages, and its tokens after that word.
 struct Statement {
   std::string_view what;  ///< "sphere", "render"
   Token keyword;          ///< the token that says so
@@ -39,7 +39,7 @@ struct Parameter {
   std::size_t count;
 };
 
-/// What a statement takes behind its name.
+/// What a statement takes after its name.
 struct Signature {
   std::initializer_list<Parameter> numbers;
   bool takes_material = false;
@@ -47,7 +47,7 @@ struct Signature {
   std::string_view usage = {};                           ///< a hint where the count alone says little
 };
 
-/// Reports that `statement` (name, numbers, and a material where there is one) has not what `signature` takes.
+/// Reports that `statement` (name, numbers, and a material where there is one) lacks what `signature` takes.
 void report_wrong_count(Interpreter& interpreter, Statement const& statement, Signature const& signature);
 
 /// The tokens' values. Every faulty one is reported; then false.

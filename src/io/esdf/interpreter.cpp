@@ -57,7 +57,7 @@ void report_unknown_class(Interpreter& interpreter, Token word) {
     hint = interpreter.suggest(word, known);
     if (hint.empty()) hint = "'define' is followed by material, shape, light, camera or background";
   }
-  interpreter.error(word, fmt::format("cannot define {}: no such class", in_quotes(word)), std::move(hint));
+  interpreter.error(word, fmt::format("cannot define {}: unknown kind", in_quotes(word)), std::move(hint));
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ void Interpreter::execute() {
   std::span<Token const> const tokens = tokens_;
   bool const is_define = tokens[0] == "define";
   if (is_define && tokens.size() == 1) {
-    error(place_behind(tokens[0]), "define: expected what to define, found nothing",
+    error(place_after(tokens[0]), "define: expected a kind of thing to define, found nothing",
           "'define' is followed by material, shape, light, camera or background");
     return;
   }
@@ -227,14 +227,14 @@ void Interpreter::report_duplicate(Kind kind, Token name) {
 
 std::string Interpreter::defined_later(Kind kind, Token name) {
   std::size_t const line = find_definition(kind, name, true);
-  return line == 0 ? std::string() : fmt::format("it is defined later, in line {}: statements work in order", line);
+  return line == 0 ? std::string() : fmt::format("it is defined later, in line {}: statements run in order", line);
 }
 
-std::size_t Interpreter::find_definition(Kind kind, Token name, bool behind_current_line) {
+std::size_t Interpreter::find_definition(Kind kind, Token name, bool after_current_line) {
   if (diagnostics_.has_all_errors()) return 0;
   std::string_view text = source.text;
   std::size_t lines_before = 0;
-  if (behind_current_line) {
+  if (after_current_line) {
     std::string_view const current = diagnostics_.line().text;
     text.remove_prefix(static_cast<std::size_t>(current.data() - text.data()));
     lines_before = diagnostics_.line().number - 1;

@@ -93,8 +93,8 @@ class Interpreter {
   void execute();
   bool check_tokens(TokenTraits const& traits);
   void report_duplicate(Kind kind, Token name);
-  /// The first line that defines `name`, from the text's start or behind the current line; 0: none found.
-  std::size_t find_definition(Kind kind, Token name, bool behind_current_line);
+  /// The first line that defines `name`, from the text's start or after the current line; 0: none found.
+  std::size_t find_definition(Kind kind, Token name, bool after_current_line);
   std::string defined_later(Kind kind, Token name);
 
   Diagnostics diagnostics_;

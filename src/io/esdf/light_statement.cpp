@@ -26,13 +26,13 @@ Signature const ambient_signature{{{"La", 3}}};
 Rgb rgb(std::span<double const> v) { return Rgb(v[0], v[1], v[2]); }
 
 /// What the numbers of a light mean.
-enum class Form { position_la_ld, position_ld, position_colour_brightness, la, ignored_position_la };
+enum class Form { position_la_ld, position_ld, position_color_brightness, la, ignored_position_la };
 
 std::size_t number_count(Form form) {
   switch (form) {
     case Form::position_la_ld:
       return 9;
-    case Form::position_colour_brightness:
+    case Form::position_color_brightness:
       return 7;
     case Form::position_ld:
     case Form::ignored_position_la:
@@ -49,10 +49,10 @@ bool is_within_float(Rgb const& c) {
 }
 
 /// Whether colour times brightness is still a number on the device.
-bool check_brightness(Interpreter& interpreter, Statement const& statement, Rgb const& colour) {
-  if (is_within_float(colour)) return true;
+bool check_brightness(Interpreter& interpreter, Statement const& statement, Rgb const& color) {
+  if (is_within_float(color)) return true;
   interpreter.error(statement.last(), "colour times brightness is too large",
-                    "numbers reach to about 3.4e38 in single precision");
+                    "single-precision numbers reach about 3.4e38");
   return false;
 }
 
@@ -72,7 +72,7 @@ void define_light_as(Interpreter& interpreter, Statement const& statement, Form 
     case Form::position_ld:
       interpreter.define(statement[0], Light::point(std::move(name), position, rgb(values.subspan(3))));
       break;
-    case Form::position_colour_brightness: {
+    case Form::position_color_brightness: {
       Rgb const ld = rgb(values.subspan(3)) * v[6];
       if (!check_brightness(interpreter, statement, ld)) return;
       interpreter.scene.tone_map = ToneMap::reinhard;
@@ -94,7 +94,7 @@ void define_plain(Interpreter& interpreter, Statement const& statement) {
     define_light_as(interpreter, statement, Form::position_la_ld);
   } else if (statement.size() == 8) {
     if (interpreter.dialect(statement.rest(0), "a light with colour and brightness")) {
-      define_light_as(interpreter, statement, Form::position_colour_brightness);
+      define_light_as(interpreter, statement, Form::position_color_brightness);
     }
   } else if (statement.size() == 7) {
     if (interpreter.dialect(statement.rest(0), "a light with a position and one colour")) {
@@ -105,7 +105,7 @@ void define_plain(Interpreter& interpreter, Statement const& statement) {
   }
 }
 
-/// `outer` starts with the word 'diffuse', `statement` behind it.
+/// `outer` starts with the word 'diffuse', `statement` after it.
 void define_diffuse(Interpreter& interpreter, Statement const& outer, Statement const& statement) {
   bool const has_name = statement.size() > 0 && !looks_like_number(statement[0]);
   if (statement.size() == 7) {
@@ -121,7 +121,7 @@ void define_diffuse(Interpreter& interpreter, Statement const& outer, Statement 
   }
 }
 
-/// `outer` starts with the word 'ambient', `statement` behind it.
+/// `outer` starts with the word 'ambient', `statement` after it.
 void define_ambient_light(Interpreter& interpreter, Statement const& outer, Statement const& statement) {
   std::string const hint = "ambient light is written: define light ambient <name> <r> <g> <b>";
   std::string const no_position = "ambient light has no position: only the last three numbers count, as La";
@@ -165,14 +165,14 @@ void define_light(Interpreter& interpreter, Statement const& statement) {
   }
 }
 
-// ambient [rgb], ambient <name> [rgb] [<brightness>], ambient <value>; all of it also behind `define`.
+// ambient [rgb], ambient <name> [rgb] [<brightness>], ambient <value>; all of it also after `define`.
 void define_ambient(Interpreter& interpreter, Statement const& statement) {
   std::size_t const size = statement.size();
   bool const has_name = size == 4 || size == 5;
   if (!has_name && size != 1 && size != 3) {
-    interpreter.error(size > 5 ? statement.rest(5) : place_behind(statement.last()),
+    interpreter.error(size > 5 ? statement.rest(5) : place_after(statement.last()),
                       fmt::format("ambient: expected 3 numbers, found {} argument{}", size, size == 1 ? "" : "s"),
-                      "ambient <r> <g> <b>, also with a name before and a brightness behind");
+                      "ambient <r> <g> <b>, optionally with a name before and a brightness after");
     return;
   }
   std::array<double, 4> v{0, 0, 0, 1};

@@ -40,7 +40,7 @@ bool read_key(Interpreter& interpreter, Token argument, MirrorAndGlass& terms) {
   if (found == std::end(known)) {
     std::string const hint = interpreter.suggest(key, known);
     interpreter.error(key.empty() ? argument : key, fmt::format("material: unknown key {}", in_quotes(key)),
-                      hint.empty() ? "a material knows reflect=, transmit= and ior=" : hint);
+                      hint.empty() ? "a material takes reflect=, transmit= and ior=" : hint);
     return false;
   }
   std::optional<double>& place = *places[found - std::begin(known)];
@@ -49,7 +49,7 @@ bool read_key(Interpreter& interpreter, Token argument, MirrorAndGlass& terms) {
     return false;
   }
   if (value.empty()) {
-    interpreter.error(argument, fmt::format("material: {}= has no value", key), "no blanks around '='");
+    interpreter.error(argument, fmt::format("material: {}= has no value", key), "write it without spaces around '='");
     return false;
   }
   place = read_number(interpreter, value);
@@ -93,7 +93,7 @@ bool read_extras(Interpreter& interpreter, std::span<Token const> tokens, Mirror
   std::array<double, most_numbers - number_count> values{};
   if (!read_numbers(interpreter, tokens, values)) return false;
   Token const at = span_of(tokens.front(), tokens.back());
-  std::string const count = fmt::format("{} number{} behind m", tokens.size(), tokens.size() == 1 ? "" : "s");
+  std::string const count = fmt::format("{} number{} after m", tokens.size(), tokens.size() == 1 ? "" : "s");
   if (meanings.size() < tokens.size()) {
     std::size_t const named = meanings.size();
     bool const accepted = interpreter.dialect_warning(
@@ -109,8 +109,9 @@ bool read_extras(Interpreter& interpreter, std::span<Token const> tokens, Mirror
     apply_extra(meanings[i], values[i], terms);
   }
   if (!meanings.empty() && terms.reflect.value_or(0) + terms.transmit.value_or(0) > 1) {
-    interpreter.warning(at,
-                        "material: mirror and glass take more than all light; the mirror gets what the glass leaves");
+    interpreter.warning(
+        at,
+        "material: reflectance and transmittance add up to more than 1; reflectance gets what transmittance leaves");
     terms.reflect = 1 - *terms.transmit;
   }
   return true;

@@ -33,7 +33,7 @@ std::shared_ptr<Shape> load_mesh(Interpreter& interpreter, Token name, Token fil
   }
   MeshFormat const* const format = find_mesh_format(interpreter.source.mesh_formats, path.path);
   if (!format) {
-    interpreter.error(file, fmt::format("cannot read {}: no known model format", in_quotes(file)),
+    interpreter.error(file, fmt::format("cannot read {}: unknown model format", in_quotes(file)),
                       known_formats(interpreter.source.mesh_formats));
     return nullptr;
   }
@@ -64,7 +64,7 @@ void define_model(Interpreter& interpreter, Token name, Token file, std::shared_
 
 void define_mesh(Interpreter& interpreter, Statement const& statement) {
   if (statement.size() != 2 && statement.size() != 3) {
-    interpreter.error(statement.size() > 3 ? statement.rest(3) : place_behind(statement.last()),
+    interpreter.error(statement.size() > 3 ? statement.rest(3) : place_after(statement.last()),
                       fmt::format("mesh: expected a name, a file and perhaps a material, found {} argument{}",
                                   statement.size(), statement.size() == 1 ? "" : "s"));
     if (statement.size() > 0) interpreter.mark_faulty(Kind::shape, statement[0]);
@@ -76,9 +76,9 @@ void define_mesh(Interpreter& interpreter, Statement const& statement) {
 
 void define_obj(Interpreter& interpreter, Statement const& statement) {
   if (statement.size() != 1) {
-    interpreter.error(statement.size() > 1 ? statement.rest(1) : place_behind(statement.last()),
+    interpreter.error(statement.size() > 1 ? statement.rest(1) : place_after(statement.last()),
                       fmt::format("obj: expected a file, found {} arguments", statement.size()),
-                      "define shape mesh <name> <file> [<material>] takes more");
+                      "for more, use define shape mesh <name> <file> [<material>]");
     if (statement.size() > 0) interpreter.mark_faulty(Kind::shape, statement[0]);
     return;
   }

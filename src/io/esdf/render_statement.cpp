@@ -8,7 +8,7 @@
 #include "io/esdf/statements.hpp"
 
 // render <camera> <file> [<x-res> <y-res>]
-// Dialects: samples and depth behind the resolution, a file name in pieces, a camera that is missing or not defined, a
+// Dialects: samples and depth after the resolution, a file name in pieces, a camera that is missing or not defined, a
 // file that `define filename` gave.
 
 namespace lichtraum::esdf {
@@ -28,9 +28,9 @@ Parts split(Interpreter const& interpreter, std::span<Token const> arguments) {
     return interpreter.scene.cameras.contains(name) || interpreter.is_faulty(Kind::camera, name);
   };
   // By position wherever that makes sense: any token may be a name, also a number.
-  bool const is_plain = arguments.size() == 2 ||
-                        (arguments.size() == 4 && looks_like_number(arguments[2]) && looks_like_number(arguments[3]));
-  if (is_plain && (camera_exists(arguments[0]) || !looks_like_number(arguments[1]))) {
+  bool const is_by_position = arguments.size() == 2 || (arguments.size() == 4 && looks_like_number(arguments[2]) &&
+                                                        looks_like_number(arguments[3]));
+  if (is_by_position && (camera_exists(arguments[0]) || !looks_like_number(arguments[1]))) {
     return {arguments[0], arguments.subspan(1, 1), arguments.subspan(2)};
   }
   std::size_t words = arguments.size();
@@ -54,16 +54,16 @@ Camera const* find_camera(Interpreter& interpreter, Statement const& statement, 
   if (cameras.size() == 1) {
     std::string const only = in_quotes(cameras.front().name());
     bool const accepted =
-        name.empty() ? interpreter.dialect_warning(statement.keyword, "render: no camera is named",
-                                                   fmt::format("the only one is taken: {}", only))
+        name.empty() ? interpreter.dialect_warning(statement.keyword, "render: no camera is given",
+                                                   fmt::format("using the only one: {}", only))
                      : interpreter.dialect_warning(name, fmt::format("camera {} is not defined", in_quotes(name)),
-                                                   fmt::format("the only one is taken: {}", only));
+                                                   fmt::format("using the only one: {}", only));
     return accepted ? &cameras.front() : nullptr;
   }
   if (!name.empty()) {
     interpreter.report_undefined("camera", Kind::camera, name, cameras);
   } else {
-    interpreter.error(place_behind(statement.keyword), "render: no camera is named", std::string(usage));
+    interpreter.error(place_after(statement.keyword), "render: no camera is given", std::string(usage));
   }
   return nullptr;
 }
@@ -75,7 +75,7 @@ std::optional<std::string> join_file(Interpreter& interpreter, Statement const& 
       if (!interpreter.dialect(statement.keyword, "a render without a file name")) return std::nullopt;
       return interpreter.scene.filename;
     }
-    interpreter.error(place_behind(parts.camera.empty() ? statement.keyword : parts.camera),
+    interpreter.error(place_after(parts.camera.empty() ? statement.keyword : parts.camera),
                       "render: the file name is missing", std::string(usage));
     return std::nullopt;
   }
@@ -91,7 +91,7 @@ std::optional<std::string> join_file(Interpreter& interpreter, Statement const& 
     interpreter.error(odd, fmt::format("render: {} does not belong here", in_quotes(odd)), std::string(usage));
     return std::nullopt;
   }
-  if (!interpreter.dialect_warning(at, "render: the file name has blanks in it",
+  if (!interpreter.dialect_warning(at, "render: the file name contains spaces",
                                    fmt::format("taken as {}", in_quotes(joined)))) {
     return std::nullopt;
   }
@@ -121,7 +121,7 @@ void render(Interpreter& interpreter, Statement const& statement) {
   if (!file) return;
   if (parts.numbers.size() == 1 || parts.numbers.size() > 4) {
     interpreter.error(
-        parts.numbers.size() == 1 ? place_behind(statement.last()) : span_of(parts.numbers[4], parts.numbers.back()),
+        parts.numbers.size() == 1 ? place_after(statement.last()) : span_of(parts.numbers[4], parts.numbers.back()),
         fmt::format("render: expected 2 numbers, found {}", parts.numbers.size()), std::string(usage));
     return;
   }
@@ -137,7 +137,7 @@ void render(Interpreter& interpreter, Statement const& statement) {
   if (!camera) return;
   command.camera = camera->name();
   if (!command.resolution && !camera->resolution() && !interpreter.scene.resolution) {
-    interpreter.error(place_behind(statement.last()), "render: neither this statement nor the camera has a resolution",
+    interpreter.error(place_after(statement.last()), "render: neither this statement nor the camera has a resolution",
                       std::string(usage));
     return;
   }

@@ -13,7 +13,7 @@ namespace {
 /// Reports any other number of arguments than `count`.
 bool has_arguments(Interpreter& interpreter, Statement const& statement, std::size_t count, std::string_view expected) {
   if (statement.size() == count) return true;
-  interpreter.error(statement.size() > count ? statement.rest(count) : place_behind(statement.last()),
+  interpreter.error(statement.size() > count ? statement.rest(count) : place_after(statement.last()),
                     fmt::format("{}: expected {}, found {} argument{}", statement.what, expected, statement.size(),
                                 statement.size() == 1 ? "" : "s"));
   return false;
@@ -23,7 +23,7 @@ bool has_arguments(Interpreter& interpreter, Statement const& statement, std::si
 
 void define_background(Interpreter& interpreter, Statement const& statement) {
   if (!has_arguments(interpreter, statement, 3, "3 numbers")) return;
-  if (auto const colour = read_vec3(interpreter, statement.arguments)) interpreter.scene.background = *colour;
+  if (auto const color = read_vec3(interpreter, statement.arguments)) interpreter.scene.background = *color;
 }
 
 void define_filename(Interpreter& interpreter, Statement const& statement) {

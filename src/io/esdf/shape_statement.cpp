@@ -79,7 +79,7 @@ void define_triangle(Interpreter& interpreter, Statement const& statement) {
 // Children are looked up now, and a composite is complete when it becomes visible to others: no cycle can come about.
 void define_composite(Interpreter& interpreter, Statement const& statement) {
   if (statement.size() < 2) {
-    interpreter.error(place_behind(statement.last()),
+    interpreter.error(place_after(statement.last()),
                       fmt::format("composite: expected a name and at least one child, found {}",
                                   statement.size() == 0 ? "nothing" : "no child"));
     if (statement.size() > 0) interpreter.mark_faulty(Kind::shape, statement[0]);
@@ -127,7 +127,7 @@ std::span<Keyword const> shape_kinds() { return shape_table; }
 
 void define_shape(Interpreter& interpreter, Statement const& statement) {
   if (statement.arguments.empty()) {
-    interpreter.error(place_behind(statement.keyword), "shape: expected what kind of shape, found nothing",
+    interpreter.error(place_after(statement.keyword), "shape: expected a kind of shape, found nothing",
                       "the shapes are sphere, box, triangle and composite");
     return;
   }

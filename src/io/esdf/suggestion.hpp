@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -40,9 +39,7 @@ class Suggester {
   /// Starts a search for `word`, which must outlive it.
   void look_for(std::string_view word) {
     word_ = word;
-    // One slip in three letters, at most three: 'bleu' is blue, 'box' is not 'row'.
-    limit_ = std::min<std::size_t>(std::max<std::size_t>(word.size() / 3, 1), 3);
-    if (word.size() < 2) limit_ = 0;
+    limit_ = likely_slips(word);
     best_distance_ = limit_ + 1;
     best_ = {};
   }

@@ -31,13 +31,13 @@ std::optional<Steps> refuse_count(Interpreter& interpreter, Token operation, Ope
   bool const too_many = operands.size() > most;
   std::string_view hint = "";
   for (Token const token : operands) {
-    if (token == "translate" || token == "rotate" || token == "scale") hint = "one operation a line";
+    if (token == "translate" || token == "rotate" || token == "scale") hint = "write one operation per line";
   }
-  interpreter.error(too_many ? span_of(operands[most], operands.back())
-                             : place_behind(operands.empty() ? operation : operands.back()),
-                    fmt::format("{}: expected {}, found {} argument{}", operation, expected, operands.size(),
-                                operands.size() == 1 ? "" : "s"),
-                    std::string(hint));
+  interpreter.error(
+      too_many ? span_of(operands[most], operands.back()) : place_after(operands.empty() ? operation : operands.back()),
+      fmt::format("{}: expected {}, found {} argument{}", operation, expected, operands.size(),
+                  operands.size() == 1 ? "" : "s"),
+      std::string(hint));
   return std::nullopt;
 }
 
@@ -139,7 +139,7 @@ Transform composed(Interpreter const& interpreter, Transform world, Steps const&
 
 void transform(Interpreter& interpreter, Statement const& statement) {
   if (statement.size() < 2) {
-    interpreter.error(place_behind(statement.last()),
+    interpreter.error(place_after(statement.last()),
                       fmt::format("transform: expected an object and an operation, found {}",
                                   statement.size() == 0 ? "nothing" : "no operation"),
                       "translate, rotate or scale");
@@ -156,7 +156,7 @@ void transform(Interpreter& interpreter, Statement const& statement) {
   if (!shape && !camera && !interpreter.is_faulty(Kind::shape, name) && !interpreter.is_faulty(Kind::camera, name)) {
     if (scene.lights.contains(name)) {
       interpreter.error(name, fmt::format("{} is a light: only shapes and cameras can be transformed", in_quotes(name)),
-                        "give the light its place where it is defined");
+                        "set the light's position in its definition");
     } else {
       interpreter.report_undefined("shape or camera", Kind::shape, name, scene.shapes, scene.cameras);
     }
@@ -168,7 +168,7 @@ void transform(Interpreter& interpreter, Statement const& statement) {
   Transform const after = composed(interpreter, before, *steps);
   if (!is_finite(after.matrix()) || !is_finite(after.inverse_matrix())) {
     interpreter.error(statement.rest(1),
-                      fmt::format("the transforms of {} leave the range of numbers", in_quotes(name)));
+                      fmt::format("the transforms of {} exceed the range of numbers", in_quotes(name)));
   } else if (shape) {
     (*shape)->set_world_from_object(after);
   } else {

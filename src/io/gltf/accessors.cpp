@@ -136,15 +136,16 @@ std::optional<Accessors::Layout> Accessors::layout_of(int index, std::size_t com
     return std::nullopt;
   }
   if (components != 0 && found != components) {
-    findings_.warn(pointer, fmt::format("accessor {} has {} components where {} are due", index, found, components));
+    findings_.warn(pointer,
+                   fmt::format("accessor {} has {} components where {} are expected", index, found, components));
     return std::nullopt;
   }
   if (accessor.count == 0) {
-    findings_.warn(pointer, fmt::format("accessor {} holds nothing", index));
+    findings_.warn(pointer, fmt::format("accessor {} is empty", index));
     return std::nullopt;
   }
   if (accessor.count > std::numeric_limits<std::uint32_t>::max()) {
-    findings_.warn(pointer, fmt::format("accessor {} promises {} elements", index, accessor.count));
+    findings_.warn(pointer, fmt::format("accessor {} declares {} elements", index, accessor.count));
     return std::nullopt;
   }
   return Layout{accessor.count, found, found * size};
@@ -174,7 +175,7 @@ bool Accessors::read(int index, std::size_t components, std::string_view pointer
     constexpr std::size_t always_allowed = std::size_t(1) << 20;
     if (layout->count > always_allowed + buffers_.bytes_read()) {
       findings_.warn(pointer,
-                     fmt::format("accessor {} has no buffer view and promises {} zeros", index, layout->count));
+                     fmt::format("accessor {} has no buffer view and declares {} zeros", index, layout->count));
       return false;
     }
     charge(layout->count * layout->components * sizeof(T), pointer);
@@ -183,7 +184,7 @@ bool Accessors::read(int index, std::size_t components, std::string_view pointer
     auto const view = buffers_.view(accessor.bufferView);
     if (!view) {
       findings_.warn(pointer,
-                     fmt::format("accessor {}: nothing can be read from buffer view {}", index, accessor.bufferView));
+                     fmt::format("accessor {}: nothing could be read from buffer view {}", index, accessor.bufferView));
       return false;
     }
     std::size_t const own_stride = document_.model.bufferViews[std::size_t(accessor.bufferView)].byteStride;
@@ -304,7 +305,7 @@ std::optional<std::vector<std::uint32_t>> Accessors::integers(int accessor, std:
     if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
         type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
       findings_.warn(pointer,
-                     fmt::format("accessor {} has component type {}; unsigned integers are due", accessor, type));
+                     fmt::format("accessor {} has component type {}; unsigned integers are expected", accessor, type));
       return std::nullopt;
     }
   }

@@ -33,7 +33,7 @@ class Accessors {
   /// Unsigned scalars of any width.
   std::optional<std::vector<std::uint32_t>> integers(int accessor, std::size_t components, std::string_view pointer);
 
-  /// How many elements an accessor promises; 0 for an invalid one.
+  /// How many elements an accessor declares; 0 for an invalid one.
   std::size_t count(int accessor) const;
 
  private:

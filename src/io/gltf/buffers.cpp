@@ -82,7 +82,7 @@ void Buffers::load_buffer(int index, Entry& entry) {
   entry.is_usable = true;
   if (entry.bytes.size() < source.byte_length) {
     findings_.warn(pointer + "/byteLength",
-                   fmt::format("{} bytes are promised, {} are there", source.byte_length, entry.bytes.size()));
+                   fmt::format("{} bytes are declared, {} are there", source.byte_length, entry.bytes.size()));
   } else {
     entry.bytes = entry.bytes.substr(0, std::size_t(source.byte_length));
   }

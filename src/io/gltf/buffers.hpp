@@ -11,16 +11,16 @@
 namespace lichtraum::gltf {
 
 /// Reads a file that a model names, from the model's folder, below it, or one of the allowed folders. Nothing when it
-/// may or can not be read; `reason` then says why.
+/// may not or cannot be read; `reason` then says why.
 std::optional<std::string> read_external_file(Document const& document, std::string_view uri, std::string& reason);
 
-/// The bytes behind buffers and buffer views, read or decoded when they are first asked for. Each failure is a finding,
+/// The bytes of buffers and buffer views, read or decoded when they are first asked for. Each failure is a finding,
 /// once.
 class Buffers {
  public:
   Buffers(Document const& document, Findings& findings);
 
-  /// The bytes of a view; fewer than it promises when its buffer is too short. Nothing when there are none.
+  /// The bytes of a view; fewer than it declares when its buffer is too short. Nothing when there are none.
   std::optional<std::string_view> view(int index);
 
   /// How many bytes the model's files hold in all that has been read: what it may ask memory for depends on it.

@@ -31,7 +31,7 @@ Container open_container(std::string_view file, Findings& findings) {
   if (version != 2) findings.fail("", fmt::format("this is GLB version {}; only version 2 is supported", version));
   std::uint32_t const length = read_uint32(file, 8);
   if (length > file.size()) {
-    findings.warn("", fmt::format("the GLB header promises {} bytes, the file has {}", length, file.size()));
+    findings.warn("", fmt::format("the GLB header declares {} bytes, the file has {}", length, file.size()));
   } else if (length >= header_bytes) {
     file = file.substr(0, length);
   }

@@ -19,7 +19,7 @@ struct SkinPose {
 SkinPose pose_skin(tinygltf::Model const& model, int skin, NodeTree const& tree, Accessors& accessors,
                    Findings& findings);
 
-/// `geometry`, a primitive's own or morphed, moved by its joints; in the world. A joint that the skin has not counts as
+/// `geometry`, a primitive's own or morphed, moved by its joints; in the world. A joint that the skin lacks counts as
 /// the first; a vertex without weights stays where it is.
 std::shared_ptr<MeshGeometry const> apply_skin(MeshGeometry const& geometry, std::vector<JointSet> const& joint_sets,
                                                SkinPose const& skin);

@@ -127,7 +127,7 @@ void soothe_tinygltf(json& model, Findings& findings) {
     bool const is_known = std::find(std::begin(types), std::end(types), type) != std::end(types);
     if (is_known && component >= TINYGLTF_COMPONENT_TYPE_BYTE && component <= TINYGLTF_COMPONENT_TYPE_DOUBLE) continue;
     findings.warn(fmt::format("/accessors/{}", i),
-                  fmt::format("glTF knows no type '{}' of component type {}", type, component));
+                  fmt::format("glTF has no type '{}' of component type {}", type, component));
     accessor = {{"componentType", TINYGLTF_COMPONENT_TYPE_FLOAT}, {"count", 0}, {"type", "SCALAR"}};
   }
   auto const cameras = model.find("cameras");

@@ -21,8 +21,9 @@ namespace {
 void check_extensions(tinygltf::Model const& model, Findings& findings) {
   for (std::string const& name : model.extensionsRequired) {
     if (is_supported_extension(name)) continue;
-    findings.warn("/extensionsRequired",
-                  fmt::format("the model needs {}, which is not supported; what can be read without it is", name));
+    findings.warn(
+        "/extensionsRequired",
+        fmt::format("the model needs {}, which is not supported; whatever can be read without it is shown", name));
   }
 }
 
@@ -94,7 +95,7 @@ struct GltfAnimation::State {
     std::string const scene_name = scene_number >= 0 ? document.model.scenes[std::size_t(scene_number)].name : "";
     graph.build(scene_name.empty() ? document.path.stem().string() : scene_name, result.scene);
     if (graph.triangles() == 0) {
-      if (graph.faulty_primitives() > 0) findings.fail("", "nothing of the model can be drawn");
+      if (graph.faulty_primitives() > 0) findings.fail("", "the model has nothing to draw");
       findings.warn("", "the scene shows no triangles");
     }
 

@@ -9,7 +9,7 @@
 
 namespace lichtraum::gltf {
 
-/// The model's materials, by their numbers, and behind them the one for primitives that name none. Pictures larger than
+/// The model's materials, by their numbers, and after them the one for primitives that name none. Pictures larger than
 /// `max_texture` on a side are made smaller.
 std::vector<std::shared_ptr<Material>> read_materials(Document const& document, int max_texture, Buffers& buffers,
                                                       Findings& findings);

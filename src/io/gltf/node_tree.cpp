@@ -53,7 +53,8 @@ class Builder {
  private:
   bool claim(int node) {
     if (is_taken_[std::size_t(node)]) {
-      findings_.warn(fmt::format("/nodes/{}", node), "it occurs twice in the tree of nodes; its first place counts");
+      findings_.warn(fmt::format("/nodes/{}", node),
+                     "it occurs twice in the node tree; only the first occurrence counts");
       return false;
     }
     is_taken_[std::size_t(node)] = true;

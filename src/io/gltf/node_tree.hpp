@@ -6,7 +6,7 @@
 
 namespace lichtraum::gltf {
 
-/// The nodes as a forest, whatever the file says: each node has one parent at most and is no ancestor of itself. Edges
+/// The nodes as a forest, whatever the file says: each node has one parent at most and is not its own ancestor. Edges
 /// that break this are findings and left out.
 struct NodeTree {
   std::vector<int> roots;                  ///< of the scene

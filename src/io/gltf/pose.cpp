@@ -7,6 +7,8 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/elementary.hpp"
+
 namespace lichtraum::gltf {
 namespace {
 
@@ -14,7 +16,7 @@ bool is_finite(std::vector<double> const& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
-/// Of unit length; a zero one is no rotation.
+/// Of unit length; a zero one means no rotation.
 glm::dquat normalized(double x, double y, double z, double w) {
   double const largest = std::max({std::abs(x), std::abs(y), std::abs(z), std::abs(w)});
   if (!(largest > 0 && std::isfinite(largest))) return {1, 0, 0, 0};
@@ -70,7 +72,16 @@ class Track {
     auto const rotation = [this](std::size_t k) {
       return normalized(component(k, 0), component(k, 1), component(k, 2), component(k, 3));
     };
-    glm::dquat const q = glm::slerp(rotation(key), rotation(key + 1), t);
+    glm::dquat const from = rotation(key);
+    glm::dquat to = rotation(key + 1);
+    if (glm::dot(from, to) < 0) to = -to;  // the same rotation, the shorter way
+    // Half the angle between them from the sides of an isosceles triangle: exact for small angles too.
+    double const angle = 2 * atan2_of(glm::length(to - from), glm::length(to + from));
+    double const sine = sin_of(angle);
+    bool const is_short = sine < 1e-8;
+    double const a = is_short ? 1 - t : sin_of((1 - t) * angle) / sine;
+    double const b = is_short ? t : sin_of(t * angle) / sine;
+    glm::dquat const q = a * from + b * to;
     return {q.x, q.y, q.z, q.w};
   }
 
@@ -106,7 +117,7 @@ std::optional<Track> read_track(tinygltf::AnimationSampler const& sampler, std::
     return std::nullopt;
   }
   if (!std::is_sorted(times->values.begin(), times->values.end())) {
-    findings.warn(pointer + "/input", "the times do not rise");
+    findings.warn(pointer + "/input", "the times are not increasing");
     return std::nullopt;
   }
   return Track(times->values, values->values, components, sampler.interpolation);
@@ -146,7 +157,7 @@ std::vector<NodePose> rest_pose(tinygltf::Model const& model, Findings& findings
         for (int row = 0; row < 4; ++row) matrix[column][row] = node.matrix[std::size_t(4 * column + row)];
       }
       if (glm::dvec4(matrix[0].w, matrix[1].w, matrix[2].w, matrix[3].w) != glm::dvec4(0, 0, 0, 1)) {
-        findings.warn(fmt::format("/nodes/{}/matrix", i), "the last row is not 0 0 0 1; it is taken as that");
+        findings.warn(fmt::format("/nodes/{}/matrix", i), "the last row is not 0 0 0 1; treated as if it were");
         for (int column = 0; column < 4; ++column) matrix[column].w = column == 3 ? 1 : 0;
       }
       pose[i].matrix = matrix;

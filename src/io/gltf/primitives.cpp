@@ -23,7 +23,7 @@ std::vector<std::array<float, N>> to_vectors(FloatElements const& elements) {
   return result;
 }
 
-/// Sets what is no number to zero: shading then falls back to the triangle's own normal.
+/// Sets what is not a number to zero: shading then falls back to the triangle's own normal.
 template <std::size_t N>
 void remove_non_finite(std::vector<std::array<float, N>>& vectors) {
   for (auto& v : vectors) {
@@ -55,7 +55,7 @@ std::optional<Primitive> Primitives::read(int mesh, std::size_t number) {
     return std::nullopt;
   }
   if (source_primitive.mode > 6) {
-    findings_.warn(source.pointer + "/mode", fmt::format("glTF knows no mode {}", source_primitive.mode));
+    findings_.warn(source.pointer + "/mode", fmt::format("glTF has no mode {}", source_primitive.mode));
     return std::nullopt;
   }
 
@@ -97,7 +97,7 @@ bool Primitives::decompress(Source& source) {
   for (std::string const& name : attributes.Keys()) {
     ids.emplace(name, int(number_of(attributes, name.c_str(), -1)));
   }
-  std::string reason = "nothing can be read from its buffer view";
+  std::string reason = "nothing could be read from its buffer view";
   if (auto const bytes = buffers_.view(*view)) {
     reason.clear();
     source.draco = decode_draco(*bytes, ids, reason);
@@ -114,7 +114,7 @@ std::vector<std::array<float, N>> Primitives::read_attribute(Source const& sourc
   if (source.draco && source.draco->attributes.contains(name)) {
     FloatElements const& elements = source.draco->attributes.at(name);
     if (elements.components != N) {
-      findings_.warn(source.place(name), fmt::format("{} components where {} are due", elements.components, N));
+      findings_.warn(source.place(name), fmt::format("{} components where {} are expected", elements.components, N));
       return {};
     }
     result = to_vectors<N>(elements);
@@ -193,7 +193,7 @@ std::shared_ptr<MeshGeometry const> Primitives::read_geometry(Source& source) {
                    left_out_message(faults.out_of_range, fmt::format("an index that is out of range ({})", count)));
   }
   if (faults.non_finite > 0) {
-    findings_.warn(source.place("POSITION"), left_out_message(faults.non_finite, "a corner that is no finite number"));
+    findings_.warn(source.place("POSITION"), left_out_message(faults.non_finite, "a corner that is not finite"));
   }
   if (geometry->indices.empty()) {
     if (faults.out_of_range + faults.non_finite == 0) findings_.warn(source.pointer, "it holds no triangle");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.hpp"
 #include "io/gltf/values.hpp"
 
 namespace lichtraum::gltf {
@@ -20,7 +21,7 @@ std::optional<Transform> transform_of(NodePose const& pose) {
     double const half_cosine = std::clamp(pose.rotation.w, -1.0, 1.0);
     Vec3 const axis(pose.rotation.x, pose.rotation.y, pose.rotation.z);
     if (axis != Vec3(0)) {
-      double const angle = 2 * std::atan2(glm::length(axis), half_cosine);
+      double const angle = 2 * atan2_of(glm::length(axis), half_cosine);
       result = Transform::rotation(angle * 180 / 3.14159265358979323846, axis) * result;
     }
     return Transform::translation(pose.translation) * result;

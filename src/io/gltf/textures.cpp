@@ -27,7 +27,7 @@ void fetch(Document const& document, int index, Buffers& buffers, ImageJob& job)
   if (source.buffer_view >= 0) {
     auto const bytes = buffers.view(source.buffer_view);
     if (bytes) job.bytes = *bytes;
-    if (!bytes) job.reason = fmt::format("nothing can be read from buffer view {}", source.buffer_view);
+    if (!bytes) job.reason = fmt::format("nothing could be read from buffer view {}", source.buffer_view);
     return;
   }
   if (!source.uri) {

@@ -45,7 +45,7 @@ std::optional<std::string> decode_base64(std::string_view text) {
       bytes.push_back(static_cast<char>(bits >> count & 0xFF));
     }
   }
-  if (count == 6) return std::nullopt;  // one digit alone is no byte
+  if (count == 6) return std::nullopt;  // one digit alone is not a byte
   return bytes;
 }
 

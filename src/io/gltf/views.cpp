@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
+#include "core/elementary.hpp"
 #include "io/gltf/values.hpp"
 
 namespace lichtraum::gltf {
@@ -42,7 +43,7 @@ std::optional<Camera> make_camera(tinygltf::Camera const& source, std::string na
     if (!(half_width > 0 && half_height > 0 && std::isfinite(half_width) && std::isfinite(half_height))) return {};
     // Seen from very far away, rays are as good as parallel.
     double const distance = 200 * std::max(half_width, half_height);
-    double const fov = 2 * std::atan(half_width / distance);
+    double const fov = 2 * atan2_of(half_width, distance);
     return Camera(std::move(name), glm::degrees(fov), world_from_camera * Transform::translation({0, 0, distance}),
                   resolution_for(half_width / half_height));
   }
@@ -50,7 +51,7 @@ std::optional<Camera> make_camera(tinygltf::Camera const& source, std::string na
   if (!(lens.yfov > 0 && lens.yfov < pi)) return {};
   bool const has_aspect = lens.aspectRatio > 0 && std::isfinite(lens.aspectRatio);
   Resolution const resolution = resolution_for(has_aspect ? lens.aspectRatio : usual_aspect_ratio);
-  double const fov = 2 * std::atan(std::tan(lens.yfov / 2) * resolution.width / resolution.height);
+  double const fov = 2 * atan2_of(tan_of(lens.yfov / 2) * resolution.width, resolution.height);
   return Camera(std::move(name), glm::degrees(fov), world_from_camera, resolution);
 }
 
@@ -141,7 +142,7 @@ std::vector<Camera> read_cameras(tinygltf::Model const& model, NodeTree const& t
     if (camera) {
       cameras.push_back(std::move(*camera));
     } else {
-      findings.warn(fmt::format("/cameras/{}", number), "it opens no view: left out");
+      findings.warn(fmt::format("/cameras/{}", number), "it has no valid opening angle: left out");
     }
   }
   return cameras;
@@ -167,7 +168,7 @@ std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tre
     if (source.type == "spot" && light->kind != LightKind::spot) {
       findings.warn(
           fmt::format("/extensions/{}/lights/{}/spot", lights_extension, *number),
-          "its angles are not 0 <= inner < outer <= 90 degrees, or it has no direction: it shines all around");
+          "its angles are not 0 <= inner < outer <= 90 degrees, or it has no direction: it shines in all directions");
     }
     found.push_back(std::move(*light));
   }

@@ -107,7 +107,7 @@ std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, s
   } else if (bytes.substr(0, 7) == "\xABKTX 20" || bytes.substr(0, 7) == "\xABKTX 11") {
     reason = "KTX pictures cannot be decoded";
   } else {
-    reason = "it is no PNG, JPEG or WebP";
+    reason = "it is not a PNG, JPEG or WebP file";
   }
   if (!is_decoded) return std::nullopt;
   while (image.width > max_size || image.height > max_size) image = halved(image);

@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
+#include "core/ascii.hpp"
 #include "io/image/encoders.hpp"
 #include "lichtraum/error.hpp"
 
 namespace lichtraum {
 namespace {
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return text;
-}
 
 std::string known_extensions() {
   std::string list;
@@ -45,7 +40,7 @@ std::span<ImageFormat const> image_formats() {
 }
 
 ImageFormat const* find_image_format(std::filesystem::path const& path) {
-  std::string const extension = lower(path.extension().string());
+  std::string const extension = to_lower_ascii(path.extension().string());
   for (ImageFormat const& format : image_formats()) {
     if (std::count(format.extensions.begin(), format.extensions.end(), extension) != 0) return &format;
   }

@@ -142,7 +142,7 @@ Target examine(fs::path const& path) {
     fail(ErrorKind::cannot_create, path, reason(errno));
   }
   if (!path.has_filename()) fail(ErrorKind::cannot_create, path, "there is no file name");
-  // A device keeps its own name: /dev/fd/1 looks like a link to a path that is none ("pipe:[123]").
+  // A device keeps its own name: /dev/fd/1 looks like a link to a path that does not exist ("pipe:[123]").
   if (!target.is_stream()) target.path = follow_links(path);
   return target;
 }

@@ -40,7 +40,7 @@ class Importer {
     std::vector<ModelPart> parts;
     PartGeometry geometry(file);
     for (Part const& part : file.parts) parts.push_back(named(part, geometry.of(part), model.scene));
-    if (parts.empty()) diagnostics_.add(Severity::error, {}, "nothing of the model can be drawn: it has no triangles");
+    if (parts.empty()) diagnostics_.add(Severity::error, {}, "the model has nothing to draw: it has no triangles");
     bool const has_failed = parts.empty();
     model.diagnostics = std::move(diagnostics_).finish(0);
     model.diagnostics.insert(model.diagnostics.end(), of_libraries_.begin(), of_libraries_.end());

@@ -67,7 +67,7 @@ class Reader {
     if (word == "map_ke") return texture(rest, m.map_ke);
     if (word == "norm" || word == "map_kn") return texture(rest, m.norm);
     if (std::find(std::begin(unused), std::end(unused), word) != std::end(unused)) return;
-    warn(keyword, fmt::format("MTL knows no {}: the line is left out", in_quotes(keyword)));
+    warn(keyword, fmt::format("unknown MTL keyword {}: the line is left out", in_quotes(keyword)));
   }
 
   void number(std::string_view& rest, std::optional<double>& out) {
@@ -110,30 +110,30 @@ class Reader {
     out = {};
     out.line = diagnostics_.line();
     for (;;) {
-      std::string_view behind = rest;
-      Token const option = next_token(behind);
+      std::string_view after = rest;
+      Token const option = next_token(after);
       if (option == "-clamp") {
-        out.clamp = next_token(behind) == "on";
+        out.clamp = next_token(after) == "on";
       } else if (option == "-o") {
-        vector(behind, out.offset);
+        vector(after, out.offset);
       } else if (option == "-s") {
-        vector(behind, out.scale);
+        vector(after, out.scale);
       } else if (option == "-t") {
         glm::dvec2 ignored(0);
-        vector(behind, ignored);
+        vector(after, ignored);
       } else if (option == "-mm") {
-        next_token(behind);
-        next_token(behind);
+        next_token(after);
+        next_token(after);
       } else if (option.size() > 1 && option[0] == '-' && is_option(option)) {
-        next_token(behind);
+        next_token(after);
       } else {
         break;
       }
-      rest = behind;
+      rest = after;
     }
     out.file = trimmed(rest);
     std::replace(out.file.begin(), out.file.end(), '\\', '/');  // written on Windows
-    if (out.file.empty()) warn(place_behind(rest), "expected a file");
+    if (out.file.empty()) warn(place_after(rest), "expected a file");
   }
 
   static bool is_option(Token word) {
@@ -147,14 +147,14 @@ class Reader {
   /// One to three numbers, of which two count.
   void vector(std::string_view& rest, glm::dvec2& out) {
     for (int i = 0; i < 3; ++i) {
-      std::string_view behind = rest;
-      Token const word = next_token(behind);
+      std::string_view after = rest;
+      Token const word = next_token(after);
       bool const starts_number = !word.empty() && (word.find_first_not_of("+-.0123456789eE") == Token::npos);
       if (!starts_number) return;
       double value = 0;
       if (!read_number(word, value, diagnostics_)) return;
       if (i < 2) out[i] = value;
-      rest = behind;
+      rest = after;
     }
   }
 

@@ -60,7 +60,7 @@ class Reader {
       if (keyword == known) return once("surf", "free-form curves and surfaces are not drawn");
     }
     diagnostics_.add(Severity::warning, keyword,
-                     fmt::format("OBJ knows no {}: the line is left out", in_quotes(keyword)));
+                     fmt::format("unknown OBJ keyword {}: the line is left out", in_quotes(keyword)));
   }
 
   bool number(Token word, float& out) {
@@ -242,7 +242,7 @@ class Reader {
     }
     diagnostics_.begin_line({});
     if (out_of_range > 0) left_out(out_of_range, "a vertex that is not there");
-    if (non_finite > 0) left_out(non_finite, "a corner that is no finite number");
+    if (non_finite > 0) left_out(non_finite, "a corner that is not finite");
     if (missing_attributes_ > 0) {
       diagnostics_.add(
           Severity::warning, {},

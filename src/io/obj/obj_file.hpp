@@ -39,7 +39,7 @@ struct ObjFile {
   std::vector<Float2> texcoords;
   std::vector<Float3> normals;          ///< of unit length, or 0 where the file has nonsense
   std::vector<Part> parts;              ///< none is empty
-  std::vector<Mention> libraries;       ///< `mtllib`: all words behind it
+  std::vector<Mention> libraries;       ///< `mtllib`: all words after it
   std::vector<Mention> used_materials;  ///< `usemtl`: each name once
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/srgb.hpp"
 #include "io/model_scene.hpp"
 
 namespace lichtraum::obj {
@@ -21,7 +22,8 @@ std::size_t hash_of(Corner const& corner) {
 PartGeometry::PartGeometry(ObjFile const& file)
     : file_(file), vertex_of_position_(file.positions.size(), Corner::none) {
   for (Float3 const& c : file.colors) {
-    linear_colors_.push_back({linear_from_srgb(c[0]), linear_from_srgb(c[1]), linear_from_srgb(c[2])});
+    Float3& linear = linear_colors_.emplace_back();  // files have what a screen shows
+    for (std::size_t i = 0; i < 3; ++i) linear[i] = float(linear_from_srgb(double(c[i])));
   }
 }
 

@@ -19,7 +19,7 @@ TextureSlot slot(MtlTexture const& source, std::shared_ptr<TextureImage const> c
 }
 
 /// What Blinn's exponent is as GGX's roughness (Walter et al. 2007), with alpha the square of the roughness.
-double roughness_from(double m) { return std::pow(2 / (4 * m + 2), 0.25); }
+double roughness_from(double m) { return std::sqrt(std::sqrt(2 / (4 * m + 2))); }
 
 }  // namespace
 

@@ -60,9 +60,9 @@ Model import(std::string_view bytes, std::string const& name, fs::path const& fo
       }
     };
     left_out(faults.out_of_range, "a vertex that is not there");
-    left_out(faults.non_finite, "a corner that is no finite number");
+    left_out(faults.non_finite, "a corner that is not finite");
     if (geometry->indices.empty()) {
-      diagnostics.add(Severity::error, {}, "nothing of the model can be drawn: it has no triangles");
+      diagnostics.add(Severity::error, {}, "the model has nothing to draw: it has no triangles");
     }
   }
   bool const has_failed = diagnostics.errors() > 0;

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "core/ascii.hpp"
+#include "core/srgb.hpp"
 #include "io/model_scene.hpp"
 #include "io/ply/ply_sources.hpp"
 #include "io/polygon.hpp"
@@ -158,7 +159,7 @@ class Reader {
   float linear(double value) const {
     double const byte = value * 255;
     if (byte >= 0 && byte <= 255 && byte == std::floor(byte)) return linear_bytes_[std::size_t(byte)];
-    return linear_from_srgb(finite(value));
+    return float(linear_from_srgb(double(finite(value))));
   }
 
   static bool is_index_list(Property const& p) {
@@ -230,7 +231,7 @@ class Reader {
     double value = 0;
     if (!source_.number(property.count_type, value)) return false;
     if (!(value >= 0 && value <= double(source_.capacity(property.type)))) {
-      source_.warn(fmt::format("a list promises {} numbers", value));
+      source_.warn(fmt::format("a list declares {} numbers", value));
       return false;
     }
     count = std::uint64_t(value);
@@ -255,7 +256,7 @@ class Reader {
 
   static std::array<float, 256> make_linear_bytes() {
     std::array<float, 256> table;
-    for (std::size_t i = 0; i < table.size(); ++i) table[i] = linear_from_srgb(float(i) / 255);
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = float(linear_from_srgb(double(float(i) / 255)));
     return table;
   }
 

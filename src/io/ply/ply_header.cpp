@@ -40,7 +40,7 @@ class Reader {
       std::string_view rest = line.text;
       Token const keyword = next_token(rest);
       if (line.number == 1) {
-        if (keyword != "ply") return fail(keyword, "this is no PLY file: it does not begin with 'ply'");
+        if (keyword != "ply") return fail(keyword, "this is not a PLY file: it does not begin with 'ply'");
       } else if (keyword == "end_header") {
         header_.data_offset = bytes.size() - lines.rest().size();
         header_.data_line = line.number + 1;
@@ -60,7 +60,7 @@ class Reader {
     if (keyword == "property") return property(keyword, rest);
     if (keyword == "comment") return comment(rest);
     return keyword.empty() || keyword == "obj_info" ||
-           fail(keyword, fmt::format("PLY headers know no {}", in_quotes(keyword)));
+           fail(keyword, fmt::format("unknown keyword in a PLY header: {}", in_quotes(keyword)));
   }
 
   bool format(std::string_view rest) {
@@ -100,12 +100,13 @@ class Reader {
       word = next_token(rest);
       auto const count_type = type_of(word);
       bool const is_integer = count_type && *count_type != Type::float32 && *count_type != Type::float64;
-      if (!is_integer) return fail(word, fmt::format("{} is no type that a list can count with", in_quotes(word)));
+      if (!is_integer)
+        return fail(word, fmt::format("{} is not a type that can count the elements of a list", in_quotes(word)));
       property.count_type = *count_type;
       word = next_token(rest);
     }
     auto const type = type_of(word);
-    if (!type) return fail(word, fmt::format("PLY knows no type {}", in_quotes(word)));
+    if (!type) return fail(word, fmt::format("PLY has no type {}", in_quotes(word)));
     property.type = *type;
     property.name = next_token(rest);
     header_.elements.back().properties.push_back(std::move(property));

@@ -19,7 +19,7 @@ class AsciiSource {
   AsciiSource(std::string_view text, std::size_t first_line, Diagnostics& diagnostics)
       : lines_(text), first_line_(first_line), bytes_left_(text.size()), diagnostics_(diagnostics) {}
 
-  /// False at the end. What is no number becomes a NaN, after a warning.
+  /// False at the end. What is not a number becomes a NaN, after a warning.
   bool number(Type, double& value) {
     Token word = next_token(rest_);
     while (word.empty()) {

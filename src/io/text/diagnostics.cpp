@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t longest_quote = 48;          // bytes
 constexpr std::size_t longest_line_before = 4096;  // bytes of a line that are kept before the mark ...
-constexpr std::size_t longest_line_behind = 512;   // ... and behind it
+constexpr std::size_t longest_line_after = 512;    // ... and after it
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
@@ -32,7 +32,7 @@ Token span_of(Token first, Token last) {
   return Token(first.data(), static_cast<std::size_t>(last.data() + last.size() - first.data()));
 }
 
-Token place_behind(Token token) { return Token(token.data() + token.size(), 0); }
+Token place_after(Token token) { return Token(token.data() + token.size(), 0); }
 
 void Diagnostics::add(Severity severity, Token at, std::string message, std::string hint) {
   std::size_t& count = counts_[static_cast<std::size_t>(severity)];
@@ -40,18 +40,18 @@ void Diagnostics::add(Severity severity, Token at, std::string message, std::str
 
   Diagnostic diagnostic{severity, {file_, line_.number, 0}, 1, std::move(message), {}, std::move(hint)};
   std::string_view const text = line_.text;
-  std::less_equal<char const*> const not_behind;  // also for pointers into different texts
+  std::less_equal<char const*> const not_after;  // also for pointers into different texts
   bool const is_in_line =
-      at.data() && not_behind(text.data(), at.data()) && not_behind(at.data() + at.size(), text.data() + text.size());
+      at.data() && not_after(text.data(), at.data()) && not_after(at.data() + at.size(), text.data() + text.size());
   if (is_in_line) {
     auto const offset = static_cast<std::size_t>(at.data() - text.data());
     diagnostic.location.column = offset + 1;
     diagnostic.length = std::max<std::size_t>(at.size(), 1);
     // A line may be as long as the file: what is kept of all of them stays small.
-    if (offset <= longest_line_before) diagnostic.source_line = text.substr(0, offset + longest_line_behind);
-    diagnostic.length = std::min(diagnostic.length, longest_line_behind);
+    if (offset <= longest_line_before) diagnostic.source_line = text.substr(0, offset + longest_line_after);
+    diagnostic.length = std::min(diagnostic.length, longest_line_after);
   } else {
-    diagnostic.source_line = text.substr(0, longest_line_behind);
+    diagnostic.source_line = text.substr(0, longest_line_after);
   }
   found_.push_back(std::move(diagnostic));
 }

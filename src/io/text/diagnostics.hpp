@@ -17,8 +17,8 @@ std::string in_quotes(std::string_view token);
 /// Everything between two tokens of one line, both included.
 Token span_of(Token first, Token last);
 
-/// The empty place just behind a token, where something is missing.
-Token place_behind(Token token);
+/// The empty place just after a token, where something is missing.
+Token place_after(Token token);
 
 /// Collects what is found in one file: at most `limit` findings, errors before warnings before notes.
 class Diagnostics {

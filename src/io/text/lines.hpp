@@ -30,7 +30,7 @@ class LineReader {
   std::size_t number_ = 0;
 };
 
-/// Takes the next word, up to a blank, from the front of `rest`; an empty one just behind the text when there is none.
+/// Takes the next word, up to a blank, from the front of `rest`; an empty one just after the text when there is none.
 inline Token next_token(std::string_view& rest) {
   auto const is_blank = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
   std::size_t begin = 0;

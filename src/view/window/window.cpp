@@ -265,7 +265,7 @@ std::string Window::statistics() const {
   SceneStatistics const& scene = frame_->scene;
   int const samples = frame_->pass.sampling.count;
   return fmt::format(
-      "{}\n{}x{}, {} sample{} a pixel, {:.1f} ms, {:.1f} Mrays/s\n{} triangles, {} spheres, {} boxes, {} nodes\n? "
+      "{}\n{}x{}, {} sample{} per pixel, {:.1f} ms, {:.1f} Mrays/s\n{} triangles, {} spheres, {} boxes, {} nodes\n? "
       "shows "
       "the keys",
       device_, frame_->image.width(), frame_->image.height(), samples, samples == 1 ? "" : "s", render.trace_ms,

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <cstdint>
+
+namespace lichtraum {
+
+/// What this process may use, in bytes: what the machine has, or its control group's limit (a container's, a batch
+/// job's) where that is less.
+std::uint64_t usable_memory_bytes();
+
+}  // namespace lichtraum

@@ -60,7 +60,7 @@ double terminator_share(ReferencePoint const& point, Vec3 const& to_light) {
 /// What the surface shows by itself: emission, ambient, diffuse and specular term. A light that could not add anything
 /// costs no shadow ray.
 Rgb local_radiance(ReferenceScene const& scene, ReferencePoint const& point, RayCounts& counts) {
-  PhongCoefficients const& phong = point.phong;
+  PhongModel const& phong = point.phong;
   double const matt_share = 1 - phong.reflect - phong.transmit;
   Rgb radiance = phong.emission + matt_share * phong.ka * scene.ambient;
   for (Light const& light : scene.lights) {

@@ -1,6 +1,6 @@
-#include "shared/shading.h"
 #include "reference.hpp"
 #include "shared/frame.h"
+#include "shared/phong_material.h"
 #include "support/catch.hpp"
 #include "support/opencl_probe.hpp"
 #include "support/skip.hpp"

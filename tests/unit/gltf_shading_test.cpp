@@ -109,6 +109,7 @@ TEST_CASE("materials are kept whole and mapped to Phong", "[unit][gltf]") {
   CHECK(paint.emission() == Rgb(0, 0, 0.5));  // a quarter of it is there
   REQUIRE(paint.pbr());
   CHECK(paint.pbr()->clearcoat == 0.75);
-  CHECK(paint.pbr()->base_color == glm::dvec4(1, 0.5, 0, 0.25));
+  CHECK(paint.pbr()->base_color == Rgb(1, 0.5, 0));
+  CHECK(paint.pbr()->alpha == 0.25);
   CHECK(paint.pbr()->alpha_mode == AlphaMode::blend);
 }

@@ -1,22 +1,9 @@
-#ifndef LICHTRAUM_SHARED_SHADING_H
-#define LICHTRAUM_SHARED_SHADING_H
+#ifndef LICHTRAUM_SHARED_LIGHT_H
+#define LICHTRAUM_SHARED_LIGHT_H
 
 #include "shared/types.h"
 
 DEVICE_NAMESPACE_BEGIN
-
-/* include/lichtraum/material.hpp says what each means. */
-typedef struct {
-  float ka[3];
-  float m;
-  float kd[3];
-  float reflect;
-  float ks[3];
-  float transmit;
-  float emission[3];
-  float ior;
-} PhongMaterial;
-DEVICE_STRUCT_SIZE(PhongMaterial, 64);
 
 #define LIGHT_CONSTANT 0u    /* a point; as bright at any distance */
 #define LIGHT_FALLS_OFF 1u   /* a point or spot */

@@ -11,16 +11,16 @@ DEVICE_NAMESPACE_BEGIN
 
 /* KHR_lights_punctual has the formulae. */
 typedef struct {
-  float4 position;  /* world; directional: unit vector towards the light. w: 1 when shadow rays may start here, as the
-                       scene is near enough for that; else 0 */
-  float4 ld;        /* rgb: what arrives, of one that falls off at distance 1; w unused */
-  float4 direction; /* unit, where a spot shines; w unused */
+  uint kind;           /* LIGHT_... */
+  uint is_near;        /* its position is near enough to the scene that shadow rays may start there */
+  float ld[3];         /* rgb: what arrives, of one that falls off at distance 1 */
+  float position[3];   /* world; not of a directional light */
+  float direction[3];  /* unit, where a spot or directional light shines */
   float inverse_range; /* falls off to nothing at 1 / this */
   float cone_scale;    /* brightness in a cone: (cosine * scale + offset)^2, clamped to 0..1; 0 and 1 without cone */
   float cone_offset;
-  uint kind; /* LIGHT_... */
 } PunctualLight;
-DEVICE_STRUCT_SIZE(PunctualLight, 64);
+DEVICE_STRUCT_SIZE(PunctualLight, 56);
 
 DEVICE_NAMESPACE_END
 

@@ -182,9 +182,8 @@ Scene placed(std::string const& text, double scale, Vec3 const& offset) {
   }
   Registry<Light> moved;
   for (Light const& light : scene.lights) {
-    moved.insert(light.kind() == LightKind::ambient
-                     ? light
-                     : Light::point(light.name(), place.point(light.position()), light.ld(), light.la()));
+    auto const* const lamp = light.get<PointLight>();
+    moved.insert(lamp ? Light::point(light.name(), place.point(lamp->position), lamp->ld, lamp->la) : light);
   }
   scene.lights = std::move(moved);
   for (Camera& camera : scene.cameras) camera.set_world_from_camera(place * camera.world_from_camera());

@@ -5,6 +5,7 @@
 
 #include "compile/material_table.hpp"
 #include "random_scene.hpp"
+#include "scene/device_light.hpp"
 #include "shared/frame.h"
 #include "support/catch.hpp"
 #include "support/skip.hpp"
@@ -30,8 +31,8 @@ struct SmallPicture {
                                                                .transmit = transmit,
                                                                .ior = 1.5}}));
     }
-    scene.lights.push_back({{3, 5, 4, 0}, {1, 0.9f, 0.8f, 0}, {}, 0, 0, 1, LIGHT_CONSTANT});
-    scene.lights.push_back({{-3, 2, 4, 0}, {0.2f, 0.3f, 0.4f, 0}, {}, 0, 0, 1, LIGHT_CONSTANT});
+    scene.lights.push_back(*device_light(Light::point("", {3, 5, 4}, {1, 0.9, 0.8})));
+    scene.lights.push_back(*device_light(Light::point("", {-3, 2, 4}, {0.2, 0.3, 0.4})));
     scene.add(make_box({}, Vec3(-0.3), Vec3(0.3), 1));
     scene.add(make_sphere({0, 0.5, 0}, 0.3, 2));
     auto const [object, bounds] = scene.close_object();

@@ -90,7 +90,7 @@ TEST_CASE("values print themselves in one line", "[unit][scene]") {
         "material 'red': ka 1 0 0, kd 1 0.5 0, ks 0.1 0.1 0.1, m 20, reflect 0.25, transmit 0.5, ior 1.5");
   CHECK(printed(Light::ambient("sky", {0, 0, 1})) == "ambient light 'sky': la 0 0 1");
   CHECK(printed(Light::point("sun", {1, 2, 3}, Rgb(1), Rgb(0.5))) ==
-        "point light 'sun': position 1 2 3, la 0.5 0.5 0.5, ld 1 1 1");
+        "point light 'sun': ld 1 1 1, la 0.5 0.5 0.5, position 1 2 3");
   CHECK(printed(Camera("eye", 60, Transform::translation({0, 0, 5}), Resolution{640, 480})) ==
         "camera 'eye': fov 60 degrees, at 0 0 5, looking along 0 0 -1, 640 x 480");
   auto const shared = std::make_shared<Material>(material);

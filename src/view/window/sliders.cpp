@@ -81,6 +81,19 @@ bool edit_field(char const* label, double& number, double least, double most) {
   return edit_number(label, number, least, most, most >= 100 ? ImGuiSliderFlags_Logarithmic : 0);
 }
 
+/// Widgets for the fields of a light of any kind. The ambient term of a lamp, its range and whether it falls off at all
+/// stay as they are.
+struct EditLight : LightFieldVisitor {
+  Rgb original_brightness;
+  double scene_size;
+  bool has_changed = false;
+  EditLight(Rgb const& original, double size) : original_brightness(original), scene_size(size) {}
+  void position(char const*, Vec3& position) { has_changed |= edit_position(position, scene_size); }
+  void direction(char const*, Vec3& direction) { has_changed |= edit_direction(direction); }
+  void brightness(char const*, Rgb& color) { has_changed |= edit_light_color(color, original_brightness); }
+  void cone(char const*, SpotCone& cone) { has_changed |= edit_cone(cone); }
+};
+
 /// "base color" of base_color.
 std::string label_of(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
@@ -134,30 +147,11 @@ bool edit(PbrModel& model) {
 }  // namespace
 
 bool edit_light(Light& light, Light const& original, double scene_size) {
-  Rgb la = light.la(), ld = light.ld();
-  Vec3 position = light.position(), direction = light.direction();
-  SpotCone cone = light.cone();
-  bool has_changed = false;
-  if (light.kind() == LightKind::ambient) {
-    if (!edit_light_color(la, original.la())) return false;
-    light = Light::ambient(light.name(), la);
-    return true;
-  }
-  has_changed |= edit_light_color(ld, original.ld());
-  if (light.has_position()) has_changed |= edit_position(position, scene_size);
-  if (light.kind() != LightKind::point) has_changed |= edit_direction(direction);
-  if (light.kind() == LightKind::spot) has_changed |= edit_cone(cone);
-  if (!has_changed) return false;
-  if (light.kind() == LightKind::directional) {
-    light = Light::directional(light.name(), direction, ld);
-  } else if (light.kind() == LightKind::spot) {
-    light = Light::spot(light.name(), position, direction, ld, cone, light.range());
-  } else if (light.falls_off()) {
-    light = Light::falling_off(light.name(), position, ld, light.range());
-  } else {
-    light = Light::point(light.name(), position, ld, la);
-  }
-  return true;
+  Light::Model model = light.model();
+  EditLight edit(original.brightness(), scene_size);
+  std::visit([&](auto& edited) { for_each_field(edited, edit); }, model);
+  if (edit.has_changed) light = Light(light.name(), std::move(model));
+  return edit.has_changed;
 }
 
 bool edit_material(Material& material) {

@@ -86,14 +86,14 @@ std::optional<Hit> find_closest(Scene const& scene, Ray const& ray, double t_max
 
 void draw_shadow_rays(Scene const& scene, Vec3 const& point, Vec3 const& normal) {
   for (Light const& light : scene.lights) {
-    if (!light.has_position() || glm::dot(normal, light.position() - point) <= 0) continue;
-    Ray const ray{point + epsilon * normal, light.position() - point};
+    if (!light.position() || glm::dot(normal, light.way_from(point)) <= 0) continue;
+    Ray const ray{point + epsilon * normal, light.way_from(point)};
     auto const blocker = find_closest(scene, ray, 1);
     if (!blocker || !blocker->shape->material()->is_opaque()) {
-      draw_line(point, light.position(), "shadow");
+      draw_line(point, *light.position(), "shadow");
     } else {
       draw_line(point, ray.at(blocker->t), "blocked");
-      draw_line(ray.at(blocker->t), light.position(), "unseen");
+      draw_line(ray.at(blocker->t), *light.position(), "unseen");
     }
   }
 }
@@ -148,10 +148,10 @@ void draw(Scene const& scene, int column_count, char** columns) {
   std::cout << fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='7' fill='#222'/>\n", svg_x(eye), svg_y(eye));
   draw_text(eye + Vec3(0, 0, 0.4), "camera");
   for (Light const& light : scene.lights) {
-    if (!light.has_position()) continue;
+    if (!light.position()) continue;
     std::cout << fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='11' fill='#ffc820' stroke='#a07000'/>\n",
-                             svg_x(light.position()), svg_y(light.position()));
-    draw_text(light.position() + Vec3(0, 0, 0.45), light.name());
+                             svg_x(*light.position()), svg_y(*light.position()));
+    draw_text(*light.position() + Vec3(0, 0, 0.45), light.name());
   }
   double y = height - 128;
   for (auto const& [kind, text] : {std::pair{"camera", "camera ray"},

@@ -1,7 +1,7 @@
 #ifndef LICHTRAUM_SHARED_PHONG_FROM_PBR_H
 #define LICHTRAUM_SHARED_PHONG_FROM_PBR_H
 
-#include "shared/shading.h"
+#include "shared/phong_material.h"
 #include "shared/types.h"
 
 /* From metallic-roughness to Phong's coefficients, for one point of a surface. One text for both languages, as nothing

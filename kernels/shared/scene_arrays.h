@@ -3,8 +3,9 @@
 
 #include "shared/bvh.h"
 #include "shared/geometry.h"
+#include "shared/light.h"
 #include "shared/pbr_material.h"
-#include "shared/shading.h"
+#include "shared/phong_material.h"
 #include "shared/texture.h"
 #include "shared/vertex.h"
 #include "shared/wide.h"

@@ -11,7 +11,7 @@ std::vector<TextureImage const*> textures_of(Scene const& scene) {
   for (auto const& material : scene.materials) {
     if (!material->pbr()) continue;
     for (auto const slot : texture_slots) {
-      auto const& texture = ((*material->pbr()).*slot).texture;
+      auto const& texture = (material->pbr()->*slot).texture;
       if (texture && texture->image && known.insert(texture->image.get()).second)
         images.push_back(texture->image.get());
     }

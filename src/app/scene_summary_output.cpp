@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/scene_summary.hpp"
@@ -81,6 +82,24 @@ Json contents_json(ModelContents const& contents) {
   return {{"scenes", contents.scenes}, {"animations", animations}, {"extensions", extensions}};
 }
 
+/// The fields of a light that are there, by name.
+struct LightJson : LightFieldVisitor {
+  Json value;
+  void position(char const* name, Vec3 const& v) { value[name] = triple_json(v); }
+  void direction(char const* name, Vec3 const& v) { value[name] = triple_json(v); }
+  void brightness(char const* name, Rgb const& color) { value[name] = triple_json(color); }
+  void flag(char const* name, bool holds) {
+    if (holds) value[name] = true;
+  }
+  void range(char const* name, double range) {
+    if (std::isfinite(range)) value[name] = range;
+  }
+  void cone(char const*, SpotCone const& cone) {
+    value["inner_degrees"] = cone.inner_degrees;
+    value["outer_degrees"] = cone.outer_degrees;
+  }
+};
+
 }  // namespace
 
 std::string to_text(SceneSummary const& summary, std::string const& file) {
@@ -119,14 +138,10 @@ std::string to_json(SceneSummary const& summary, std::string const& file) {
   Scene const& scene = *summary.scene;
   Json lights = Json::array();
   for (Light const& light : scene.lights) {
-    Json json{{"name", light.name()}, {"kind", name_of(light.kind())}, {"la", triple_json(light.la())}};
-    if (light.kind() != LightKind::ambient) json["ld"] = triple_json(light.ld());
-    if (light.has_position()) json["position"] = triple_json(light.position());
-    if (light.kind() == LightKind::spot || light.kind() == LightKind::directional) {
-      json["direction"] = triple_json(light.direction());
-    }
-    if (light.falls_off()) json["falls_off"] = true;
-    lights.push_back(std::move(json));
+    LightJson json;
+    json.value = {{"name", light.name()}, {"kind", light.kind()}, {"la", triple_json(light.la())}};
+    std::visit([&](auto const& model) { for_each_field(model, json); }, light.model());
+    lights.push_back(std::move(json.value));
   }
   Json cameras = Json::array();
   for (Camera const& camera : scene.cameras) {

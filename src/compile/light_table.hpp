@@ -5,7 +5,7 @@
 #include "core/big_vector.hpp"
 #include "lichtraum/light.hpp"
 #include "scene/device_bounds.hpp"
-#include "shared/shading.h"
+#include "shared/light.h"
 
 namespace lichtraum {
 

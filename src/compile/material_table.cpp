@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <iterator>
 #include <unordered_map>
 
 #include "lichtraum/error.hpp"
@@ -71,107 +70,58 @@ static_assert(int(TextureWrap::repeat) == WRAP_REPEAT && int(TextureWrap::mirror
 static_assert(int(AlphaMode::opaque) == ALPHA_OPAQUE && int(AlphaMode::mask) == ALPHA_MASK &&
               int(AlphaMode::blend) == ALPHA_BLEND);
 
-device::uint flags_of(PbrMaterial const& m) {
+device::uint flags_of(PbrModel const& m) {
   return PBR_IS_PRESENT | (varies(m) ? PBR_VARIES : 0u) | (has_cutouts(m) ? PBR_CUTOUT : 0u) |
-         (filters(m) ? PBR_FILTERS : 0u) | (m.unlit ? PBR_UNLIT : 0u) | (m.double_sided ? PBR_DOUBLE_SIDED : 0u) |
-         (m.attenuation_distance ? PBR_HAS_ATTENUATION : 0u);
+         (filters(m) ? PBR_FILTERS : 0u);
 }
 
-/// All but its textures.
-device::PbrMaterial pbr_factors(PbrMaterial const& m) {
+/// `slot_of` has the device's slot for a member of the model.
+template <class SlotOf>
+device::PbrMaterial pbr_material(PbrModel const& m, SlotOf const& slot_of) {
   device::PbrMaterial out{};
   out.flags = flags_of(m);
-  out.alpha_mode = device::uint(m.alpha_mode);
-  out.alpha_cutoff = float(m.alpha_cutoff);
-  out.ior = float(m.ior);
-  for (int c = 0; c < 4; ++c) out.base_color[c] = float(m.base_color[c]);
-  store(m.emissive, out.emissive);
-  out.metallic = float(m.metallic);
-  out.roughness = float(m.roughness);
-  out.normal_scale = float(m.normal_scale);
-  out.occlusion_strength = float(m.occlusion_strength);
-  out.transmission = float(m.transmission);
-  out.specular = float(m.specular);
-  store(m.specular_color, out.specular_color);
-  out.thickness = float(m.thickness);
-  out.dispersion = float(m.dispersion);
-  out.attenuation_distance = float(m.attenuation_distance.value_or(0));
-  store(m.attenuation_color, out.attenuation_color);
-  out.clearcoat = float(m.clearcoat);
-  out.clearcoat_roughness = float(m.clearcoat_roughness);
-  store(m.sheen_color, out.sheen_color);
-  out.sheen_roughness = float(m.sheen_roughness);
-  out.anisotropy = float(m.anisotropy);
-  out.anisotropy_rotation = float(m.anisotropy_rotation_radians);
-  out.iridescence = float(m.iridescence);
-  out.iridescence_ior = float(m.iridescence_ior);
-  out.iridescence_thickness_minimum = float(m.iridescence_thickness_minimum_nm);
-  out.iridescence_thickness_maximum = float(m.iridescence_thickness_maximum_nm);
+#define LICHTRAUM_COLOR(name, initial, extension, key) store(m.name, out.name);
+#define LICHTRAUM_SHARE(name, initial, extension, key) out.name = float(m.name);
+#define LICHTRAUM_NUMBER(name, initial, least, most, extension, key) out.name = float(m.name);
+#define LICHTRAUM_TEXTURE(name, extension, key) out.name = slot_of(m.name, &device::PbrMaterial::name);
+#define LICHTRAUM_MODE(type, name, initial) out.name = device::uint(m.name);
+  PBR_DEVICE_FIELDS(LICHTRAUM_COLOR, LICHTRAUM_SHARE, LICHTRAUM_NUMBER, LICHTRAUM_TEXTURE, LICHTRAUM_MODE)
+#undef LICHTRAUM_COLOR
+#undef LICHTRAUM_SHARE
+#undef LICHTRAUM_NUMBER
+#undef LICHTRAUM_TEXTURE
+#undef LICHTRAUM_MODE
   return out;
 }
 
-/// A slot of a material, and its place on the device.
-struct SlotPlace {
-  TextureSlot PbrMaterial::*host;
-  device::TextureSlot device::PbrMaterial::*device;
-};
-using HostMaterial = PbrMaterial;
-using DeviceMaterial = device::PbrMaterial;
-constexpr SlotPlace slot_places[] = {
-    {&HostMaterial::base_color_texture, &DeviceMaterial::base_color_texture},
-    {&HostMaterial::metallic_roughness_texture, &DeviceMaterial::metallic_roughness_texture},
-    {&HostMaterial::normal_texture, &DeviceMaterial::normal_texture},
-    {&HostMaterial::occlusion_texture, &DeviceMaterial::occlusion_texture},
-    {&HostMaterial::emissive_texture, &DeviceMaterial::emissive_texture},
-    {&HostMaterial::transmission_texture, &DeviceMaterial::transmission_texture},
-    {&HostMaterial::specular_texture, &DeviceMaterial::specular_texture},
-    {&HostMaterial::specular_color_texture, &DeviceMaterial::specular_color_texture},
-    {&HostMaterial::thickness_texture, &DeviceMaterial::thickness_texture},
-    {&HostMaterial::clearcoat_texture, &DeviceMaterial::clearcoat_texture},
-    {&HostMaterial::clearcoat_roughness_texture, &DeviceMaterial::clearcoat_roughness_texture},
-    {&HostMaterial::clearcoat_normal_texture, &DeviceMaterial::clearcoat_normal_texture},
-    {&HostMaterial::sheen_color_texture, &DeviceMaterial::sheen_color_texture},
-    {&HostMaterial::sheen_roughness_texture, &DeviceMaterial::sheen_roughness_texture},
-    {&HostMaterial::anisotropy_texture, &DeviceMaterial::anisotropy_texture},
-    {&HostMaterial::iridescence_texture, &DeviceMaterial::iridescence_texture},
-    {&HostMaterial::iridescence_thickness_texture, &DeviceMaterial::iridescence_thickness_texture},
-};
-static_assert(std::size(slot_places) == std::size(texture_slots));
-
-device::PbrMaterial pbr_material(PbrMaterial const& m, Textures& textures) {
-  std::vector<int> const sets = used_texcoords(m);
-  device::PbrMaterial out = pbr_factors(m);
-  for (SlotPlace const& place : slot_places) out.*place.device = textures.slot(m.*place.host, sets);
-  return out;
-}
+using DeviceSlot = device::TextureSlot device::PbrMaterial::*;
 
 }  // namespace
 
 device::PhongMaterial phong_material(Material const& material) {
+  PhongModel const phong = material.phong();
   device::PhongMaterial out{};
-  store(material.ka(), out.ka);
-  store(material.kd(), out.kd);
-  store(material.ks(), out.ks);
-  out.m = float(material.m());
-  out.reflect = float(material.reflect());
-  out.transmit = float(material.transmit());
-  out.ior = float(material.ior());
-  store(material.emission(), out.emission);
+#define LICHTRAUM_COLOR(name, initial) store(phong.name, out.name);
+#define LICHTRAUM_SHARE(name, initial) out.name = float(phong.name);
+#define LICHTRAUM_NUMBER(name, initial, least, most) out.name = float(phong.name);
+  PHONG_FIELDS(LICHTRAUM_COLOR, LICHTRAUM_SHARE, LICHTRAUM_NUMBER)
+#undef LICHTRAUM_COLOR
+#undef LICHTRAUM_SHARE
+#undef LICHTRAUM_NUMBER
   return out;
 }
 
-device::PbrMaterial pbr_material(PbrMaterial const& material, device::PbrMaterial const& before) {
-  device::PbrMaterial out = pbr_factors(material);
-  for (SlotPlace const& place : slot_places) out.*place.device = before.*place.device;
-  return out;
+device::PbrMaterial pbr_material(PbrModel const& model, device::PbrMaterial const& before) {
+  return pbr_material(model, [&](TextureSlot const&, DeviceSlot slot) { return before.*slot; });
 }
 
 device::uint features_of(Material const& material) {
   device::uint features = float(material.transmit()) > 0 ? SCENE_TRANSPARENCY : 0;
-  if (!material.pbr()) return features;
+  PbrModel const* const pbr = material.pbr();
+  if (!pbr) return features;
   features |= SCENE_PBR;
-  if (has_cutouts(*material.pbr()) || filters(*material.pbr())) features |= SCENE_CUTOUTS;
-  if (filters(*material.pbr())) features |= SCENE_TRANSPARENCY;
+  if (has_cutouts(*pbr) || filters(*pbr)) features |= SCENE_CUTOUTS;
+  if (filters(*pbr)) features |= SCENE_TRANSPARENCY;
   return features;
 }
 
@@ -184,7 +134,9 @@ MaterialTable make_material_table(std::vector<std::shared_ptr<Material const>> c
     table.features |= features_of(shown);
     if (!shown.pbr()) continue;
     table.pbr.resize(table.phong.size(), {});  // what comes between has none
-    table.pbr.back() = pbr_material(*shown.pbr(), textures);
+    std::vector<int> const sets = used_texcoords(*shown.pbr());
+    table.pbr.back() =
+        pbr_material(*shown.pbr(), [&](TextureSlot const& slot, DeviceSlot) { return textures.slot(slot, sets); });
   }
   if (!table.pbr.empty()) table.pbr.resize(table.phong.size(), {});
   return table;

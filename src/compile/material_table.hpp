@@ -6,7 +6,7 @@
 #include "core/big_vector.hpp"
 #include "lichtraum/material.hpp"
 #include "shared/pbr_material.h"
-#include "shared/shading.h"
+#include "shared/phong_material.h"
 
 namespace lichtraum {
 
@@ -21,7 +21,7 @@ struct MaterialTable {
 
 device::PhongMaterial phong_material(Material const& material);
 /// With the textures of the entry that it had before.
-device::PbrMaterial pbr_material(PbrMaterial const& material, device::PbrMaterial const& before);
+device::PbrMaterial pbr_material(PbrModel const& model, device::PbrMaterial const& before);
 /// The SCENE_... that a scene has for a material's sake.
 device::uint features_of(Material const& material);
 

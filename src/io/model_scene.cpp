@@ -21,19 +21,11 @@ void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& sce
   for (Light& light : studio_lights(box)) scene.lights.insert(std::move(light));
 }
 
-PbrMaterial matt_pbr(Rgb const& color) {
-  PbrMaterial pbr;
-  pbr.base_color = glm::dvec4(color, 1);
-  pbr.metallic = 0;
-  pbr.specular = 0;
-  return pbr;
-}
+PbrModel matt_pbr(Rgb const& color) { return {.base_color = color, .metallic = 0, .specular = 0}; }
 
 std::shared_ptr<Material> default_material(bool has_colors) {
-  Rgb const color(has_colors ? 1 : 0.8);
-  auto material = std::make_shared<Material>("default", color, color, Rgb(0), 1);
-  material->set_pbr(std::make_shared<PbrMaterial const>(matt_pbr(color)));
-  return material;
+  if (has_colors) return std::make_shared<Material>("default", matt_pbr(Rgb(1)));
+  return std::make_shared<Material>("default", PhongModel());
 }
 
 void check_static(ModelOptions const& options, std::string const& file, std::vector<Diagnostic>& diagnostics) {

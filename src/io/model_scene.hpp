@@ -19,7 +19,7 @@ struct ModelPart {
 void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& scene);
 
 /// A matt material that vertices' colours and textures may change.
-PbrMaterial matt_pbr(Rgb const& color);
+PbrModel matt_pbr(Rgb const& color);
 
 /// A light grey, matt material; white where the vertices bring their own colours.
 std::shared_ptr<Material> default_material(bool has_colors);

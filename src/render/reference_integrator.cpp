@@ -33,8 +33,8 @@ namespace {
 /// The share of a light that arrives: the product of what the surfaces strictly between the point and it let through.
 /// Surfaces at the same place count as one, as they do for camera rays.
 double visibility(ReferenceScene const& scene, Vec3 const& from, Light const& light) {
-  bool const is_near = light.has_position();
-  Ray const ray{from, is_near ? light.position() - from : -light.direction()};
+  bool const is_near = light.position() != nullptr;
+  Ray const ray{from, light.way_from(from)};
   double share = 1;
   double t_min = 0;
   while (share > 0) {
@@ -61,11 +61,11 @@ double terminator_share(ReferencePoint const& point, Vec3 const& to_light) {
 /// What the surface shows by itself: emission, ambient, diffuse and specular term. A light that could not add anything
 /// costs no shadow ray.
 Rgb local_radiance(ReferenceScene const& scene, ReferencePoint const& point, RayCounts& counts) {
-  PhongCoefficients const& phong = point.phong;
+  PhongModel const& phong = point.phong;
   double const diffuse_weight = 1 - phong.reflect - phong.transmit;
   Rgb radiance = phong.emission + diffuse_weight * phong.ka * scene.ambient;
   for (Light const& light : scene.lights) {
-    Vec3 const towards_light = light.has_position() ? light.position() - point.position : -light.direction();
+    Vec3 const towards_light = light.way_from(point.position);
     if (towards_light == Vec3(0)) continue;
     Vec3 const to_light = unit_vector(towards_light);
     double const cosine = glm::dot(point.normal, to_light);

@@ -19,18 +19,9 @@ Material const& material_of(Shape const& shape) {
   return shape.material() ? *shape.material() : matt_grey;
 }
 
-Rgb to_rgb(float const (&v)[3]) { return {v[0], v[1], v[2]}; }
-
-PhongCoefficients coefficients(Material const& material, MeshPoint const& point) {
-  PbrMaterial const* const pbr = material.pbr().get();
-  if (!pbr || !point.is_on_mesh() || !(varies(*pbr) || filters(*pbr) || point.has_colors())) {
-    return {material.ka(),      material.kd(),       material.ks(),  material.m(),
-            material.reflect(), material.transmit(), material.ior(), material.emission()};
-  }
-  device::PbrPoint const evaluated = evaluate(*pbr, point);
-  device::PhongMaterial const phong = device::phong_from_pbr(&evaluated);
-  return {to_rgb(phong.ka), to_rgb(phong.kd), to_rgb(phong.ks), phong.m,
-          phong.reflect,    phong.transmit,   phong.ior,        to_rgb(phong.emission)};
+PhongModel coefficients(Material const& material, MeshPoint const& point) {
+  PbrModel const* const pbr = material.pbr();
+  return pbr ? phong_at(*pbr, point) : material.phong();
 }
 
 /// Tangent and bitangent of a surface with the unit normal `n`: along the texture's u, and against its v.
@@ -47,7 +38,7 @@ std::optional<TangentFrame> tangent_frame(Vec3 const& n, Vec3 const& tangent, do
   return TangentFrame{unit, (sign < 0 ? -1.0 : 1.0) * glm::cross(n, unit)};
 }
 
-std::optional<TangentFrame> tangent_frame_at(PbrMaterial const& material, MeshPoint const& point, Mat3 const& linear,
+std::optional<TangentFrame> tangent_frame_at(PbrModel const& material, MeshPoint const& point, Mat3 const& linear,
                                              Vec3 const& n) {
   if (auto const tangent = point.tangent()) {
     double const mirrored = glm::determinant(linear) < 0 ? -1 : 1;
@@ -62,7 +53,7 @@ std::optional<TangentFrame> tangent_frame_at(PbrMaterial const& material, MeshPo
 
 /// The normal that light is computed with, on the side of `geometric_normal`: interpolated between vertices (Phong
 /// 1975) and turned by a normal map (glTF 2.0, 3.9.3).
-Vec3 shading_normal(PbrMaterial const* material, MeshPoint const& point, Mat3 const& linear,
+Vec3 shading_normal(PbrModel const* material, MeshPoint const& point, Mat3 const& linear,
                     Vec3 const& geometric_normal) {
   Vec3 n = geometric_normal;
   if (auto const interpolated = point.normal()) {
@@ -84,7 +75,7 @@ Vec3 shading_normal(PbrMaterial const* material, MeshPoint const& point, Mat3 co
 ReferencePoint find_reference_point(Ray const& ray, Hit const& hit) {
   ReferencePoint result;
   Material const& material = material_of(*hit.shape);
-  PbrMaterial const* const pbr = material.pbr().get();
+  PbrModel const* const pbr = material.pbr();
   MeshPoint const point(hit);
   result.from_outside = glm::dot(hit.normal, ray.direction) < 0;
   result.position = ray.at(hit.t);
@@ -102,7 +93,7 @@ ReferencePoint find_reference_point(Ray const& ray, Hit const& hit) {
 }
 
 bool is_absent(Hit const& hit) {
-  PbrMaterial const* const pbr = material_of(*hit.shape).pbr().get();
+  PbrModel const* const pbr = material_of(*hit.shape).pbr();
   if (!pbr || !has_cutouts(*pbr)) return false;
   MeshPoint const point(hit);
   return point.is_on_mesh() && is_cut_out(*pbr, base_alpha(*pbr, point));

@@ -4,21 +4,13 @@
 
 namespace lichtraum {
 
-/// How a surface answers to light at one point (see Material).
-struct PhongCoefficients {
-  Rgb ka{0}, kd{0}, ks{0};
-  double m = 1;
-  double reflect = 0, transmit = 0, ior = 1;
-  Rgb emission{0};
-};
-
 /// A point of a surface, as seen by the ray that found it: the definition of kernels/shading/shading_point.clh.
 struct ReferencePoint {
   Vec3 position{0};
   Vec3 geometric_normal{0};  // unit length, on the viewer's side
   Vec3 normal{0};            // the same, for shading: smooth, and bumpy by a normal map
   Vec3 to_viewer{0};         // unit length
-  PhongCoefficients phong;
+  PhongModel phong;
   bool from_outside = true;         // the viewer is on the side that the surface's own normal points to
   bool has_shading_normal = false;  // whether the two normals differ
   double offset = 0;                // rays start this far off the surface, so as not to hit it again

@@ -7,7 +7,7 @@ namespace lichtraum {
 std::vector<Light> casting_shadows(std::vector<Light> const& lights) {
   std::vector<Light> result;
   for (Light const& light : lights) {
-    if (light.kind() != LightKind::ambient) result.push_back(light);
+    if (light.casts_shadows()) result.push_back(light);
   }
   return result;
 }

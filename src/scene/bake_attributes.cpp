@@ -21,7 +21,7 @@ struct VertexLayout {
 
 VertexLayout layout_of(MeshGeometry const& geometry, Material const* material) {
   VertexLayout layout;
-  PbrMaterial const* const pbr = material ? material->pbr().get() : nullptr;
+  PbrModel const* const pbr = material ? material->pbr() : nullptr;
   bool const is_unlit = pbr && pbr->unlit;
   if (!geometry.normals.empty() && !is_unlit) {
     layout.format |= VERTEX_NORMAL;

@@ -8,109 +8,205 @@
 
 #include "core/elementary.hpp"
 #include "core/format_numbers.hpp"
+#include "scene/device_conversion.hpp"
+#include "scene/device_light.hpp"
 #include "scene/unit_vector.hpp"
 
 namespace lichtraum {
 namespace {
 
-Vec3 checked_direction(Vec3 const& direction) {
-  if (direction == Vec3(0)) throw std::invalid_argument("a light's direction must not be zero");
-  return unit_vector(direction);
+/// What may be wrong with the fields of any kind.
+struct Check : LightFieldVisitor {
+  void direction(char const*, Vec3& direction) const {
+    if (direction == Vec3(0)) throw std::invalid_argument("a light's direction must not be zero");
+    direction = unit_vector(direction);
+  }
+  void range(char const*, double range) const {
+    if (!(range > 0)) throw std::invalid_argument("a light's range must be positive");
+  }
+  void cone(char const*, SpotCone const& cone) const {
+    bool const is_cone = cone.inner_degrees >= 0 && cone.inner_degrees < cone.outer_degrees && cone.outer_degrees <= 90;
+    if (!is_cone) throw std::invalid_argument("a spot light's angles must be 0 <= inner < outer <= 90 degrees");
+  }
+};
+
+struct FindBrightness : LightFieldVisitor {
+  Rgb found{0};
+  void brightness(char const*, Rgb const& color) { found = color; }
+};
+
+struct Print {
+  std::string text;
+  void position(char const* name, Vec3 const& v) { triple(name, v); }
+  void direction(char const* name, Vec3 const& v) { triple(name, v); }
+  void brightness(char const* name, Rgb const& color) { triple(name, color); }
+  void ambient(char const* name, Rgb const& color) {
+    if (color != Rgb(0)) triple(name, color);
+  }
+  void flag(char const* name, bool holds) {
+    if (holds) add(name);
+  }
+  void range(char const* name, double range) {
+    if (std::isfinite(range)) add(fmt::format("{} {}", name, range));
+  }
+  void cone(char const* name, SpotCone const& cone) {
+    add(fmt::format("{} {} {}", name, cone.inner_degrees, cone.outer_degrees));
+  }
+
+ private:
+  void triple(char const* name, Vec3 const& v) { add(fmt::format("{} {}", name, format_numbers(v))); }
+  void add(std::string const& field) { text += (text.empty() ? "" : ", ") + field; }
+};
+
+// KHR_lights_punctual, "Range Property" and "Inner and Outer Cone Angles".
+
+double falloff(double distance, double range) {
+  double const share = distance / range;
+  return std::clamp(1 - share * share * share * share, 0.0, 1.0) / (distance * distance);
+}
+
+/// Brightness in a cone: (cosine * scale + offset)^2, clamped to 0..1.
+struct ConeFactors {
+  double scale;
+  double offset;
+};
+ConeFactors factors_of(SpotCone const& cone) {
+  double const inner = cos_of(glm::radians(cone.inner_degrees));
+  double const outer = cos_of(glm::radians(cone.outer_degrees));
+  double const scale = 1 / std::max(inner - outer, 0.001);
+  return {scale, -outer * scale};
+}
+
+// Of each kind: what arrives at a point, and the struct that the device reads.
+
+Rgb arriving(AmbientLight const&, Vec3 const&) { return Rgb(0); }
+Rgb arriving(PointLight const& light, Vec3 const& point) {
+  if (!light.falls_off) return light.ld;
+  double const distance = glm::distance(point, light.position);
+  return distance == 0 ? Rgb(0) : light.ld * falloff(distance, light.range);
+}
+Rgb arriving(SpotLight const& light, Vec3 const& point) {
+  Vec3 const way = point - light.position;
+  double const distance = glm::length(way);
+  if (distance == 0) return Rgb(0);
+  ConeFactors const cone = factors_of(light.cone);
+  double const cosine = glm::dot(light.direction, way) / distance;
+  double const share = std::clamp(cosine * cone.scale + cone.offset, 0.0, 1.0);
+  return light.ld * (falloff(distance, light.range) * share * share);
+}
+Rgb arriving(DirectionalLight const& light, Vec3 const&) { return light.ld; }
+
+std::optional<device::PunctualLight> for_device(AmbientLight const&) { return std::nullopt; }
+std::optional<device::PunctualLight> for_device(PointLight const& light) {
+  device::PunctualLight out{};
+  out.kind = light.falls_off ? LIGHT_FALLS_OFF : LIGHT_CONSTANT;
+  store(light.position, out.position);
+  store(light.ld, out.ld);
+  out.inverse_range = float(1 / light.range);
+  out.cone_offset = 1;
+  return out;
+}
+std::optional<device::PunctualLight> for_device(SpotLight const& light) {
+  device::PunctualLight out{};
+  ConeFactors const cone = factors_of(light.cone);
+  out.kind = LIGHT_FALLS_OFF;
+  store(light.position, out.position);
+  store(light.direction, out.direction);
+  store(light.ld, out.ld);
+  out.inverse_range = float(1 / light.range);
+  out.cone_scale = float(cone.scale);
+  out.cone_offset = float(cone.offset);
+  return out;
+}
+std::optional<device::PunctualLight> for_device(DirectionalLight const& light) {
+  device::PunctualLight out{};
+  out.kind = LIGHT_DIRECTIONAL;
+  store(light.direction, out.direction);
+  store(light.ld, out.ld);
+  return out;
 }
 
 }  // namespace
 
-Light Light::ambient(std::string name, Rgb const& la) {
-  Light light;
-  light.name_ = std::move(name);
-  light.kind_ = LightKind::ambient;
-  light.la_ = la;
-  light.ld_ = Rgb(0);
-  return light;
+Light::Light(std::string name, Model model) : name_(std::move(name)), model_(std::move(model)) {
+  std::visit(
+      [](auto& light) {
+        Check const check;
+        for_each_field(light, check);
+      },
+      model_);
 }
 
+Light Light::ambient(std::string name, Rgb const& la) { return {std::move(name), AmbientLight{.la = la}}; }
 Light Light::point(std::string name, Vec3 const& position, Rgb const& ld, Rgb const& la) {
-  Light light;
-  light.name_ = std::move(name);
-  light.position_ = position;
-  light.la_ = la;
-  light.ld_ = ld;
-  return light;
+  return {std::move(name), PointLight{.ld = ld, .la = la, .position = position}};
 }
-
 Light Light::falling_off(std::string name, Vec3 const& position, Rgb const& intensity, double range) {
-  if (!(range > 0)) throw std::invalid_argument("a light's range must be positive");
-  Light light = point(std::move(name), position, intensity);
-  light.falls_off_ = true;
-  light.range_ = range;
-  return light;
+  return {std::move(name), PointLight{.ld = intensity, .position = position, .falls_off = true, .range = range}};
 }
-
 Light Light::spot(std::string name, Vec3 const& position, Vec3 const& direction, Rgb const& intensity,
                   SpotCone const& cone, double range) {
-  bool const is_cone = cone.inner_degrees >= 0 && cone.inner_degrees < cone.outer_degrees && cone.outer_degrees <= 90;
-  if (!is_cone) throw std::invalid_argument("a spot light's angles must be 0 <= inner < outer <= 90 degrees");
-  Light light = falling_off(std::move(name), position, intensity, range);
-  light.kind_ = LightKind::spot;
-  light.direction_ = checked_direction(direction);
-  light.cone_ = cone;
-  return light;
+  return {std::move(name),
+          SpotLight{.ld = intensity, .position = position, .direction = direction, .cone = cone, .range = range}};
 }
-
 Light Light::directional(std::string name, Vec3 const& direction, Rgb const& ld) {
-  Light light;
-  light.name_ = std::move(name);
-  light.kind_ = LightKind::directional;
-  light.direction_ = checked_direction(direction);
-  light.ld_ = ld;
-  return light;
+  return {std::move(name), DirectionalLight{.ld = ld, .direction = direction}};
 }
 
-// KHR_lights_punctual, "Range Property" and "Inner and Outer Cone Angles".
+std::string_view Light::kind() const {
+  return std::visit([](auto const& light) { return light.kind; }, model_);
+}
+
+Rgb Light::la() const {
+  return std::visit(
+      [](auto const& light) {
+        if constexpr (requires { light.la; }) {
+          return light.la;
+        } else {
+          return Rgb(0);
+        }
+      },
+      model_);
+}
+
+Rgb Light::brightness() const {
+  FindBrightness brightness;
+  std::visit([&](auto const& light) { for_each_field(light, brightness); }, model_);
+  return brightness.found;
+}
+
+bool Light::casts_shadows() const { return !get<AmbientLight>(); }
+
+Vec3 const* Light::position() const {
+  return std::visit(
+      [](auto const& light) -> Vec3 const* {
+        if constexpr (requires { light.position; }) {
+          return &light.position;
+        } else {
+          return nullptr;
+        }
+      },
+      model_);
+}
+
+Vec3 Light::way_from(Vec3 const& point) const {
+  if (Vec3 const* const place = position()) return *place - point;
+  DirectionalLight const* const far = get<DirectionalLight>();
+  return far ? -far->direction : Vec3(0);
+}
+
 Rgb Light::arriving_at(Vec3 const& point) const {
-  if (!falls_off_) return ld_;
-  Vec3 const way = point - position_;
-  double const distance = glm::length(way);
-  if (distance == 0) return Rgb(0);
-  double const share = distance / range_;
-  double const window = std::clamp(1 - share * share * share * share, 0.0, 1.0);
-  double cone = 1;
-  if (kind_ == LightKind::spot) {
-    double const inner = cos_of(glm::radians(cone_.inner_degrees));
-    double const outer = cos_of(glm::radians(cone_.outer_degrees));
-    double const cosine = glm::dot(direction_, way) / distance;
-    double const inside = std::clamp((cosine - outer) / std::max(inner - outer, 0.001), 0.0, 1.0);
-    cone = inside * inside;
-  }
-  return ld_ * (window * cone / (distance * distance));
+  return std::visit([&](auto const& light) { return arriving(light, point); }, model_);
 }
 
-std::string_view name_of(LightKind kind) {
-  switch (kind) {
-    case LightKind::ambient:
-      return "ambient";
-    case LightKind::spot:
-      return "spot";
-    case LightKind::directional:
-      return "directional";
-    default:
-      return "point";
-  }
+std::optional<device::PunctualLight> device_light(Light const& light) {
+  return std::visit([](auto const& model) { return for_device(model); }, light.model());
 }
 
 std::ostream& operator<<(std::ostream& out, Light const& light) {
-  out << fmt::format("{} light '{}':", name_of(light.kind()), light.name());
-  if (light.has_position()) out << fmt::format(" position {},", format_numbers(light.position()));
-  if (light.kind() == LightKind::spot || light.kind() == LightKind::directional) {
-    out << fmt::format(" direction {},", format_numbers(light.direction()));
-  }
-  if (light.kind() == LightKind::spot) {
-    out << fmt::format(" cone {} {},", light.cone().inner_degrees, light.cone().outer_degrees);
-  }
-  if (light.kind() == LightKind::ambient) return out << fmt::format(" la {}", format_numbers(light.la()));
-  out << fmt::format(" la {}, ld {}", format_numbers(light.la()), format_numbers(light.ld()));
-  if (light.falls_off()) out << fmt::format(", falls off, range {}", light.range());
-  return out;
+  Print fields;
+  std::visit([&](auto const& model) { for_each_field(model, fields); }, light.model());
+  return out << fmt::format("{} light '{}': {}", light.kind(), light.name(), fields.text);
 }
 
 }  // namespace lichtraum

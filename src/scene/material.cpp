@@ -5,28 +5,74 @@
 #include <stdexcept>
 
 #include "core/format_numbers.hpp"
+#include "scene/pbr_evaluation.hpp"
 
 namespace lichtraum {
+namespace {
 
-void Material::set_mirror_and_glass(double reflect, double transmit, double ior) {
+void check(PhongModel const& model) {
   // Decimals that add up to 1 on paper may be an ulp above it.
   constexpr double sum_limit = 1 + 1e-12;
-  if (!(reflect >= 0 && reflect <= 1 && transmit >= 0 && transmit <= 1 && reflect + transmit <= sum_limit)) {
+  bool const are_shares = model.reflect >= 0 && model.transmit >= 0 && model.reflect <= 1 && model.transmit <= 1;
+  if (!are_shares || !(model.reflect + model.transmit <= sum_limit)) {
     throw std::invalid_argument("reflect, transmit and their sum must lie in 0..1");
   }
-  if (!(ior > 0 && std::isfinite(ior))) throw std::invalid_argument("the index of refraction must be positive");
-  reflect_ = reflect;
-  transmit_ = transmit;
-  ior_ = ior;
+  if (!(model.ior > 0 && std::isfinite(model.ior))) {
+    throw std::invalid_argument("the index of refraction must be positive");
+  }
+}
+void check(PbrModel const&) {}  // any can be drawn
+
+std::string text_of(Rgb const& color) { return format_numbers(color); }
+std::string text_of(double number) { return fmt::format("{}", number); }
+
+#define LICHTRAUM_NONE(...)
+// Of one field that is not what it is at first.
+#define LICHTRAUM_CHANGE(name, ...) \
+  if (model.name != Initial().name) out += fmt::format(", " #name " {}", text_of(model.name));
+
+std::string text_of(PhongModel const& model) {
+  using Initial = PhongModel;
+  std::string out;
+#define LICHTRAUM_FIELD(name, ...) out += fmt::format(", " #name " {}", text_of(model.name));
+  PHONG_STANDARD_FIELDS(LICHTRAUM_FIELD, LICHTRAUM_FIELD, LICHTRAUM_FIELD)
+#undef LICHTRAUM_FIELD
+  PHONG_OPTIONAL_FIELDS(LICHTRAUM_CHANGE, LICHTRAUM_CHANGE, LICHTRAUM_CHANGE)
+  return out.substr(2);
+}
+
+std::string text_of(PbrModel const& model) {
+  using Initial = PbrModel;
+  std::string out = "metallic-roughness";
+#define LICHTRAUM_TEXTURE(name, ...) \
+  if (model.name) out += ", " #name;
+#define LICHTRAUM_MODE(type, name, initial) \
+  if (model.name != initial) out += ", " #name;
+  PBR_FIELDS(LICHTRAUM_CHANGE, LICHTRAUM_CHANGE, LICHTRAUM_CHANGE, LICHTRAUM_TEXTURE, LICHTRAUM_MODE)
+#undef LICHTRAUM_TEXTURE
+#undef LICHTRAUM_MODE
+  return out;
+}
+#undef LICHTRAUM_CHANGE
+#undef LICHTRAUM_NONE
+
+}  // namespace
+
+Material::Material(std::string name, Rgb const& ka, Rgb const& kd, Rgb const& ks, double m)
+    : Material(std::move(name), PhongModel{.ka = ka, .kd = kd, .ks = ks, .m = m}) {}
+
+Material::Material(std::string name, Model model) : name_(std::move(name)), model_(std::move(model)) {
+  std::visit([](auto const& checked) { check(checked); }, model_);
+}
+
+PhongModel Material::phong() const {
+  PbrModel const* const metallic = pbr();
+  return metallic ? phong_at(*metallic, MeshPoint()) : std::get<PhongModel>(model_);
 }
 
 std::ostream& operator<<(std::ostream& out, Material const& material) {
-  out << fmt::format("material '{}': ka {}, kd {}, ks {}, m {}", material.name(), format_numbers(material.ka()),
-                     format_numbers(material.kd()), format_numbers(material.ks()), material.m());
-  if (material.emission() != Rgb(0)) out << fmt::format(", emission {}", format_numbers(material.emission()));
-  if (material.reflect() != 0) out << fmt::format(", reflect {}", material.reflect());
-  if (material.transmit() != 0) out << fmt::format(", transmit {}, ior {}", material.transmit(), material.ior());
-  return out;
+  return out << fmt::format("material '{}': ", material.name())
+             << std::visit([](auto const& model) { return text_of(model); }, material.model());
 }
 
 }  // namespace lichtraum

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "lichtraum/pbr_material.hpp"
+#include "lichtraum/pbr_model.hpp"
 #include "lichtraum/shapes.hpp"
 
 namespace lichtraum {

@@ -20,29 +20,30 @@ double unit(double x) { return std::clamp(x, 0.0, 1.0); }
 
 }  // namespace
 
-bool varies(PbrMaterial const& m) {
+bool varies(PbrModel const& m) {
   return m.base_color_texture || m.metallic_roughness_texture || m.occlusion_texture || m.emissive_texture ||
          m.transmission_texture || m.specular_texture || m.specular_color_texture;
 }
 
-bool has_cutouts(PbrMaterial const& m) { return m.alpha_mode != AlphaMode::opaque; }
+bool has_cutouts(PbrModel const& m) { return m.alpha_mode != AlphaMode::opaque; }
 
-bool filters(PbrMaterial const& m) {
+bool filters(PbrModel const& m) {
   return m.alpha_mode == AlphaMode::blend ||
          (m.transmission > 0 && (m.transmission_texture || m.metallic_roughness_texture));
 }
 
-double base_alpha(PbrMaterial const& m, MeshPoint const& point) {
-  return m.base_color.a * point.color().a * sample(m.base_color_texture, point, TexelContent::color).a;
+double base_alpha(PbrModel const& m, MeshPoint const& point) {
+  return m.alpha * point.color().a * sample(m.base_color_texture, point, TexelContent::color).a;
 }
 
-bool is_cut_out(PbrMaterial const& m, double alpha) {
+bool is_cut_out(PbrModel const& m, double alpha) {
   if (m.alpha_mode == AlphaMode::mask) return alpha < m.alpha_cutoff;
   return m.alpha_mode == AlphaMode::blend && !(alpha > 0);
 }
 
-device::PbrPoint evaluate(PbrMaterial const& m, MeshPoint const& point) {
-  glm::dvec4 const base = m.base_color * point.color() * sample(m.base_color_texture, point, TexelContent::color);
+device::PbrPoint evaluate(PbrModel const& m, MeshPoint const& point) {
+  glm::dvec4 const base =
+      glm::dvec4(m.base_color, m.alpha) * point.color() * sample(m.base_color_texture, point, TexelContent::color);
   glm::dvec4 const surface = sample(m.metallic_roughness_texture, point, TexelContent::data);
   double const transmission = unit(m.transmission * sample(m.transmission_texture, point, TexelContent::data).r);
   double const occlusion = sample(m.occlusion_texture, point, TexelContent::data).r;
@@ -60,6 +61,20 @@ device::PbrPoint evaluate(PbrMaterial const& m, MeshPoint const& point) {
   store(m.specular_color * Rgb(sample(m.specular_color_texture, point, TexelContent::color)), result.specular_color);
   result.is_unlit = m.unlit ? 1 : 0;
   return result;
+}
+
+PhongModel phong_at(PbrModel const& material, MeshPoint const& point) {
+  device::PbrPoint const evaluated = evaluate(material, point);
+  device::PhongMaterial const phong = device::phong_from_pbr(&evaluated);
+  PhongModel out;
+#define LICHTRAUM_COLOR(name, initial) out.name = Rgb(phong.name[0], phong.name[1], phong.name[2]);
+#define LICHTRAUM_SHARE(name, initial) out.name = phong.name;
+#define LICHTRAUM_NUMBER(name, initial, least, most) out.name = phong.name;
+  PHONG_FIELDS(LICHTRAUM_COLOR, LICHTRAUM_SHARE, LICHTRAUM_NUMBER)
+#undef LICHTRAUM_COLOR
+#undef LICHTRAUM_SHARE
+#undef LICHTRAUM_NUMBER
+  return out;
 }
 
 }  // namespace lichtraum

@@ -1,25 +1,27 @@
 #pragma once
 
-#include "lichtraum/pbr_material.hpp"
+#include "lichtraum/pbr_model.hpp"
+#include "lichtraum/phong_model.hpp"
 #include "scene/mesh_point.hpp"
 #include "shared/phong_from_pbr.h"
 
 namespace lichtraum {
 
 /// Whether textures change what a material is from point to point; normal maps do not count.
-bool varies(PbrMaterial const& material);
+bool varies(PbrModel const& material);
 /// Whether a ray may go through a surface because nothing is there: alpha masks, and what blends.
-bool has_cutouts(PbrMaterial const& material);
+bool has_cutouts(PbrModel const& material);
 /// Whether textures or vertices decide how much light it lets through.
-bool filters(PbrMaterial const& material);
+bool filters(PbrModel const& material);
 
 /// Alpha, whatever the mode makes of it: factor times texture times vertex colour.
-double base_alpha(PbrMaterial const& material, MeshPoint const& point);
+double base_alpha(PbrModel const& material, MeshPoint const& point);
 /// Whether nothing is there where alpha is this: below a mask's cutoff, or where what blends is wholly transparent.
-bool is_cut_out(PbrMaterial const& material, double alpha);
+bool is_cut_out(PbrModel const& material, double alpha);
 
-/// The material at a point: its factors, its textures and the vertices' colours multiplied. What Phong's coefficients
-/// are derived from.
-device::PbrPoint evaluate(PbrMaterial const& material, MeshPoint const& point);
+/// The material at a point: its factors, its textures and the vertices' colours multiplied.
+device::PbrPoint evaluate(PbrModel const& material, MeshPoint const& point);
+/// Phong's coefficients there, derived from that by the mapping in docs/GLTF.md.
+PhongModel phong_at(PbrModel const& material, MeshPoint const& point);
 
 }  // namespace lichtraum

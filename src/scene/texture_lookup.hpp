@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lichtraum/pbr_material.hpp"
+#include "lichtraum/pbr_model.hpp"
 
 namespace lichtraum {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "lichtraum/pbr_material.hpp"
+#include "lichtraum/pbr_model.hpp"
 
 namespace lichtraum {
 
 /// Which texture coordinates the material uses, ascending: the device keeps these only, and counts in them.
-inline std::vector<int> used_texcoords(PbrMaterial const& material) {
+inline std::vector<int> used_texcoords(PbrModel const& material) {
   std::vector<int> sets;
   for (auto const slot : texture_slots) {
     if (material.*slot) sets.push_back((material.*slot).texcoord);

@@ -44,10 +44,4 @@ std::size_t const* SceneValues::find(Material const* original) const {
   return found == places_.end() ? nullptr : &found->second;
 }
 
-bool is_physically_based(Material const& material) {
-  if (!material.pbr()) return false;
-  Material const derived = phong_from_pbr("", material.pbr());
-  return derived.kd() == material.kd() && derived.ks() == material.ks() && derived.m() == material.m();
-}
-
 }  // namespace lichtraum::view

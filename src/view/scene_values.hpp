@@ -40,7 +40,4 @@ class SceneValues {
   std::unordered_map<Material const*, std::size_t> places_;
 };
 
-/// Whether a material's look comes from its physically based values, so that those are what is to be changed.
-bool is_physically_based(Material const& material);
-
 }  // namespace lichtraum::view

@@ -95,7 +95,7 @@ TEST_CASE("an edited material keeps its textures", "[image][edits]") {
     pbr.base_color.g *= 0.4;
     pbr.roughness = 0.3;
     pbr.emissive += Rgb(0, 0, 0.2);
-    Material const changed = phong_from_pbr(material->name(), std::make_shared<PbrMaterial const>(pbr));
+    Material const changed(material->name(), pbr);
     edits.materials.emplace(material.get(), changed);
     **wanted.materials.find(material->name()) = changed;
   }

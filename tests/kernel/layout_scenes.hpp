@@ -83,10 +83,8 @@ inline FlatScene mixed_scene(std::uint64_t seed) {
     }
   }
   for (int i = 0; i < 12; ++i) scene.instances.push_back({1, random_transform(random, random.in_cube(8))});
-  scene.materials = {std::make_shared<Material>(), std::make_shared<Material>()};
-  auto glass = std::make_shared<Material>();
-  glass->set_mirror_and_glass(0, 0.5, 1.5);
-  scene.materials[1] = glass;
+  auto const glass = std::make_shared<Material>("glass", PhongModel{.transmit = 0.5, .ior = 1.5});
+  scene.materials = {std::make_shared<Material>(), glass};
   return scene;
 }
 

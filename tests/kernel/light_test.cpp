@@ -34,13 +34,15 @@ TEST_CASE("Lights fall off, have cones and directions as KHR_lights_punctual say
   for (std::size_t i = 0; i < count; ++i) {
     Vec3 const position = to_vec3(positions[i]);
     Rgb const expected = lights[i].arriving_at(position);
-    Vec3 const to_light =
-        lights[i].has_position() ? glm::normalize(lights[i].position() - position) : -lights[i].direction();
+    Vec3 const to_light = glm::normalize(lights[i].way_from(position));
     dark += expected == Rgb(0);
     INFO("light " << i << ", " << lights[i]);
     // A narrow cone's edge takes a cosine's last digits a hundredfold.
     if (max_abs(to_vec3(arriving[i]) - expected) > 1e-4 * (1 + max_abs(expected))) FAIL("what arrives");
     if (max_abs(to_vec3(to_lights[i]) - to_light) > 1e-5) FAIL("where from");
+    double const distance = lights[i].position() ? glm::length(lights[i].way_from(position)) : infinity;
+    if (!(to_lights[i].w == distance || std::abs(to_lights[i].w - distance) < 1e-5 * distance)) FAIL("how far");
+    if (arriving[i].w != 0) FAIL("a light without a size has no density");
   }
   if (count >= 1000) {
     CHECK(dark > count / 20);

@@ -31,8 +31,8 @@ __kernel void probe_sample_light(__global PunctualLight const* lights, __global 
   size_t const i = get_global_id(0);
   PunctualLight const light = lights[i];
   LightSample const sample = sample_light(&light, positions[i].xyz);
-  to_lights[i] = (float4)(sample.to_light, 0.f);
-  arriving[i] = (float4)(sample.arriving, 0.f);
+  to_lights[i] = (float4)(sample.to_light, sample.distance);
+  arriving[i] = (float4)(sample.arriving, sample.pdf);
 }
 
 __kernel void probe_terminator(__global float4 const* geometric_normals, __global float4 const* normals,

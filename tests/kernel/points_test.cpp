@@ -102,7 +102,7 @@ TEST_CASE("Textures, normals and colours give a point the same coefficients on t
       bent += point.has_shading_normal;
       wrong_normal += !(max_abs(to_vec3(normals[i]) - point.geometric_normal) < 1e-4 &&
                         max_abs(to_vec3(shading_normals[i]) - point.normal) < 2e-3);
-      PhongCoefficients const& p = point.phong;
+      PhongModel const& p = point.phong;
       wrong_color += !(max_abs(coefficient(coefficients, i, 0) - p.ka) < 2e-3 &&
                        max_abs(coefficient(coefficients, i, 1) - p.kd) < 2e-3 &&
                        max_abs(coefficient(coefficients, i, 2) - p.ks) < 5e-3 &&

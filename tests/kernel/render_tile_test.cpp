@@ -4,8 +4,10 @@
 #include <cmath>
 #include <set>
 
+#include "compile/material_table.hpp"
 #include "lichtraum/film.hpp"
 #include "random_scene.hpp"
+#include "scene/device_light.hpp"
 #include "shared/frame.h"
 #include "support/catch.hpp"
 #include "support/skip.hpp"
@@ -24,12 +26,17 @@ struct SmallPicture {
   Film film;
 
   explicit SmallPicture(device::uint sample_count, PlaneSet const& planes = {Plane::radiance}) {
-    for (auto const& [reflect, transmit] : {std::pair{0.f, 0.f}, {0.5f, 0.f}, {0.1f, 0.8f}}) {
-      scene.materials.push_back(
-          {{0.1f, 0.2f, 0.1f}, 20, {0.5f, 0.6f, 0.7f}, reflect, {0.3f, 0.3f, 0.3f}, transmit, {}, 1.5f});
+    for (auto const& [reflect, transmit] : {std::pair{0., 0.}, {0.5, 0.}, {0.1, 0.8}}) {
+      scene.materials.push_back(phong_material({"", PhongModel{.ka = {0.1, 0.2, 0.1},
+                                                               .kd = {0.5, 0.6, 0.7},
+                                                               .ks = Rgb(0.3),
+                                                               .m = 20,
+                                                               .reflect = reflect,
+                                                               .transmit = transmit,
+                                                               .ior = 1.5}}));
     }
-    scene.lights.push_back({{3, 5, 4, 0}, {1, 0.9f, 0.8f, 0}, {}, 0, 0, 1, LIGHT_CONSTANT});
-    scene.lights.push_back({{-3, 2, 4, 0}, {0.2f, 0.3f, 0.4f, 0}, {}, 0, 0, 1, LIGHT_CONSTANT});
+    scene.lights.push_back(*device_light(Light::point("", {3, 5, 4}, {1, 0.9, 0.8})));
+    scene.lights.push_back(*device_light(Light::point("", {-3, 2, 4}, {0.2, 0.3, 0.4})));
     scene.add(make_box({}, Vec3(-0.3), Vec3(0.3), 1));
     scene.add(make_sphere({0, 0.5, 0}, 0.3, 2));
     auto const [object, bounds] = scene.close_object();

@@ -1,7 +1,7 @@
-#include "shared/shading.h"
 #include "reference.hpp"
 #include "shared/develop.h"
 #include "shared/frame.h"
+#include "shared/phong_material.h"
 #include "support/catch.hpp"
 #include "support/opencl_probe.hpp"
 #include "support/skip.hpp"

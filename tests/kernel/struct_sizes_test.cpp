@@ -9,7 +9,6 @@
 #include "shared/phong_from_pbr.h"
 #include "shared/sampling.h"
 #include "shared/scene_arrays.h"
-#include "shared/shading.h"
 #include "shared/texture.h"
 #include "shared/vertex.h"
 #include "shared/wide.h"

@@ -45,9 +45,9 @@ __kernel void probe_light_visibility(SCENE_PARAMETERS, __global float4 const* po
   point.geometric_normal = normals[i].xyz;
   point.offset = position_offset[i].w;
   PunctualLight const light = probed_lights[i];
-  LightSample const sample = sample_light(&light, point.position);
+  Real3 const to_light = sample_light(&light, point.position).to_light;
   Mask const lit = lane_mask(true);
   Real seen;
-  trace_light_visibility(&scene, &light, &point, &sample, &lit, 1u, false, &seen);
+  trace_light_visibility(&scene, &light, &point, &to_light, &lit, 1u, false, &seen);
   visibility[i] = seen;
 }

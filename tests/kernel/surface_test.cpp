@@ -1,4 +1,5 @@
 #include "random_scene.hpp"
+#include "scene/device_light.hpp"
 #include "support/catch.hpp"
 #include "support/skip.hpp"
 
@@ -190,7 +191,7 @@ TEST_CASE("A light is visible unless something opaque lies strictly before it", 
   for (auto const& c : cases) {
     positions.push_back(to_float4(c.point, 1e-5));
     normals.push_back({0, 1, 0, 0});
-    lights.push_back({to_float4(c.light), {}, {}, 0, 0, 1, LIGHT_CONSTANT});
+    lights.push_back(*device_light(Light::point("", c.light, Rgb(1))));
   }
   std::vector<float> visibility(cases.size());
   ProbeProgram("surface.cl")

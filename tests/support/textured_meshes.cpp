@@ -64,10 +64,8 @@ std::shared_ptr<MeshGeometry> without(MeshGeometry const& geometry, bool normals
   return copy;
 }
 
-std::shared_ptr<Material> make_material(std::string name, PbrMaterial const& pbr) {
-  auto material = std::make_shared<Material>(std::move(name), Rgb(0.6, 0.3, 0.2), Rgb(0.6, 0.3, 0.2), Rgb(0.2), 8);
-  material->set_pbr(std::make_shared<PbrMaterial const>(pbr));
-  return material;
+std::shared_ptr<Material> make_material(std::string name, PbrModel const& pbr) {
+  return std::make_shared<Material>(std::move(name), pbr);
 }
 
 }  // namespace
@@ -93,8 +91,8 @@ Scene make_textured_scene() {
     return result;
   };
 
-  PbrMaterial full;  // everything that Phong's mapping reads
-  full.base_color = {1, 0.9, 0.8, 1};
+  PbrModel full;  // everything that Phong's mapping reads
+  full.base_color = {1, 0.9, 0.8};
   full.base_color_texture = slot(color, 1);
   full.base_color_texture.scale = {1.5, 0.7};
   full.base_color_texture.rotation_radians = 0.4;
@@ -107,22 +105,23 @@ Scene make_textured_scene() {
   full.specular_color_texture = slot(color);
   full.normal_texture = slot(bumps, 1);
   full.normal_scale = 0.8;
-  PbrMaterial masked;
+  PbrModel masked;
   masked.base_color_texture = slot(color);
   masked.metallic = 0;
   masked.alpha_mode = AlphaMode::mask;
-  PbrMaterial blended;
-  blended.base_color = {0.9, 0.5, 0.4, 0.9};
+  PbrModel blended;
+  blended.base_color = {0.9, 0.5, 0.4};
+  blended.alpha = 0.9;
   blended.metallic = 0.3;
   blended.roughness = 0.5;
   blended.alpha_mode = AlphaMode::blend;
-  PbrMaterial clear;
+  PbrModel clear;
   clear.metallic = 0;
   clear.roughness = 0.2;
   clear.transmission = 0.8;
   clear.thickness = 1;
   clear.transmission_texture = slot(data);
-  PbrMaterial glowing;
+  PbrModel glowing;
   glowing.unlit = true;
   glowing.base_color_texture = slot(color);
 

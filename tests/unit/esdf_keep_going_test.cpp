@@ -69,7 +69,7 @@ TEST_CASE("keep going: of two things with one name the later one wins", "[unit][
   CHECK(dynamic_cast<Sphere const&>(**scene.shapes.find("s")).radius() == 2);
   CHECK((*scene.shapes.find("t"))->material()->kd() == Rgb(0, 1, 0));
   CHECK(scene.lights.size() == 1);
-  CHECK(scene.lights.find("a")->ld() == Rgb(2));
+  CHECK(scene.lights.find("a")->brightness() == Rgb(2));
   CHECK(scene.cameras.size() == 1);
   CHECK(scene.cameras.find("eye")->fov_x_degrees() == 60);
 }

@@ -152,14 +152,12 @@ TEST_CASE("MTL: Phong's coefficients, mirrors and glass", "[unit][obj]") {
   CHECK(material("plain").ks() == Rgb(0.5, 0.5, 0.4));
   CHECK(material("plain").m() == 20);
   CHECK(material("plain").emission() == Rgb(0, 0, 2));
-  CHECK(material("plain").pbr()->emissive == Rgb(0, 0, 2));
+  CHECK(!material("plain").pbr());  // nothing changes from point to point
   CHECK(material("blender").ka() == Rgb(0.5, 0, 0));
   CHECK(material("mirror").reflect() == 0.75);
   CHECK(material("glass").transmit() == 0.75);
   CHECK(material("glass").reflect() == 0.25);
   CHECK(material("glass").ior() == 1.5);
-  CHECK(material("glass").pbr()->transmission == 0.75);
-  CHECK(material("thin").pbr()->alpha_mode == AlphaMode::blend);
   CHECK(material("thin").transmit() == 0.5);
   CHECK(material("thin").ior() == 1);
   CHECK(material("matt").ks() == Rgb(0));

@@ -136,9 +136,9 @@ TEST_CASE("values of a scene are changed beside it, and set back", "[unit][view]
   values.materials[0].is_edited = true;
   values.lights[0] = Light::point("sun", Vec3(9), Rgb(2));
   CHECK(values.edits().materials.at(red).kd() == Rgb(0.5));
-  CHECK(values.edits().lights[0].position() == Vec3(9));
+  CHECK(*values.edits().lights[0].position() == Vec3(9));
   CHECK(red->kd() == Rgb(1, 0, 0));
   values.reset();
   CHECK(values.edits().materials.empty());
-  CHECK(values.edits().lights[0].position() == Vec3(1, 2, 3));
+  CHECK(*values.edits().lights[0].position() == Vec3(1, 2, 3));
 }

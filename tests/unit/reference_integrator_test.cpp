@@ -15,9 +15,8 @@ std::shared_ptr<Material> glossy(Rgb const& ks, double m) {
 }
 
 std::shared_ptr<Material> optical(double reflect, double transmit, double ior) {
-  auto material = std::make_shared<Material>("optical", Rgb(0), Rgb(0), Rgb(0), 1);
-  material->set_mirror_and_glass(reflect, transmit, ior);
-  return material;
+  return std::make_shared<Material>(
+      "optical", PhongModel{.ka = Rgb(0), .kd = Rgb(0), .reflect = reflect, .transmit = transmit, .ior = ior});
 }
 
 /// A square of side 20 in the plane z = `z` whose winding points to +z.
@@ -150,8 +149,8 @@ TEST_CASE("a mirror shows the background, dimmed, and keeps its own highlight", 
   ReferenceScene scene;
   scene.background = {0.2, 0.4, 0.8};
   scene.ambient = Rgb(1);
-  auto const material = std::make_shared<Material>("mirror", Rgb(0.5), Rgb(0), Rgb(0.25), 10);
-  material->set_mirror_and_glass(0.75, 0, 1);
+  auto const material = std::make_shared<Material>(
+      "mirror", PhongModel{.ka = Rgb(0.5), .kd = Rgb(0), .ks = Rgb(0.25), .m = 10, .reflect = 0.75});
   add_square(scene, 0, material);
   add_light(scene, {0, 0, 9}, Rgb(1));
   auto const [radiance, counts] = trace(scene, {0, 0, 5}, {0, 0, -1});
@@ -209,8 +208,7 @@ TEST_CASE("the depth limits how many mirrors follow one another", "[unit][integr
   // Two mirrors face each other; each shows an ambient of 0.5 * 0.5 and half of what it sees.
   ReferenceScene scene;
   scene.ambient = Rgb(0.5);
-  auto const material = std::make_shared<Material>("mirror", Rgb(1), Rgb(0), Rgb(0), 1);
-  material->set_mirror_and_glass(0.5, 0, 1);
+  auto const material = std::make_shared<Material>("mirror", PhongModel{.ka = Rgb(1), .kd = Rgb(0), .reflect = 0.5});
   add_square(scene, 0, material);
   add_square(scene, 10, material);
   for (int depth = 0; depth <= 12; ++depth) {

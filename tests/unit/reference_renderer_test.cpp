@@ -18,8 +18,7 @@ std::shared_ptr<Material> shared(Material const& material) { return std::make_sh
 Scene small_scene() {
   Scene scene;
   scene.background = {0.1, 0.2, 0.4};
-  Material mirror("mirror", Rgb(0.1), Rgb(0.2), Rgb(0.5), 30);
-  mirror.set_mirror_and_glass(0.5, 0, 1);
+  Material const mirror("mirror", PhongModel{.ka = Rgb(0.1), .kd = Rgb(0.2), .ks = Rgb(0.5), .m = 30, .reflect = 0.5});
   auto const red = shared(Material("red", {0.2, 0, 0}, {0.8, 0.1, 0.1}, Rgb(0.5), 10));
   scene.shapes.insert(std::make_shared<Sphere>("ball", Vec3(0, 0, -5), 1, red));
   scene.shapes.insert(std::make_shared<Box>("floor", Vec3(-4, -1.5, -9), Vec3(4, -1, -2), shared(mirror)));

@@ -83,12 +83,14 @@ TEST_CASE("the ambient term is the sum of all La", "[unit][scene]") {
 TEST_CASE("values print themselves in one line", "[unit][scene]") {
   Material material("red", {1, 0, 0}, {1, 0.5, 0}, Rgb(0.1), 20);
   CHECK(printed(material) == "material 'red': ka 1 0 0, kd 1 0.5 0, ks 0.1 0.1 0.1, m 20");
-  material.set_mirror_and_glass(0.25, 0.5, 1.5);
+  PhongModel glass = material.phong();
+  glass.reflect = 0.25, glass.transmit = 0.5, glass.ior = 1.5;
+  material = Material("red", glass);
   CHECK(printed(material) ==
         "material 'red': ka 1 0 0, kd 1 0.5 0, ks 0.1 0.1 0.1, m 20, reflect 0.25, transmit 0.5, ior 1.5");
   CHECK(printed(Light::ambient("sky", {0, 0, 1})) == "ambient light 'sky': la 0 0 1");
   CHECK(printed(Light::point("sun", {1, 2, 3}, Rgb(1), Rgb(0.5))) ==
-        "point light 'sun': position 1 2 3, la 0.5 0.5 0.5, ld 1 1 1");
+        "point light 'sun': ld 1 1 1, la 0.5 0.5 0.5, position 1 2 3");
   CHECK(printed(Camera("eye", 60, Transform::translation({0, 0, 5}), Resolution{640, 480})) ==
         "camera 'eye': fov 60 degrees, at 0 0 5, looking along 0 0 -1, 640 x 480");
   auto const shared = std::make_shared<Material>(material);
@@ -99,18 +101,33 @@ TEST_CASE("values print themselves in one line", "[unit][scene]") {
 }
 
 TEST_CASE("materials refuse shares beyond 0..1", "[unit][scene]") {
-  Material material;
-  CHECK(material.is_opaque());
-  CHECK_THROWS_AS(material.set_mirror_and_glass(0.6, 0.6, 1), std::invalid_argument);
-  CHECK_THROWS_AS(material.set_mirror_and_glass(-0.1, 0.6, 1), std::invalid_argument);
-  CHECK_THROWS_AS(material.set_mirror_and_glass(0, 1.1, 1), std::invalid_argument);
-  CHECK_THROWS_AS(material.set_mirror_and_glass(std::nan(""), 0, 1), std::invalid_argument);
-  CHECK_THROWS_AS(material.set_mirror_and_glass(0, 1, 0), std::invalid_argument);
-  CHECK(material.reflect() == 0);
+  CHECK(Material().is_opaque());
+  auto const refuses = [](double reflect, double transmit, double ior) {
+    PhongModel const model{.reflect = reflect, .transmit = transmit, .ior = ior};
+    CHECK_THROWS_AS(Material("", model), std::invalid_argument);
+  };
+  refuses(0.6, 0.6, 1);
+  refuses(-0.1, 0.6, 1);
+  refuses(0, 1.1, 1);
+  refuses(std::nan(""), 0, 1);
+  refuses(0, 1, 0);
   for (int percent = 0; percent <= 100; ++percent) {
-    material.set_mirror_and_glass(percent / 100.0, (100 - percent) / 100.0, 1.5);
+    Material const material("",
+                            PhongModel{.reflect = percent / 100.0, .transmit = (100 - percent) / 100.0, .ior = 1.5});
+    CHECK(material.is_opaque() == (material.transmit() == 0));
   }
-  CHECK(!Material(material).is_opaque() == (material.transmit() > 0));
+}
+
+TEST_CASE("a material is Phong's or glTF's, and tells Phong's coefficients of either", "[unit][scene]") {
+  Material const phong("a", Rgb(0.1), Rgb(0.2), Rgb(0.3), 4);
+  CHECK(!phong.pbr());
+  CHECK(phong.phong().kd == Rgb(0.2));
+  Material const metal("b", PbrModel{.base_color = {1, 0.5, 0}, .metallic = 1, .roughness = 0.5, .transmission = 0.25});
+  REQUIRE(metal.pbr());
+  CHECK(metal.pbr()->base_color == Rgb(1, 0.5, 0));
+  CHECK(metal.kd().r == Approx(0.4));  // docs/GLTF.md
+  CHECK(metal.phong().reflect == Approx(0.6 * 0.25));
+  CHECK(printed(metal) == "material 'b': metallic-roughness, base_color 1 0.5 0, roughness 0.5, transmission 0.25");
 }
 
 TEST_CASE("camera rays pass through the image points", "[unit][camera]") {

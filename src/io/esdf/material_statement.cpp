@@ -18,32 +18,57 @@ Signature const signature{{{"Ka", 3}, {"Kd", 3}, {"Ks", 3}, {"m", 1}}};
 constexpr std::size_t number_count = 10;
 constexpr std::size_t most_numbers = 14;
 
-/// Whitted's terms as far as they were given.
-struct MirrorAndGlass {
-  std::optional<double> reflect;
-  std::optional<double> transmit;
-  std::optional<double> ior;
+#define LICHTRAUM_NONE(...)
+
+/// The terms that have keys, as far as they were given.
+struct OptionalTerms {
+#define LICHTRAUM_TERM(name, ...) std::optional<double> name;
+  PHONG_OPTIONAL_FIELDS(LICHTRAUM_NONE, LICHTRAUM_TERM, LICHTRAUM_TERM)
+#undef LICHTRAUM_TERM
 };
 
-bool read_key(Interpreter& interpreter, Token argument, MirrorAndGlass& terms) {
+struct Key {
+  std::string_view word;
+  std::optional<double> OptionalTerms::*term;
+  bool is_share;
+};
+constexpr Key keys[] = {
+#define LICHTRAUM_SHARE(name, initial) {#name, &OptionalTerms::name, true},
+#define LICHTRAUM_NUMBER(name, initial, least, most) {#name, &OptionalTerms::name, false},
+    PHONG_OPTIONAL_FIELDS(LICHTRAUM_NONE, LICHTRAUM_SHARE, LICHTRAUM_NUMBER)
+#undef LICHTRAUM_SHARE
+#undef LICHTRAUM_NUMBER
+};
+
+/// "reflect=, transmit= and ior="
+std::string list_of_keys() {
+  std::string text;
+  for (std::size_t i = 0; i < std::size(keys); ++i) {
+    text += fmt::format("{}{}=", i == 0 ? "" : i + 1 < std::size(keys) ? ", " : " and ", keys[i].word);
+  }
+  return text;
+}
+
+bool read_key(Interpreter& interpreter, Token argument, OptionalTerms& terms) {
   std::size_t const equals = std::min(argument.find('='), argument.size() - 1);
   Token const key = argument.substr(0, equals);
   Token const value = argument.substr(equals + 1);
-  constexpr std::string_view known[] = {"reflect", "transmit", "ior"};
-  std::optional<double>* const places[] = {&terms.reflect, &terms.transmit, &terms.ior};
-  auto const found = std::find(std::begin(known), std::end(known), key);
+  auto const* const found =
+      std::find_if(std::begin(keys), std::end(keys), [&](Key const& known) { return known.word == key; });
   if (argument[equals] != '=') {
     interpreter.error(argument, fmt::format("material: expected key=value, found {}", in_quotes(argument)),
-                      "numbers come before reflect=, transmit= and ior=");
+                      "numbers come before " + list_of_keys());
     return false;
   }
-  if (found == std::end(known)) {
-    std::string const hint = interpreter.suggest(key, known);
+  if (found == std::end(keys)) {
+    std::vector<std::string_view> words;
+    for (Key const& known : keys) words.push_back(known.word);
+    std::string const hint = interpreter.suggest(key, words);
     interpreter.error(key.empty() ? argument : key, fmt::format("material: unknown key {}", in_quotes(key)),
-                      hint.empty() ? "a material takes reflect=, transmit= and ior=" : hint);
+                      hint.empty() ? "a material takes " + list_of_keys() : hint);
     return false;
   }
-  std::optional<double>& place = *places[found - std::begin(known)];
+  std::optional<double>& place = terms.*found->term;
   if (place) {
     interpreter.error(argument, fmt::format("material: {} is given twice", key));
     return false;
@@ -54,21 +79,20 @@ bool read_key(Interpreter& interpreter, Token argument, MirrorAndGlass& terms) {
   }
   place = read_number(interpreter, value);
   if (!place) return false;
-  bool const is_share = key != "ior";
-  if (is_share && (*place < 0 || *place > 1)) {
+  if (found->is_share && (*place < 0 || *place > 1)) {
     interpreter.error(value, fmt::format("material: {} must lie between 0 and 1, not {}", key, in_quotes(value)));
     return false;
   }
-  if (!is_share && *place <= 0) {
-    interpreter.error(value, fmt::format("material: ior must be greater than 0, not {}", in_quotes(value)),
-                      "air is 1, water 1.33, glass 1.5");
+  if (!found->is_share && *place <= 0) {
+    interpreter.error(value, fmt::format("material: {} must be greater than 0, not {}", key, in_quotes(value)),
+                      key == "ior" ? "air is 1, water 1.33, glass 1.5" : "");
     return false;
   }
   return true;
 }
 
 // Extra numbers have no fixed meaning and come from programs with other ranges: they are brought into range.
-void apply_extra(MaterialExtra meaning, double value, MirrorAndGlass& terms) {
+void apply_extra(MaterialExtra meaning, double value, OptionalTerms& terms) {
   double const share = std::clamp(value, 0.0, 1.0);
   switch (meaning) {
     case MaterialExtra::reflectance:
@@ -88,7 +112,7 @@ void apply_extra(MaterialExtra meaning, double value, MirrorAndGlass& terms) {
   }
 }
 
-bool read_extras(Interpreter& interpreter, std::span<Token const> tokens, MirrorAndGlass& terms) {
+bool read_extras(Interpreter& interpreter, std::span<Token const> tokens, OptionalTerms& terms) {
   auto const& meanings = interpreter.options.material_extras;
   std::array<double, most_numbers - number_count> values{};
   if (!read_numbers(interpreter, tokens, values)) return false;
@@ -128,14 +152,14 @@ bool read_material(Interpreter& interpreter, Statement const& statement) {
   }
 
   std::array<double, number_count> v{};
-  MirrorAndGlass terms;
+  OptionalTerms terms;
   bool good = read_numbers(interpreter, arguments.subspan(1, number_count), v);
   if (positional > 1 + number_count) {
     good &= read_extras(interpreter, arguments.subspan(1 + number_count, positional - 1 - number_count), terms);
   }
   // A key says it clearly, so it wins over an extra number.
-  MirrorAndGlass keys;
-  for (Token const argument : arguments.subspan(positional)) good &= read_key(interpreter, argument, keys);
+  OptionalTerms named;
+  for (Token const argument : arguments.subspan(positional)) good &= read_key(interpreter, argument, named);
   if (good && v[9] < 0) {
     interpreter.error(arguments[number_count],
                       fmt::format("material: m must not be negative, not {}", in_quotes(arguments[number_count])));
@@ -143,16 +167,16 @@ bool read_material(Interpreter& interpreter, Statement const& statement) {
   }
   if (!good) return false;
 
-  auto material = std::make_shared<Material>(std::string(arguments[0]), Rgb(v[0], v[1], v[2]), Rgb(v[3], v[4], v[5]),
-                                             Rgb(v[6], v[7], v[8]), v[9]);
-  double const reflect = keys.reflect.value_or(terms.reflect.value_or(0));
-  double const transmit = keys.transmit.value_or(terms.transmit.value_or(0));
-  if (reflect + transmit > 1) {
+  PhongModel model{.ka = {v[0], v[1], v[2]}, .kd = {v[3], v[4], v[5]}, .ks = {v[6], v[7], v[8]}, .m = v[9]};
+#define LICHTRAUM_TERM(name, ...) model.name = named.name.value_or(terms.name.value_or(model.name));
+  PHONG_OPTIONAL_FIELDS(LICHTRAUM_NONE, LICHTRAUM_TERM, LICHTRAUM_TERM)
+#undef LICHTRAUM_TERM
+#undef LICHTRAUM_NONE
+  if (model.reflect + model.transmit > 1) {
     interpreter.error(span_of(*first_key, arguments.back()), "material: reflect + transmit must not exceed 1");
     return false;
   }
-  material->set_mirror_and_glass(reflect, transmit, keys.ior.value_or(terms.ior.value_or(1)));
-  interpreter.define(arguments[0], std::move(material));
+  interpreter.define(arguments[0], std::make_shared<Material>(std::string(arguments[0]), model));
   return true;
 }
 

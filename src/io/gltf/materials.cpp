@@ -28,69 +28,43 @@ class Reader {
         find_texture_(std::move(find_texture)),
         findings_(findings) {}
 
-  PbrMaterial read() {
-    PbrMaterial m;
+  PbrModel read() {
+    PbrModel m;
     read_core(m);
     if (auto const* e = extension("KHR_materials_pbrSpecularGlossiness")) read_specular_glossiness(*e, m);
     m.unlit = extension("KHR_materials_unlit") != nullptr;
     if (auto const* e = extension("KHR_materials_emissive_strength")) {
       m.emissive *= at_least_zero(*e, "emissiveStrength", 1);
     }
-    if (auto const* e = extension("KHR_materials_ior")) {
-      double const ior = at_least_zero(*e, "ior", 1.5);
-      if (ior >= 1) m.ior = ior;
-    }
-    if (auto const* e = extension("KHR_materials_dispersion")) m.dispersion = at_least_zero(*e, "dispersion", 0);
-    if (auto const* e = extension("KHR_materials_specular")) {
-      m.specular = fraction(*e, "specularFactor", 1);
-      m.specular_color = color(*e, "specularColorFactor", Rgb(1));
-      m.specular_texture = slot(*e, "specularTexture");
-      m.specular_color_texture = slot(*e, "specularColorTexture");
-    }
-    if (auto const* e = extension("KHR_materials_transmission")) {
-      m.transmission = fraction(*e, "transmissionFactor", 0);
-      m.transmission_texture = slot(*e, "transmissionTexture");
-    }
-    if (auto const* e = extension("KHR_materials_volume")) {
-      m.thickness = at_least_zero(*e, "thicknessFactor", 0);
-      m.thickness_texture = slot(*e, "thicknessTexture");
-      double const distance = at_least_zero(*e, "attenuationDistance", 0);
-      if (distance > 0) m.attenuation_distance = distance;
-      m.attenuation_color = color(*e, "attenuationColor", Rgb(1));
-    }
-    if (auto const* e = extension("KHR_materials_clearcoat")) {
-      m.clearcoat = fraction(*e, "clearcoatFactor", 0);
-      m.clearcoat_texture = slot(*e, "clearcoatTexture");
-      m.clearcoat_roughness = fraction(*e, "clearcoatRoughnessFactor", 0);
-      m.clearcoat_roughness_texture = slot(*e, "clearcoatRoughnessTexture");
-      m.clearcoat_normal_texture = slot(*e, "clearcoatNormalTexture");
-    }
-    if (auto const* e = extension("KHR_materials_sheen")) {
-      m.sheen_color = color(*e, "sheenColorFactor", Rgb(0));
-      m.sheen_color_texture = slot(*e, "sheenColorTexture");
-      m.sheen_roughness = fraction(*e, "sheenRoughnessFactor", 0);
-      m.sheen_roughness_texture = slot(*e, "sheenRoughnessTexture");
-    }
-    if (auto const* e = extension("KHR_materials_anisotropy")) {
-      m.anisotropy = fraction(*e, "anisotropyStrength", 0);
-      m.anisotropy_rotation_radians = number_of(*e, "anisotropyRotation", 0);
-      m.anisotropy_texture = slot(*e, "anisotropyTexture");
-    }
-    if (auto const* e = extension("KHR_materials_iridescence")) {
-      m.iridescence = fraction(*e, "iridescenceFactor", 0);
-      m.iridescence_texture = slot(*e, "iridescenceTexture");
-      m.iridescence_ior = std::max(1.0, number_of(*e, "iridescenceIor", 1.3));
-      m.iridescence_thickness_minimum_nm = at_least_zero(*e, "iridescenceThicknessMinimum", 100);
-      m.iridescence_thickness_maximum_nm = at_least_zero(*e, "iridescenceThicknessMaximum", 400);
-      m.iridescence_thickness_texture = slot(*e, "iridescenceThicknessTexture");
-    }
+    read_extensions(m);
     return m;
   }
 
  private:
-  void read_core(PbrMaterial& m) {
+  // What shared/pbr_fields.h has a word for.
+  void read_extensions(PbrModel& m) {
+#define LICHTRAUM_COLOR(name, initial, extension, key) \
+  if (auto const* e = object_of(extension, key)) m.name = color(*e, key, Rgb(initial));
+#define LICHTRAUM_SHARE(name, initial, extension, key) \
+  if (auto const* e = object_of(extension, key)) m.name = fraction(*e, key, initial);
+#define LICHTRAUM_NUMBER(name, initial, least, most, extension, key) \
+  if (auto const* e = object_of(extension, key)) m.name = allowed(number_of(*e, key, initial), least, initial);
+#define LICHTRAUM_TEXTURE(name, extension, key) \
+  if (auto const* e = object_of(extension, key)) m.name = slot(*e, key);
+#define LICHTRAUM_MODE(type, name, initial)
+    PBR_FIELDS(LICHTRAUM_COLOR, LICHTRAUM_SHARE, LICHTRAUM_NUMBER, LICHTRAUM_TEXTURE, LICHTRAUM_MODE)
+#undef LICHTRAUM_COLOR
+#undef LICHTRAUM_SHARE
+#undef LICHTRAUM_NUMBER
+#undef LICHTRAUM_TEXTURE
+#undef LICHTRAUM_MODE
+    if (!(m.attenuation_distance > 0)) m.attenuation_distance = INFINITY;
+  }
+
+  void read_core(PbrModel& m) {
     auto const& pbr = source_.pbrMetallicRoughness;
-    for (int c = 0; c < 4; ++c) m.base_color[c] = in_range(pbr.baseColorFactor[std::size_t(c)], "baseColorFactor");
+    for (int c = 0; c < 3; ++c) m.base_color[c] = in_range(pbr.baseColorFactor[std::size_t(c)], "baseColorFactor");
+    m.alpha = in_range(pbr.baseColorFactor[3], "baseColorFactor");
     m.metallic = in_range(pbr.metallicFactor, "metallicFactor");
     m.roughness = in_range(pbr.roughnessFactor, "roughnessFactor");
     m.base_color_texture = slot(pbr.baseColorTexture);
@@ -111,7 +85,7 @@ class Reader {
   }
 
   // The conversion of the extension's own appendix, with the metal's share solved for.
-  void read_specular_glossiness(Value const& e, PbrMaterial& m) {
+  void read_specular_glossiness(Value const& e, PbrModel& m) {
     Rgb const diffuse = color(e, "diffuseFactor", Rgb(1));
     Rgb const specular = color(e, "specularFactor", Rgb(1));
     constexpr double dielectric = 0.04;
@@ -133,7 +107,7 @@ class Reader {
       if (last.IsNumber()) alpha = last.GetNumberAsDouble();
     }
     for (int c = 0; c < 3; ++c) m.base_color[c] = std::clamp(base[c], 0.0, 1.0);
-    m.base_color.a = std::clamp(alpha, 0.0, 1.0);
+    m.alpha = std::clamp(alpha, 0.0, 1.0);
     m.metallic = metallic;
     m.roughness = 1 - fraction(e, "glossinessFactor", 1);
     m.base_color_texture = slot(e, "diffuseTexture");
@@ -144,6 +118,12 @@ class Reader {
   static double brightness(Rgb const& c) {
     return std::sqrt(0.299 * c.r * c.r + 0.587 * c.g * c.g + 0.114 * c.b * c.b);
   }
+
+  /// The extension that a field's word is in; null for a field of the core.
+  Value const* object_of(std::string const& extension_of_field, std::string_view key) const {
+    return key.empty() ? nullptr : extension(("KHR_materials_" + extension_of_field).c_str());
+  }
+  static double allowed(double value, double least, double otherwise) { return value >= least ? value : otherwise; }
 
   Value const* extension(char const* name) const { return find_extension(source_.extensions, name); }
 
@@ -238,14 +218,12 @@ std::vector<std::shared_ptr<Material>> read_materials(Document const& document, 
     auto const& source = model.materials[i];
     auto const find = [&](int texture) { return textures[std::size_t(texture)]; };
     Reader reader(source, fmt::format("/materials/{}", i), textures.size(), find, &findings);
-    auto pbr = std::make_shared<PbrMaterial const>(reader.read());
     std::string name = names.unique(source.name.empty() ? fmt::format("material_{}", i) : source.name);
-    materials.push_back(std::make_shared<Material>(phong_from_pbr(std::move(name), std::move(pbr))));
+    materials.push_back(std::make_shared<Material>(std::move(name), reader.read()));
   }
   // The specification's default is a rough white metal, which is for image-based light; this is what it looks like
   // there.
-  auto pbr = std::make_shared<PbrMaterial const>(matt_pbr(Rgb(0.8)));
-  materials.push_back(std::make_shared<Material>(phong_from_pbr(names.unique("default"), std::move(pbr))));
+  materials.push_back(std::make_shared<Material>(names.unique("default"), matt_pbr(Rgb(0.8))));
   return materials;
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/gltf/buffers.hpp"
-#include "lichtraum/pbr_material.hpp"
+#include "lichtraum/pbr_model.hpp"
 
 namespace lichtraum::gltf {
 

@@ -55,17 +55,6 @@ std::optional<Camera> make_camera(tinygltf::Camera const& source, std::string na
   return Camera(std::move(name), glm::degrees(fov), world_from_camera, resolution);
 }
 
-/// A light as the file has it.
-struct FileLight {
-  std::string name;
-  LightKind kind;
-  Vec3 position;   ///< world
-  Vec3 direction;  ///< world; where it shines
-  Rgb intensity;   ///< candela, or lux of a directional one
-  double range;
-  SpotCone cone;
-};
-
 double const infinity = std::numeric_limits<double>::infinity();
 
 std::optional<SpotCone> read_cone(tinygltf::SpotLight const& spot) {
@@ -74,52 +63,45 @@ std::optional<SpotCone> read_cone(tinygltf::SpotLight const& spot) {
   return is_cone ? std::optional(cone) : std::nullopt;
 }
 
-std::optional<FileLight> read_light(tinygltf::Light const& source, std::string name, Mat4 const& world_from_node) {
-  FileLight light;
-  light.name = std::move(name);
-  light.position = Vec3(world_from_node[3]);
-  light.direction = -Vec3(world_from_node[2]);
+/// As the file has it: in candela, lux of a directional one.
+std::optional<Light> read_light(tinygltf::Light const& source, std::string name, Mat4 const& world_from_node) {
+  if (!(source.intensity > 0 && std::isfinite(source.intensity))) return std::nullopt;
   Rgb color(1);
   if (source.color.size() == 3) color = {source.color[0], source.color[1], source.color[2]};
-  if (!(source.intensity > 0 && std::isfinite(source.intensity))) return std::nullopt;
-  light.intensity = color * source.intensity;
-  light.range = source.range > 0 ? source.range : infinity;
-  double const length = glm::length(light.direction);
+  Rgb const intensity = color * source.intensity;
+  Vec3 const position(world_from_node[3]);
+  Vec3 const direction = -Vec3(world_from_node[2]);
+  double const range = source.range > 0 ? source.range : infinity;
+  double const length = glm::length(direction);
   bool const has_direction = length > 0 && std::isfinite(length);
-  if (source.type == "directional" && has_direction) {
-    light.kind = LightKind::directional;
-    return light;
-  }
+  if (source.type == "directional" && has_direction) return Light::directional(std::move(name), direction, intensity);
   auto const cone = source.type == "spot" ? read_cone(source.spot) : std::nullopt;
-  if (cone && has_direction) {
-    light.kind = LightKind::spot;
-    light.cone = *cone;
-    return light;
-  }
-  light.kind = LightKind::point;
-  return source.type == "point" || source.type == "spot" ? std::optional(std::move(light)) : std::nullopt;
+  if (cone && has_direction) return Light::spot(std::move(name), position, direction, intensity, *cone, range);
+  bool const shines_around = source.type == "point" || source.type == "spot";
+  return shines_around ? std::optional(Light::falling_off(std::move(name), position, intensity, range)) : std::nullopt;
 }
 
 /// What a light throws on the middle of the scene, whatever its cone and its range.
-Rgb illuminance(FileLight const& light, Bounds const& box) {
-  if (light.kind == LightKind::directional) return light.intensity;
+Rgb illuminance(Light const& light, Bounds const& box) {
+  if (auto const* const sun = light.get<DirectionalLight>()) return sun->ld;
   Vec3 const center = box.center();
   double const size = std::max(glm::length(box.max - box.min), 1e-30);
   // Within the model there is no telling what is near: then half its size counts.
-  double const distance = std::max(glm::length(light.position - center), 0.5 * size);
-  return light.intensity / (distance * distance);
+  double const distance = std::max(glm::length(*light.position() - center), 0.5 * size);
+  return light.brightness() / (distance * distance);
 }
 
-Light make_light(FileLight&& light, double exposure) {
-  Rgb const intensity = light.intensity * exposure;
-  switch (light.kind) {
-    case LightKind::directional:
-      return Light::directional(std::move(light.name), light.direction, intensity);
-    case LightKind::spot:
-      return Light::spot(std::move(light.name), light.position, light.direction, intensity, light.cone, light.range);
-    default:
-      return Light::falling_off(std::move(light.name), light.position, intensity, light.range);
-  }
+struct Exposure : LightFieldVisitor {
+  double factor;
+  explicit Exposure(double f) : factor(f) {}
+  void brightness(char const*, Rgb& color) const { color *= factor; }
+};
+
+Light exposed(Light const& light, double exposure) {
+  Light::Model model = light.model();
+  Exposure const expose(exposure);
+  std::visit([&](auto& exposed) { for_each_field(exposed, expose); }, model);
+  return Light(light.name(), std::move(model));
 }
 
 std::string name_of(tinygltf::Model const& model, int node, std::string const& own) {
@@ -150,7 +132,7 @@ std::vector<Camera> read_cameras(tinygltf::Model const& model, NodeTree const& t
 
 std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tree, Bounds const& box,
                                Findings& findings) {
-  std::vector<FileLight> found;
+  std::vector<Light> found;
   Names names;
   for (int const node : tree.order) {
     auto const* extension = find_extension(model.nodes[std::size_t(node)].extensions, lights_extension);
@@ -165,7 +147,7 @@ std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tre
     auto light =
         read_light(source, names.unique(name_of(model, node, source.name)), tree.world_from_node[std::size_t(node)]);
     if (!light) continue;
-    if (source.type == "spot" && light->kind != LightKind::spot) {
+    if (source.type == "spot" && !light->get<SpotLight>()) {
       findings.warn(
           fmt::format("/extensions/{}/lights/{}/spot", lights_extension, *number),
           "its angles are not 0 <= inner < outer <= 90 degrees, or it has no direction: it shines in all directions");
@@ -174,11 +156,11 @@ std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tre
   }
   // One exposure for all of them: on the middle of the model they throw as much light as one of eSDF's of Ld = 1.
   Rgb sum(0);
-  for (FileLight const& light : found) sum += illuminance(light, box);
+  for (Light const& light : found) sum += illuminance(light, box);
   double const brightest = std::max({sum.r, sum.g, sum.b});
   std::vector<Light> lights;
   if (!(brightest > 0 && std::isfinite(brightest))) return lights;
-  for (FileLight& light : found) lights.push_back(make_light(std::move(light), 1 / brightest));
+  for (Light const& light : found) lights.push_back(exposed(light, 1 / brightest));
   // Light from all around, which the lights of a file leave to the viewer.
   lights.push_back(Light::ambient(names.unique("soft"), Rgb(0.1)));
   return lights;

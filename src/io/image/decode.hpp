@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "lichtraum/pbr_material.hpp"
+#include "lichtraum/pbr_model.hpp"
 
 namespace lichtraum {
 

@@ -9,8 +9,8 @@
 #include "io/image/decode_all.hpp"
 #include "io/model_file.hpp"
 #include "io/model_scene.hpp"
+#include "io/obj/material_from_mtl.hpp"
 #include "io/obj/part_geometry.hpp"
-#include "io/obj/phong_from_mtl.hpp"
 #include "lichtraum/obj.hpp"
 
 namespace lichtraum {
@@ -135,7 +135,8 @@ class Importer {
     for (Source const* source : used) {
       MtlMaterial const& m = source->material;
       auto const picture = [&](MtlTexture const& texture) { return picture_of(texture, source->library); };
-      materials_[m.name] = phong_from_mtl(m, {picture(m.map_kd), picture(m.map_ke), picture(m.norm)});
+      materials_[m.name] =
+          material_from_mtl(m, {picture(m.map_kd), picture(m.map_ke), picture(m.norm)}, !file.colors.empty());
     }
     diagnostics_.begin_line({});
     for (Library& library : libraries_) {

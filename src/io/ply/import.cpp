@@ -37,13 +37,10 @@ std::shared_ptr<Material> material_of(std::string const& texture_file, MeshGeome
   auto texture = texture_file.empty() || geometry.texcoords.empty()
                      ? nullptr
                      : read_texture(texture_file, folder, options, diagnostics);
-  auto material = default_material(texture || !geometry.colors.empty());
-  if (texture) {
-    auto pbr = std::make_shared<PbrMaterial>(matt_pbr(Rgb(1)));
-    pbr->base_color_texture.texture = std::move(texture);
-    material->set_pbr(std::move(pbr));
-  }
-  return material;
+  if (!texture) return default_material(!geometry.colors.empty());
+  PbrModel model = matt_pbr(Rgb(1));
+  model.base_color_texture.texture = std::move(texture);
+  return std::make_shared<Material>("default", std::move(model));
 }
 
 Model import(std::string_view bytes, std::string const& name, fs::path const& folder, ModelOptions const& options) {

@@ -106,7 +106,7 @@ bool Panel::draw_lights() {
   for (std::size_t i = 0; i < values_.lights.size(); ++i) {
     Light& light = values_.lights[i];
     ImGui::PushID(int(i));
-    if (ImGui::TreeNode("light", "%s (%s)", light.name().c_str(), std::string(name_of(light.kind())).c_str())) {
+    if (ImGui::TreeNode("light", "%s (%s)", light.name().c_str(), std::string(light.kind()).c_str())) {
       has_changed |= edit_light(light, values_.original_light(i), scene_size_);
       if (ImGui::SmallButton("reset")) {
         values_.reset_light(i);

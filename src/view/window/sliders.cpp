@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <iterator>
+#include <string>
 
 #include "view/scene_values.hpp"
 
@@ -74,78 +75,90 @@ bool edit_cone(SpotCone& cone) {
   return has_changed;
 }
 
-bool edit_phong(Material& material) {
-  Rgb ka = material.ka(), kd = material.kd(), ks = material.ks(), emission = material.emission();
-  double m = material.m(), reflect = material.reflect(), transmit = material.transmit(), ior = material.ior();
-  bool has_changed = edit_color("ka", ka) | edit_color("kd", kd) | edit_color("ks", ks) |
-                     edit_number("m", m, 0, 1000, ImGuiSliderFlags_Logarithmic);
-  if (edit_number("reflect", reflect, 0, 1)) {
-    transmit = std::min(transmit, 1 - reflect);
-    has_changed = true;
+bool edit_field(char const* label, Rgb& color) { return edit_color(label, color); }
+bool edit_field(char const* label, double& share) { return edit_number(label, share, 0, 1); }
+bool edit_field(char const* label, double& number, double least, double most) {
+  return edit_number(label, number, least, most, most >= 100 ? ImGuiSliderFlags_Logarithmic : 0);
+}
+
+/// Widgets for the fields of a light of any kind. The ambient term of a lamp, its range and whether it falls off at all
+/// stay as they are.
+struct EditLight : LightFieldVisitor {
+  Rgb original_brightness;
+  double scene_size;
+  bool has_changed = false;
+  EditLight(Rgb const& original, double size) : original_brightness(original), scene_size(size) {}
+  void position(char const*, Vec3& position) { has_changed |= edit_position(position, scene_size); }
+  void direction(char const*, Vec3& direction) { has_changed |= edit_direction(direction); }
+  void brightness(char const*, Rgb& color) { has_changed |= edit_light_color(color, original_brightness); }
+  void cone(char const*, SpotCone& cone) { has_changed |= edit_cone(cone); }
+};
+
+/// "base color" of base_color.
+std::string label_of(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+bool edit(PhongModel& model) {
+  PhongModel const before = model;
+  bool has_changed = false;
+#define LICHTRAUM_COLOR(name, initial) has_changed |= edit_field(#name, model.name);
+#define LICHTRAUM_SHARE(name, initial) LICHTRAUM_COLOR(name, initial)
+#define LICHTRAUM_NUMBER(name, initial, least, most) has_changed |= edit_field(#name, model.name, least, most);
+  PHONG_FIELDS(LICHTRAUM_COLOR, LICHTRAUM_SHARE, LICHTRAUM_NUMBER)
+#undef LICHTRAUM_COLOR
+#undef LICHTRAUM_SHARE
+#undef LICHTRAUM_NUMBER
+  // What one takes beyond their sum of 1, the other gives.
+  if (model.reflect != before.reflect) {
+    model.transmit = std::min(model.transmit, 1 - model.reflect);
+  } else {
+    model.reflect = std::min(model.reflect, 1 - model.transmit);
   }
-  if (edit_number("transmit", transmit, 0, 1)) {
-    reflect = std::min(reflect, 1 - transmit);
-    has_changed = true;
-  }
-  has_changed |= edit_number("ior", ior, 1, 3);
-  has_changed |= edit_color("emission", emission);
-  if (!has_changed) return false;
-  Material changed(material.name(), ka, kd, ks, m);
-  changed.set_mirror_and_glass(reflect, transmit, ior);
-  changed.set_emission(emission);
-  changed.set_pbr(material.pbr());
-  material = changed;
+  return has_changed;
+}
+
+/// Whether the field shows at all.
+bool has_effect(PbrModel const& model, void const* field) {
+  if (field == &model.alpha) return model.alpha_mode == AlphaMode::blend;
+  if (field == &model.alpha_cutoff) return model.alpha_mode == AlphaMode::mask;
+  if (field == &model.normal_scale) return bool(model.normal_texture);
+  if (field == &model.occlusion_strength) return bool(model.occlusion_texture);
   return true;
 }
 
-bool edit_pbr(Material& material) {
-  PbrMaterial pbr = *material.pbr();
-  Rgb color(pbr.base_color);
-  bool has_changed = edit_color("base colour", color);
-  pbr.base_color = {color, pbr.base_color.a};
-  if (pbr.alpha_mode == AlphaMode::blend) has_changed |= edit_number("alpha", pbr.base_color.a, 0, 1);
-  if (pbr.alpha_mode == AlphaMode::mask) has_changed |= edit_number("alpha cutoff", pbr.alpha_cutoff, 0, 1);
-  has_changed |= edit_number("metallic", pbr.metallic, 0, 1);
-  has_changed |= edit_number("roughness", pbr.roughness, 0, 1);
-  has_changed |= edit_color("emissive", pbr.emissive);
-  has_changed |= edit_number("transmission", pbr.transmission, 0, 1);
-  has_changed |= edit_number("ior", pbr.ior, 1, 3);
-  if (pbr.normal_texture) has_changed |= edit_number("normal scale", pbr.normal_scale, 0, 4);
-  if (has_changed) material = phong_from_pbr(material.name(), std::make_shared<PbrMaterial const>(pbr));
+bool edit(PbrModel& model) {
+  bool has_changed = false;
+#define LICHTRAUM_COLOR(name, initial, extension, key) \
+  if (has_effect(model, &model.name)) has_changed |= edit_field(label_of(#name).c_str(), model.name);
+#define LICHTRAUM_SHARE(name, initial, extension, key) LICHTRAUM_COLOR(name, initial, extension, key)
+#define LICHTRAUM_NUMBER(name, initial, least, most, extension, key) \
+  if (has_effect(model, &model.name)) has_changed |= edit_field(label_of(#name).c_str(), model.name, least, most);
+#define LICHTRAUM_NONE(...)
+  PBR_DEVICE_FIELDS(LICHTRAUM_COLOR, LICHTRAUM_SHARE, LICHTRAUM_NUMBER, LICHTRAUM_NONE, LICHTRAUM_NONE)
+#undef LICHTRAUM_COLOR
+#undef LICHTRAUM_SHARE
+#undef LICHTRAUM_NUMBER
+#undef LICHTRAUM_NONE
   return has_changed;
 }
 
 }  // namespace
 
 bool edit_light(Light& light, Light const& original, double scene_size) {
-  Rgb la = light.la(), ld = light.ld();
-  Vec3 position = light.position(), direction = light.direction();
-  SpotCone cone = light.cone();
-  bool has_changed = false;
-  if (light.kind() == LightKind::ambient) {
-    if (!edit_light_color(la, original.la())) return false;
-    light = Light::ambient(light.name(), la);
-    return true;
-  }
-  has_changed |= edit_light_color(ld, original.ld());
-  if (light.has_position()) has_changed |= edit_position(position, scene_size);
-  if (light.kind() != LightKind::point) has_changed |= edit_direction(direction);
-  if (light.kind() == LightKind::spot) has_changed |= edit_cone(cone);
-  if (!has_changed) return false;
-  if (light.kind() == LightKind::directional) {
-    light = Light::directional(light.name(), direction, ld);
-  } else if (light.kind() == LightKind::spot) {
-    light = Light::spot(light.name(), position, direction, ld, cone, light.range());
-  } else if (light.falls_off()) {
-    light = Light::falling_off(light.name(), position, ld, light.range());
-  } else {
-    light = Light::point(light.name(), position, ld, la);
-  }
-  return true;
+  Light::Model model = light.model();
+  EditLight edit(original.brightness(), scene_size);
+  std::visit([&](auto& edited) { for_each_field(edited, edit); }, model);
+  if (edit.has_changed) light = Light(light.name(), std::move(model));
+  return edit.has_changed;
 }
 
 bool edit_material(Material& material) {
-  return is_physically_based(material) ? edit_pbr(material) : edit_phong(material);
+  Material::Model model = material.model();
+  bool const has_changed = std::visit([](auto& edited) { return edit(edited); }, model);
+  if (has_changed) material = Material(material.name(), std::move(model));
+  return has_changed;
 }
 
 }  // namespace lichtraum::view

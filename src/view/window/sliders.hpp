@@ -9,7 +9,7 @@ namespace lichtraum::view {
 /// Whether it was.
 bool edit_light(Light& light, Light const& original, double scene_size);
 
-/// The same of a material: Phong's coefficients, or the physically based values that they are derived from.
+/// The same of a material: Phong's coefficients, or those of the physically based model.
 bool edit_material(Material& material);
 
 }  // namespace lichtraum::view

@@ -1,4 +1,4 @@
-#include "io/obj/phong_from_mtl.hpp"
+#include "io/obj/material_from_mtl.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ double roughness_from(double m) { return std::sqrt(std::sqrt(2 / (4 * m + 2))); 
 
 }  // namespace
 
-std::shared_ptr<Material> phong_from_mtl(MtlMaterial const& source, MtlTextures const& textures) {
+std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, MtlTextures const& textures, bool has_colors) {
   int const illum = int(std::clamp(source.illum.value_or(2), 0.0, 10.0));
   Rgb const kd = source.kd.value_or(Rgb(textures.map_kd ? 1 : 0.8));
   // Exporters that know no ambient light write 1 1 1: taken as written, it would wash out every colour.
@@ -36,32 +36,36 @@ std::shared_ptr<Material> phong_from_mtl(MtlMaterial const& source, MtlTextures 
   bool const refracts = illum == 6 || illum == 7;
   double const ni = source.ni.value_or(1);
   double const ior = ni > 0 ? ni : 1;
+  Rgb const emission = source.ke.value_or(Rgb(0));
 
-  auto material = std::make_shared<Material>(source.name, ka, kd, ks, m);
-  double const transmit = 1 - opacity;
-  double const reflect = mirrors ? std::clamp(std::max({ks.r, ks.g, ks.b}), 0.0, opacity) : 0;
-  material->set_mirror_and_glass(reflect, transmit, refracts ? ior : 1);
-  material->set_emission(source.ke.value_or(Rgb(0)));
-
-  auto pbr = std::make_shared<PbrMaterial>();
-  pbr->base_color = glm::dvec4(glm::min(kd, Rgb(1)), opacity);
-  pbr->base_color_texture = slot(source.map_kd, textures.map_kd);
-  pbr->metallic = std::clamp(source.metallic.value_or(0), 0.0, 1.0);
-  pbr->roughness = std::clamp(source.roughness.value_or(has_highlight ? roughness_from(m) : 1), 0.0, 1.0);
-  pbr->normal_texture = slot(source.norm, textures.norm);
-  pbr->emissive = source.ke.value_or(Rgb(0));
-  pbr->emissive_texture = slot(source.map_ke, textures.map_ke);
-  if (refracts) {  // a body, not a film
-    pbr->base_color.a = 1;
-    pbr->transmission = transmit;
-    pbr->thickness = 1;
-  } else if (opacity < 1) {
-    pbr->alpha_mode = AlphaMode::blend;
+  bool const is_absent = opacity == 0 && !refracts;
+  if (!textures.map_kd && !textures.map_ke && !textures.norm && !has_colors && !is_absent) {
+    PhongModel phong{.ka = ka, .kd = kd, .ks = ks, .m = m};
+    phong.transmit = 1 - opacity;
+    phong.reflect = mirrors ? std::clamp(std::max({ks.r, ks.g, ks.b}), 0.0, opacity) : 0;
+    phong.ior = refracts ? ior : 1;
+    phong.emission = emission;
+    return std::make_shared<Material>(source.name, phong);
   }
-  pbr->ior = ior >= 1 ? ior : 1.5;
-  pbr->specular = ks == Rgb(0) ? 0 : 1;
-  material->set_pbr(std::move(pbr));
-  return material;
+  PbrModel pbr;
+  pbr.base_color = glm::min(kd, Rgb(1));
+  pbr.alpha = opacity;
+  pbr.base_color_texture = slot(source.map_kd, textures.map_kd);
+  pbr.metallic = std::clamp(source.metallic.value_or(0), 0.0, 1.0);
+  pbr.roughness = std::clamp(source.roughness.value_or(has_highlight ? roughness_from(m) : 1), 0.0, 1.0);
+  pbr.normal_texture = slot(source.norm, textures.norm);
+  pbr.emissive = emission;
+  pbr.emissive_texture = slot(source.map_ke, textures.map_ke);
+  if (refracts) {  // a body, not a film
+    pbr.alpha = 1;
+    pbr.transmission = 1 - opacity;
+    pbr.thickness = 1;
+  } else if (opacity < 1) {
+    pbr.alpha_mode = AlphaMode::blend;
+  }
+  pbr.ior = ior >= 1 ? ior : 1.5;
+  pbr.specular = ks == Rgb(0) ? 0 : 1;
+  return std::make_shared<Material>(source.name, std::move(pbr));
 }
 
 }  // namespace lichtraum::obj

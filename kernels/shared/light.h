@@ -1,0 +1,27 @@
+#ifndef LICHTRAUM_SHARED_LIGHT_H
+#define LICHTRAUM_SHARED_LIGHT_H
+
+#include "shared/types.h"
+
+DEVICE_NAMESPACE_BEGIN
+
+#define LIGHT_CONSTANT 0u    /* a point; as bright at any distance */
+#define LIGHT_FALLS_OFF 1u   /* a point or spot */
+#define LIGHT_DIRECTIONAL 2u /* from infinitely far away */
+
+/* KHR_lights_punctual has the formulae. */
+typedef struct {
+  uint kind;           /* LIGHT_... */
+  uint is_near;        /* its position is near enough to the scene that shadow rays may start there */
+  float ld[3];         /* rgb: what arrives, of one that falls off at distance 1 */
+  float position[3];   /* world; not of a directional light */
+  float direction[3];  /* unit, where a spot or directional light shines */
+  float inverse_range; /* falls off to nothing at 1 / this */
+  float cone_scale;    /* brightness in a cone: (cosine * scale + offset)^2, clamped to 0..1; 0 and 1 without cone */
+  float cone_offset;
+} PunctualLight;
+DEVICE_STRUCT_SIZE(PunctualLight, 56);
+
+DEVICE_NAMESPACE_END
+
+#endif

@@ -8,7 +8,7 @@ DEVICE_NAMESPACE_BEGIN
 /* The kinds of thing a leaf holds. */
 #define PRIMITIVE_TRIANGLE 0u
 #define PRIMITIVE_SPHERE 1u
-#define PRIMITIVE_ELLIPSOID 2u
+#define PRIMITIVE_ELLIPSOID 2u /* a unit shape, as what comes after instances */
 #define PRIMITIVE_BOX 3u
 #define PRIMITIVE_INSTANCE 4u
 
@@ -43,14 +43,16 @@ typedef struct {
 DEVICE_STRUCT_SIZE(SpherePrimitive, 24);
 DEVICE_PRIMITIVE(SpherePrimitive, PRIMITIVE_SPHERE);
 
-/* The unit sphere under an affine map. */
+/* A shape that has one size in a frame of its own, under an affine map. Which shape, its kind says. */
 typedef struct {
   AffineTransform unit_from_object;
   PrimitiveTag tag;
   uint padding[2];
-} EllipsoidPrimitive;
-DEVICE_STRUCT_SIZE(EllipsoidPrimitive, 64);
-DEVICE_PRIMITIVE(EllipsoidPrimitive, PRIMITIVE_ELLIPSOID);
+} UnitShape;
+DEVICE_STRUCT_SIZE(UnitShape, 64);
+
+/* The sphere of radius 1 around the origin. */
+DEVICE_UNIT_SHAPE(EllipsoidPrimitive, PRIMITIVE_ELLIPSOID);
 
 /* Axis-parallel in a frame of its own; flat where min == max. The frame is the box's own as written, so that a flat box
  * needs no singular matrix. */

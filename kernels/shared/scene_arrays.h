@@ -18,9 +18,12 @@
   ARRAY(TrianglePrimitive, triangles) \
   ARRAY(SpherePrimitive, spheres)
 
-/* ... and those that both layouts store alike. */
-#define SINGLE_PRIMITIVE_ARRAYS(ARRAY)  \
-  ARRAY(EllipsoidPrimitive, ellipsoids) \
+/* ... and those that both layouts store alike: one struct for all unit shapes ... */
+#define UNIT_SHAPE_ARRAYS(ARRAY) ARRAY(EllipsoidPrimitive, ellipsoids)
+
+/* ... and the others. */
+#define SINGLE_PRIMITIVE_ARRAYS(ARRAY) \
+  UNIT_SHAPE_ARRAYS(ARRAY)             \
   ARRAY(BoxPrimitive, boxes)
 
 #define PRIMITIVE_ARRAYS(ARRAY) BLOCK_PRIMITIVE_ARRAYS(ARRAY) SINGLE_PRIMITIVE_ARRAYS(ARRAY)

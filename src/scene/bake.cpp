@@ -63,12 +63,8 @@ class Baker final : public ShapeVisitor {
       primitive.tag = tag_;
       append(primitive, all_finite(primitive.center) && std::isnormal(primitive.radius), object_.spheres);
     } else {
-      device::EllipsoidPrimitive primitive{};
-      auto const object_from_unit =
-          object_from_shape_ * Transform::translation(sphere.center()) * Transform::scaling(Vec3(sphere.radius()));
-      primitive.unit_from_object = device_transform(object_from_unit.inverse());
-      primitive.tag = tag_;
-      append(primitive, is_finite(primitive.unit_from_object), object_.ellipsoids);
+      append_unit_shape(Transform::translation(sphere.center()) * Transform::scaling(Vec3(sphere.radius())),
+                        object_.ellipsoids);
     }
   }
 
@@ -126,6 +122,14 @@ class Baker final : public ShapeVisitor {
   void visit(Composite const&) override {}  // no leaf: flatten unfolds it
 
  private:
+  template <class T>
+  void append_unit_shape(Transform const& shape_from_unit, BigVector<T>& list) {
+    T primitive{};
+    primitive.unit_from_object = device_transform((object_from_shape_ * shape_from_unit).inverse());
+    primitive.tag = tag_;
+    append(primitive, is_finite(primitive.unit_from_object), list);
+  }
+
   template <class T>
   void append(T const& primitive, bool fits, BigVector<T>& list) {
     if (fits) {

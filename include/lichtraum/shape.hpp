@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <string>
@@ -19,8 +20,10 @@ class ShapeVisitor;
 enum class ShapeKind { sphere, box, triangle, mesh, composite };
 inline constexpr std::size_t shape_kind_count = std::size_t(ShapeKind::composite) + 1;
 
-/// "sphere", "box" and so on, as in eSDF.
-std::string_view name_of(ShapeKind kind);
+/// As in eSDF.
+inline constexpr std::string_view shape_kind_names[] = {"sphere", "box", "triangle", "mesh", "composite"};
+static_assert(std::size(shape_kind_names) == shape_kind_count);
+constexpr std::string_view name_of(ShapeKind kind) { return shape_kind_names[std::size_t(kind)]; }
 
 /// Where a ray meets a surface.
 struct Hit {
@@ -75,6 +78,10 @@ class Shape {
 
   virtual void accept(ShapeVisitor& visitor) const = 0;
 
+  /// The same shape of another material, with the same name in the same place. A mesh shares its geometry, a composite
+  /// its children.
+  std::shared_ptr<Shape> copy(std::shared_ptr<Material const> material) const;
+
  protected:
   Shape(std::string name, std::shared_ptr<Material const> material)
       : name_(std::move(name)), material_(std::move(material)) {}
@@ -83,6 +90,13 @@ class Shape {
   Ray object_from_world(Ray const& ray) const;
 
  private:
+  friend std::ostream& operator<<(std::ostream& out, Shape const& shape);
+
+  /// What operator<< says between the name and the material.
+  virtual std::string description() const = 0;
+  /// A copy at the origin.
+  virtual std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const = 0;
+
   std::string name_;
   std::shared_ptr<Material const> material_;
   std::unique_ptr<Transform> world_from_object_;  // null is the identity: most of a million triangles never move

@@ -1,7 +1,7 @@
 #pragma once
 
 /// The kinds of shape. Adding one: a class here, its file in src/scene/, a `visit` below, and the compiler names every
-/// place that has to know it (flatten, printing, info).
+/// place that has to know it (what bakes it for the device).
 
 #include <array>
 #include <vector>
@@ -25,6 +25,9 @@ class Sphere final : public Shape {
   void accept(ShapeVisitor& visitor) const override;
 
  private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
   Vec3 center_;
   double radius_;
 };
@@ -44,6 +47,9 @@ class Box final : public Shape {
   void accept(ShapeVisitor& visitor) const override;
 
  private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
   Vec3 min_;
   Vec3 max_;
 };
@@ -61,6 +67,9 @@ class Triangle final : public Shape {
   void accept(ShapeVisitor& visitor) const override;
 
  private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
   std::array<Vec3, 3> vertices_;
 };
 
@@ -81,6 +90,9 @@ class Mesh final : public Shape {
   void accept(ShapeVisitor& visitor) const override;
 
  private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
   std::shared_ptr<MeshGeometry const> geometry_;
   Bounds bounds_;
 };
@@ -112,6 +124,9 @@ class Composite final : public Shape {
   void accept(ShapeVisitor& visitor) const override;
 
  private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
   bool holds(Composite const& sought) const;
 
   Children children_;

@@ -1,5 +1,6 @@
 #include <glm/common.hpp>
 
+#include "core/format_numbers.hpp"
 #include "lichtraum/shapes.hpp"
 #include "scene/passage.hpp"
 
@@ -21,5 +22,13 @@ bool Box::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
 bool Box::intersect(Ray const& ray, float& t) const { return intersect_closest(*this, ray, t); }
 
 void Box::accept(ShapeVisitor& visitor) const { visitor.visit(*this); }
+
+std::string Box::description() const {
+  return fmt::format("min {}, max {}", format_numbers(min_), format_numbers(max_));
+}
+
+std::shared_ptr<Shape> Box::remake(std::shared_ptr<Material const> material) const {
+  return std::make_shared<Box>(name(), min_, max_, std::move(material));
+}
 
 }  // namespace lichtraum

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/format_numbers.hpp"
 #include "lichtraum/shapes.hpp"
 #include "scene/passage.hpp"
 
@@ -31,5 +32,13 @@ bool Sphere::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
 bool Sphere::intersect(Ray const& ray, float& t) const { return intersect_closest(*this, ray, t); }
 
 void Sphere::accept(ShapeVisitor& visitor) const { visitor.visit(*this); }
+
+std::string Sphere::description() const {
+  return fmt::format("center {}, radius {}", format_numbers(center_), radius_);
+}
+
+std::shared_ptr<Shape> Sphere::remake(std::shared_ptr<Material const> material) const {
+  return std::make_shared<Sphere>(name(), center_, radius_, std::move(material));
+}
 
 }  // namespace lichtraum

@@ -73,6 +73,30 @@ class Triangle final : public Shape {
   std::array<Vec3, 3> vertices_;
 };
 
+/// With a flat end at either point, at right angles to the way between them.
+class Cylinder final : public Shape {
+ public:
+  /// `radius` > 0 and p1 != p2, all finite; else throws std::invalid_argument.
+  Cylinder(std::string name, Vec3 const& p1, Vec3 const& p2, double radius, std::shared_ptr<Material const> material);
+  Vec3 const& p1() const { return p1_; }
+  Vec3 const& p2() const { return p2_; }
+  double radius() const { return radius_; }
+
+  ShapeKind kind() const override { return ShapeKind::cylinder; }
+  Bounds bounds() const override;
+  bool intersect(Ray const& ray, float& t) const override;
+  bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
+  void accept(ShapeVisitor& visitor) const override;
+
+ private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
+  Vec3 p1_;
+  Vec3 p2_;
+  double radius_;
+};
+
 /// Triangles of one material, hit from both sides. Shows its geometry under its own transform; several meshes may share
 /// one geometry, and one mesh may be the child of several composites.
 class Mesh final : public Shape {
@@ -140,6 +164,7 @@ class ShapeVisitor {
   virtual void visit(Sphere const& sphere) = 0;
   virtual void visit(Box const& box) = 0;
   virtual void visit(Triangle const& triangle) = 0;
+  virtual void visit(Cylinder const& cylinder) = 0;
   virtual void visit(Mesh const& mesh) = 0;
   virtual void visit(Composite const& composite) = 0;
 

@@ -11,6 +11,9 @@ DEVICE_NAMESPACE_BEGIN
 #define PRIMITIVE_ELLIPSOID 2u /* a unit shape, as what comes after instances */
 #define PRIMITIVE_BOX 3u
 #define PRIMITIVE_INSTANCE 4u
+/* From here on: what only scenes with SCENE_RARE_SHAPES have. */
+#define PRIMITIVE_CYLINDER 5u
+#define FIRST_RARE_SHAPE PRIMITIVE_CYLINDER
 
 /* Rows of a 3x4 matrix: (row.xyz . p + row.w) is a coordinate of the mapped point. */
 typedef struct {
@@ -53,6 +56,8 @@ DEVICE_STRUCT_SIZE(UnitShape, 64);
 
 /* The sphere of radius 1 around the origin. */
 DEVICE_UNIT_SHAPE(EllipsoidPrimitive, PRIMITIVE_ELLIPSOID);
+/* Radius 1 around the y axis, from y = 0 to y = 1, with both ends. */
+DEVICE_UNIT_SHAPE(CylinderPrimitive, PRIMITIVE_CYLINDER);
 
 /* Axis-parallel in a frame of its own; flat where min == max. The frame is the box's own as written, so that a flat box
  * needs no singular matrix. */

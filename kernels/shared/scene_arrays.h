@@ -19,7 +19,9 @@
   ARRAY(SpherePrimitive, spheres)
 
 /* ... and those that both layouts store alike: one struct for all unit shapes ... */
-#define UNIT_SHAPE_ARRAYS(ARRAY) ARRAY(EllipsoidPrimitive, ellipsoids)
+#define UNIT_SHAPE_ARRAYS(ARRAY)        \
+  ARRAY(EllipsoidPrimitive, ellipsoids) \
+  ARRAY(CylinderPrimitive, cylinders)
 
 /* ... and the others. */
 #define SINGLE_PRIMITIVE_ARRAYS(ARRAY) \
@@ -77,7 +79,8 @@ DEVICE_STRUCT_SIZE(SceneConstants, 16);
 #define SCENE_ATTRIBUTES 4u   /* triangles have vertices with normals, colours or texture coordinates */
 #define SCENE_PBR 8u          /* a material is derived from a physically based one */
 #define SCENE_LIGHT_KINDS 16u /* a light is not LIGHT_CONSTANT */
-/* What eSDF's own shapes, materials and lights can have. */
+#define SCENE_RARE_SHAPES 32u /* a shape is of a kind from FIRST_RARE_SHAPE on */
+/* What eSDF's own materials and lights, and all but its rare shapes can have. */
 #define SCENE_PLAIN SCENE_TRANSPARENCY
 
 DEVICE_NAMESPACE_END

@@ -101,6 +101,14 @@ class Compiler {
     buffers_.instances.push_back(placed);
   }
 
+  /// Which kinds of shapes there are.
+  void note_features() {
+    device::for_each_kind(buffers_, [&]<class T>(BigVector<T> const& primitives) {
+      bool const is_rare = device::primitive_kind<T> >= FIRST_RARE_SHAPE;
+      if (is_rare && !primitives.empty()) buffers_.shading.features |= SCENE_RARE_SHAPES;
+    });
+  }
+
   /// Once everything is built: attributes in the order of the layout's triangles.
   void finish() {
     if (attributes_.empty()) return;
@@ -297,6 +305,7 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tre
   std::size_t deepest_object = 0;
   for (CompiledObject const& object : objects) deepest_object = std::max(deepest_object, object.stack_size);
   buffers.stack_size = built.stack_size + deepest_object;
+  compiler.note_features();
   compiler.finish();
   buffers.triangle_count = buffers.triangles.size();
   buffers.sphere_count = buffers.spheres.size();

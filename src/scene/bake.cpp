@@ -10,6 +10,7 @@
 #include "core/parallel_ranges.hpp"
 #include "scene/bake_attributes.hpp"
 #include "scene/device_conversion.hpp"
+#include "scene/unit_vector.hpp"
 
 namespace lichtraum {
 namespace {
@@ -43,6 +44,22 @@ bool is_finite(device::AffineTransform const& t) {
 
 bool is_finite(device::TrianglePrimitive const& t) {
   return all_finite(t.vertices[0]) && all_finite(t.vertices[1]) && all_finite(t.vertices[2]);
+}
+
+/// The frame at `origin` whose y axis is `up`, and whose others are `width` long.
+Transform upright_frame(Vec3 const& origin, Vec3 const& up, double width) {
+  Vec3 const y = unit_vector(up);
+  Vec3 const size = glm::abs(y);
+  Vec3 const least = size.x <= size.y && size.x <= size.z ? Vec3(1, 0, 0)
+                     : size.y <= size.z                   ? Vec3(0, 1, 0)
+                                                          : Vec3(0, 0, 1);
+  Vec3 const z = glm::normalize(glm::cross(least, y));
+  Mat4 frame(1);
+  frame[0] = glm::dvec4(width * glm::cross(y, z), 0);
+  frame[1] = glm::dvec4(up, 0);
+  frame[2] = glm::dvec4(width * z, 0);
+  frame[3] = glm::dvec4(origin, 1);
+  return Transform::from_matrix(frame);
 }
 
 /// Of triangles or positions of a mesh: fewer are not worth a thread.
@@ -87,6 +104,11 @@ class Baker final : public ShapeVisitor {
     }
     primitive.tag = tag_;
     append(primitive, fits, object_.triangles);
+  }
+
+  void visit(Cylinder const& cylinder) override {
+    append_unit_shape(upright_frame(cylinder.p1(), cylinder.p2() - cylinder.p1(), cylinder.radius()),
+                      object_.cylinders);
   }
 
   void visit(Mesh const& mesh) override {

@@ -64,6 +64,34 @@ inline bool take_hit(Shape const& shape, Passage const& passage, double t_min, H
   return true;
 }
 
+/// The same line with its origin moved near a shape of that size around `center` where it is far away: there what is
+/// left of large numbers would be rounding.
+struct NearRay {
+  Ray ray;
+  double start = 0;  ///< t of the new origin
+
+  NearRay(Ray const& r, Vec3 const& center, double size) : ray(r) {
+    Vec3 const to_center = center - r.origin;
+    if (!(glm::length(to_center) > 4 * size)) return;
+    start = glm::dot(to_center, r.direction) / glm::dot(r.direction, r.direction);
+    ray.origin = r.at(start);
+  }
+  /// A passage of this ray as one of the first.
+  Passage undo(Passage passage) const {
+    passage.t_enter += start;
+    passage.t_leave += start;
+    return passage;
+  }
+};
+
+/// A vector's parts along a unit vector and at right angles to it.
+struct AxisSplit {
+  double along;
+  Vec3 across;
+
+  AxisSplit(Vec3 const& v, Vec3 const& axis) : along(glm::dot(v, axis)), across(v - along * axis) {}
+};
+
 /// The roots of a t^2 - 2 half_b t + c, the smaller first, without the difference of nearly equal numbers: Haines,
 /// Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems (2019),
 /// chapter 7. The caller knows how to compute the discriminant, half_b^2 - a c, without cancellation.

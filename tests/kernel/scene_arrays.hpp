@@ -27,6 +27,7 @@ struct SceneArrays : device::GeometryArrays, device::ShadingArrays {
   void add(device::SpherePrimitive const& p) { add(spheres, p); }
   void add(device::EllipsoidPrimitive const& p) { add(ellipsoids, p); }
   void add(device::BoxPrimitive const& p) { add(boxes, p); }
+  void add(device::CylinderPrimitive const& p) { add(cylinders, p); }
   /// `bounds` are the object's, in its own frame.
   void add_instance(Affine const& world_from_object, device::uint object_root, DeviceBounds const& bounds) {
     Mat4 matrix(world_from_object.linear);
@@ -57,8 +58,9 @@ struct SceneArrays : device::GeometryArrays, device::ShadingArrays {
     auto const add_array = [&](auto const& array) { all.push_back(in(array)); };
     device::for_each_array(*this, true, add_array);
     device::for_each_array(*this, add_array);
-    all.push_back(value(device::SceneConstants{root_node, device::uint(lights.size()),
-                                               SCENE_TRANSPARENCY | SCENE_LIGHT_KINDS, DEFAULT_RAY_EPSILON}));
+    all.push_back(
+        value(device::SceneConstants{root_node, device::uint(lights.size()),
+                                     SCENE_TRANSPARENCY | SCENE_LIGHT_KINDS | SCENE_RARE_SHAPES, DEFAULT_RAY_EPSILON}));
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }

@@ -17,11 +17,12 @@ namespace lichtraum {
 class Shape;
 class ShapeVisitor;
 
-enum class ShapeKind { sphere, box, triangle, cylinder, mesh, composite };
+enum class ShapeKind { sphere, box, triangle, cylinder, cone, mesh, composite };
 inline constexpr std::size_t shape_kind_count = std::size_t(ShapeKind::composite) + 1;
 
 /// As in eSDF.
-inline constexpr std::string_view shape_kind_names[] = {"sphere", "box", "triangle", "cylinder", "mesh", "composite"};
+inline constexpr std::string_view shape_kind_names[] = {"sphere", "box",  "triangle", "cylinder",
+                                                        "cone",   "mesh", "composite"};
 static_assert(std::size(shape_kind_names) == shape_kind_count);
 constexpr std::string_view name_of(ShapeKind kind) { return shape_kind_names[std::size_t(kind)]; }
 

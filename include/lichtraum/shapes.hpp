@@ -97,6 +97,30 @@ class Cylinder final : public Shape {
   double radius_;
 };
 
+/// On a flat disc around the centre of its base, at right angles to the way to the tip.
+class Cone final : public Shape {
+ public:
+  /// `radius` > 0 and base != tip, all finite; else throws std::invalid_argument.
+  Cone(std::string name, Vec3 const& base, Vec3 const& tip, double radius, std::shared_ptr<Material const> material);
+  Vec3 const& base() const { return base_; }
+  Vec3 const& tip() const { return tip_; }
+  double radius() const { return radius_; }
+
+  ShapeKind kind() const override { return ShapeKind::cone; }
+  Bounds bounds() const override;
+  bool intersect(Ray const& ray, float& t) const override;
+  bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
+  void accept(ShapeVisitor& visitor) const override;
+
+ private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
+  Vec3 base_;
+  Vec3 tip_;
+  double radius_;
+};
+
 /// Triangles of one material, hit from both sides. Shows its geometry under its own transform; several meshes may share
 /// one geometry, and one mesh may be the child of several composites.
 class Mesh final : public Shape {
@@ -165,6 +189,7 @@ class ShapeVisitor {
   virtual void visit(Box const& box) = 0;
   virtual void visit(Triangle const& triangle) = 0;
   virtual void visit(Cylinder const& cylinder) = 0;
+  virtual void visit(Cone const& cone) = 0;
   virtual void visit(Mesh const& mesh) = 0;
   virtual void visit(Composite const& composite) = 0;
 

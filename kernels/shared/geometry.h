@@ -14,6 +14,7 @@ DEVICE_NAMESPACE_BEGIN
 /* From here on: what only scenes with SCENE_RARE_SHAPES have. */
 #define PRIMITIVE_CYLINDER 5u
 #define FIRST_RARE_SHAPE PRIMITIVE_CYLINDER
+#define PRIMITIVE_CONE 6u
 
 /* Rows of a 3x4 matrix: (row.xyz . p + row.w) is a coordinate of the mapped point. */
 typedef struct {
@@ -58,6 +59,8 @@ DEVICE_STRUCT_SIZE(UnitShape, 64);
 DEVICE_UNIT_SHAPE(EllipsoidPrimitive, PRIMITIVE_ELLIPSOID);
 /* Radius 1 around the y axis, from y = 0 to y = 1, with both ends. */
 DEVICE_UNIT_SHAPE(CylinderPrimitive, PRIMITIVE_CYLINDER);
+/* Around the y axis, of radius 1 at y = 0, with an end there, and its tip at y = 1. */
+DEVICE_UNIT_SHAPE(ConePrimitive, PRIMITIVE_CONE);
 
 /* Axis-parallel in a frame of its own; flat where min == max. The frame is the box's own as written, so that a flat box
  * needs no singular matrix. */

@@ -21,7 +21,8 @@
 /* ... and those that both layouts store alike: one struct for all unit shapes ... */
 #define UNIT_SHAPE_ARRAYS(ARRAY)        \
   ARRAY(EllipsoidPrimitive, ellipsoids) \
-  ARRAY(CylinderPrimitive, cylinders)
+  ARRAY(CylinderPrimitive, cylinders)   \
+  ARRAY(ConePrimitive, cones)
 
 /* ... and the others. */
 #define SINGLE_PRIMITIVE_ARRAYS(ARRAY) \

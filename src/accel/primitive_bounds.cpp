@@ -68,6 +68,14 @@ DeviceBounds bounds_of(device::CylinderPrimitive const& cylinder) {
   return around(object_from_unit.point({0, 0.5, 0}), disc_extent(object_from_unit) + glm::abs(half_axis));
 }
 
+DeviceBounds bounds_of(device::ConePrimitive const& cone) {
+  Transform const object_from_unit = host_transform(cone.unit_from_object).inverse();
+  Vec3 const base = object_from_unit.point({0, 0, 0}), tip = object_from_unit.point({0, 1, 0});
+  Vec3 const extent = disc_extent(object_from_unit);
+  Vec3 const min = glm::min(base - extent, tip), max = glm::max(base + extent, tip);
+  return around(0.5 * (min + max), 0.5 * (max - min));
+}
+
 DeviceBounds map_bounds(Transform const& world_from_object, DeviceBounds const& object_bounds) {
   if (object_bounds.is_empty()) return {};
   Vec3 const min(object_bounds.min), max(object_bounds.max);

@@ -111,6 +111,10 @@ class Baker final : public ShapeVisitor {
                       object_.cylinders);
   }
 
+  void visit(Cone const& cone) override {
+    append_unit_shape(upright_frame(cone.base(), cone.tip() - cone.base(), cone.radius()), object_.cones);
+  }
+
   void visit(Mesh const& mesh) override {
     MeshGeometry const& geometry = *mesh.geometry();
     std::vector<Float3> const positions = mapped(geometry.positions);

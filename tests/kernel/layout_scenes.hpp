@@ -77,6 +77,7 @@ inline FlatScene mixed_scene(std::uint64_t seed) {
       object.spheres.push_back(tagged_sphere(center, random.uniform(0.05, 0.4), tag()));
       object.ellipsoids.push_back(unit_shape<device::EllipsoidPrimitive>(random, tag()));
       object.cylinders.push_back(unit_shape<device::CylinderPrimitive>(random, tag()));
+      object.cones.push_back(unit_shape<device::ConePrimitive>(random, tag()));
       device::BoxPrimitive box{};
       box.box_from_object = device_transform(random_transform(random, random.in_cube(3)).inverse());
       for (int axis = 0; axis < 3; ++axis) {

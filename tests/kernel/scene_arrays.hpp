@@ -28,6 +28,7 @@ struct SceneArrays : device::GeometryArrays, device::ShadingArrays {
   void add(device::EllipsoidPrimitive const& p) { add(ellipsoids, p); }
   void add(device::BoxPrimitive const& p) { add(boxes, p); }
   void add(device::CylinderPrimitive const& p) { add(cylinders, p); }
+  void add(device::ConePrimitive const& p) { add(cones, p); }
   /// `bounds` are the object's, in its own frame.
   void add_instance(Affine const& world_from_object, device::uint object_root, DeviceBounds const& bounds) {
     Mat4 matrix(world_from_object.linear);

@@ -7,7 +7,7 @@ using namespace lichtraum::test;
 
 namespace {
 
-enum class Kind { triangle, sphere, ellipsoid, box, flat_box, cylinder };
+enum class Kind { triangle, sphere, ellipsoid, box, flat_box, cylinder, cone };
 
 /// A unit shape's map, with its middle at `at`.
 Affine upright(Random& random, double scale, Vec3 const& at) {
@@ -48,6 +48,9 @@ struct OneShape {
     } else if (k == Kind::cylinder) {
       scene.add(make_unit_shape<device::CylinderPrimitive>(upright(random, scale, at)));
       frame = from_device(scene.cylinders[0].unit_from_object);
+    } else if (k == Kind::cone) {
+      scene.add(make_unit_shape<device::ConePrimitive>(upright(random, scale, at)));
+      frame = from_device(scene.cones[0].unit_from_object);
     } else {
       Vec3 const corner = scale * Vec3(0.7, 0.4, k == Kind::flat_box ? 0 : 0.9);
       scene.add(make_box({random.rotation(), at}, -corner, corner));
@@ -84,6 +87,11 @@ struct OneShape {
       take_nearest(glm::length(across) - 1, glm::normalize(across), off, normal);
       take_nearest(-p.y, {0, -1, 0}, off, normal);
       take_nearest(p.y - 1, {0, 1, 0}, off, normal);
+    } else if (kind == Kind::cone) {
+      Vec3 const across(p.x, 0, p.z);
+      take_nearest((glm::length(across) - (1 - p.y)) / std::sqrt(2.),
+                   glm::normalize(glm::normalize(across) + Vec3(0, 1, 0)), off, normal);
+      take_nearest(-p.y, {0, -1, 0}, off, normal);
     } else {
       off = infinity;
       for (int axis = 0; axis < 3; ++axis) {
@@ -114,7 +122,7 @@ TEST_CASE("Points lie on the surface within their offset, and rays that leave it
     for (double const far : {0., 1., 100.}) {
       for (bool const instanced : {false, true}) {
         for (Kind const kind :
-             {Kind::triangle, Kind::sphere, Kind::ellipsoid, Kind::box, Kind::flat_box, Kind::cylinder}) {
+             {Kind::triangle, Kind::sphere, Kind::ellipsoid, Kind::box, Kind::flat_box, Kind::cylinder, Kind::cone}) {
           Random& random = kind < Kind::cylinder ? usual : rare;
           OneShape const shape(kind, scale, random.in_cube(far * scale), instanced, random);
           std::vector<ProbeRay> rays(count);
@@ -141,7 +149,8 @@ TEST_CASE("Points lie on the surface within their offset, and rays that leave it
             worst = std::max(worst, std::abs(off) / offset);
             largest_offset = std::max(largest_offset, offset);
             // Two faces are equally near at an edge.
-            bool const edge = kind == Kind::box || kind == Kind::flat_box || kind == Kind::cylinder;
+            bool const edge =
+                kind == Kind::box || kind == Kind::flat_box || kind == Kind::cylinder || kind == Kind::cone;
             if (!edge && glm::length(n - normal) > 1e-3 && glm::length(n + normal) > 1e-3) FAIL("normal");
             if (std::abs(glm::length(n) - 1) > 1e-6) FAIL("length of the normal");
             Vec3 d = random.direction();

@@ -120,3 +120,41 @@ TEST_CASE("Cylinder edge cases", "[kernel]") {
   cases.add({0, 0.5, 0}, {0, 0, 0}, inf);
   cases.check("probe_cylinder");
 }
+
+TEST_CASE("Cone hits are the body's at every scale", "[kernel]") {
+  check_solid("probe_cone", 21, cone_body({0, 0, 0}, {0, 1, 0}, 1));
+}
+
+TEST_CASE("Cone edge cases", "[kernel]") {
+  EdgeCases cases;
+  float const inf = float_infinity, nan = float_nan;
+  Vec3 const left{-1, 0, 0}, down{0, -1, 0};
+  cases.add({5, 0.5, 0}, left, 4.5);
+  cases.add({5, 0.5, 0}, 4. * left, 1.125);          // any length of direction
+  cases.add({0, 5, 0}, down, 4);                     // along the axis, onto the tip
+  cases.add({0, -5, 0}, -down, 5);                   // and onto the base
+  cases.add({0.25, 5, 0}, down, 4.25);               // steep, onto the side
+  cases.add({0.25, 0.25, 0}, -down, 0.5);            // from inside, to the side
+  cases.add({0.25, 0.25, 0}, down, 0.25);            // from inside, to the base
+  cases.add({5, 0, 0}, left, 4);                     // within the plane of the base
+  cases.add({5, 1.000001, 0}, left, inf);            // just over the tip
+  cases.add({0, 3, 0}, left, inf);                   // through the other half of the double cone
+  cases.add({5, 3, 0}, left, inf);                   //
+  cases.add({2, 5, 0}, down, inf);                   // through it, and below the base into this half
+  cases.add({1, 5, 1}, {-0.25, -1, -0.25}, 4);       // through it and the tip
+  cases.add({2.5, 3, 0}, {-1, -1, 0}, 2.25);         // parallel to the left side, onto the right one
+  cases.add({1.5, 3, 0}, {-1, -1, 0}, inf);          // parallel to it, outside
+  cases.add({-3.75, 4.25, 0}, {1, -1, 0}, 3.5);      // parallel to the right side, onto the left one
+  cases.add({-3, 4.25, 0}, {1, -1, 0}, inf);         // parallel to it, outside
+  cases.add({5, 0.5, 0}, -left, inf);                // behind
+  cases.add({0.5, 0.5, 0}, -left, inf);              // from the side outwards
+  cases.add({0.5, 0.5, 0}, left, 1);                 // and inwards
+  cases.add({5, 0.5, 0}, left, inf, 4.5f);           // t_max is exclusive
+  cases.add({0.25, 1e6, 0}, down, 1e6 - 0.75);       // from far away
+  cases.add({1e6, 0.5, 0}, left, 1e6 - 0.5);         //
+  cases.add({1e6, 1e6, 0}, {-1, -1, 0}, 1e6 - 0.5);  // and parallel to the side
+  cases.add({nan, 0.5, 0}, left, inf);
+  cases.add({5, 0.5, 0}, {nan, 0, 0}, inf);
+  cases.add({0, 0.5, 0}, {0, 0, 0}, inf);
+  cases.check("probe_cone");
+}

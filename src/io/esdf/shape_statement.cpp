@@ -17,17 +17,19 @@
 // define shape box <name> [p1] [p2] <material>
 // define shape triangle <name> [a] [b] [c] <material>
 // define shape cylinder <name> [p1] [p2] <radius> <material>
+// define shape cone <name> [base] [tip] <radius> <material>
 // define shape composite <name> <child> ...
 
 namespace lichtraum::esdf {
 namespace {
 
-constexpr char const* known_shapes = "the shapes are sphere, box, triangle, cylinder and composite";
+constexpr char const* known_shapes = "the shapes are sphere, box, triangle, cylinder, cone and composite";
 
 Signature const sphere_signature{{{"the center", 3}, {"the radius", 1}}, true};
 Signature const box_signature{{{"p1", 3}, {"p2", 3}}, true};
 Signature const triangle_signature{{{"a", 3}, {"b", 3}, {"c", 3}}, true};
 Signature const cylinder_signature{{{"p1", 3}, {"p2", 3}, {"the radius", 1}}, true, {5}};
+Signature const cone_signature{{{"the base", 3}, {"the tip", 3}, {"the radius", 1}}, true, {5}};
 
 /// Name, N numbers, material: the numbers. Reports what is wrong.
 template <std::size_t N>
@@ -110,6 +112,13 @@ void define_cylinder(Interpreter& interpreter, Statement const& statement) {
                                                               solid->radius, interpreter.material(statement.last())));
 }
 
+void define_cone(Interpreter& interpreter, Statement const& statement) {
+  auto const solid = read_round_solid(interpreter, statement, cone_signature);
+  if (!solid) return;
+  interpreter.define(statement[0], std::make_shared<Cone>(std::string(statement[0]), solid->p1, solid->p2,
+                                                          solid->radius, interpreter.material(statement.last())));
+}
+
 void define_box(Interpreter& interpreter, Statement const& statement) {
   std::array<double, 6> v{};
   if (!read_primitive(interpreter, statement, box_signature, v)) return;
@@ -155,9 +164,9 @@ void refuse_shape(Interpreter& interpreter, Statement const& statement) {
 }
 
 constexpr Keyword shape_table[] = {
-    {"triangle", define_triangle},        {"sphere", define_sphere},     {"box", define_box},
-    {"composite", define_composite},      {"mesh", define_mesh},         {"obj", define_obj, false},
-    {"cylinder", define_cylinder, false}, {"cone", refuse_shape, false}, {"plane", refuse_shape, false},
+    {"triangle", define_triangle},        {"sphere", define_sphere},    {"box", define_box},
+    {"composite", define_composite},      {"mesh", define_mesh},        {"obj", define_obj, false},
+    {"cylinder", define_cylinder, false}, {"cone", define_cone, false}, {"plane", refuse_shape, false},
 };
 
 std::string hint_for_unknown_kind(Interpreter& interpreter, Statement const& statement) {

@@ -17,12 +17,12 @@ namespace lichtraum {
 class Shape;
 class ShapeVisitor;
 
-enum class ShapeKind { sphere, box, triangle, cylinder, cone, mesh, composite };
+enum class ShapeKind { sphere, box, triangle, cylinder, cone, plane, mesh, composite };
 inline constexpr std::size_t shape_kind_count = std::size_t(ShapeKind::composite) + 1;
 
 /// As in eSDF.
-inline constexpr std::string_view shape_kind_names[] = {"sphere", "box",  "triangle", "cylinder",
-                                                        "cone",   "mesh", "composite"};
+inline constexpr std::string_view shape_kind_names[] = {"sphere", "box",   "triangle", "cylinder",
+                                                        "cone",   "plane", "mesh",     "composite"};
 static_assert(std::size(shape_kind_names) == shape_kind_count);
 constexpr std::string_view name_of(ShapeKind kind) { return shape_kind_names[std::size_t(kind)]; }
 
@@ -66,7 +66,7 @@ class Shape {
 
   virtual ShapeKind kind() const = 0;
 
-  /// A box around all of it, in its own frame. Empty for a composite, whose children have theirs.
+  /// A box around all of it, in its own frame. Empty for a composite, whose children have theirs; infinite for a plane.
   virtual Bounds bounds() const = 0;
 
   /// Whether the ray (in the parent's frame) hits; then `t` is the distance to the nearest hit in front of its origin,

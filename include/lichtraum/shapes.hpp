@@ -121,6 +121,28 @@ class Cone final : public Shape {
   double radius_;
 };
 
+/// Without an end, hit from both sides. No box holds it: what is framed or centred, the other shapes decide alone.
+class Plane final : public Shape {
+ public:
+  /// `normal` has any length but zero, all finite; else throws std::invalid_argument.
+  Plane(std::string name, Vec3 const& point, Vec3 const& normal, std::shared_ptr<Material const> material);
+  Vec3 const& point() const { return point_; }
+  Vec3 const& normal() const { return normal_; }
+
+  ShapeKind kind() const override { return ShapeKind::plane; }
+  Bounds bounds() const override { return {Vec3(-Bounds::infinity), Vec3(Bounds::infinity)}; }
+  bool intersect(Ray const& ray, float& t) const override;
+  bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
+  void accept(ShapeVisitor& visitor) const override;
+
+ private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
+  Vec3 point_;
+  Vec3 normal_;
+};
+
 /// Triangles of one material, hit from both sides. Shows its geometry under its own transform; several meshes may share
 /// one geometry, and one mesh may be the child of several composites.
 class Mesh final : public Shape {
@@ -190,6 +212,7 @@ class ShapeVisitor {
   virtual void visit(Triangle const& triangle) = 0;
   virtual void visit(Cylinder const& cylinder) = 0;
   virtual void visit(Cone const& cone) = 0;
+  virtual void visit(Plane const& plane) = 0;
   virtual void visit(Mesh const& mesh) = 0;
   virtual void visit(Composite const& composite) = 0;
 

@@ -15,6 +15,7 @@ DEVICE_NAMESPACE_BEGIN
 #define PRIMITIVE_CYLINDER 5u
 #define FIRST_RARE_SHAPE PRIMITIVE_CYLINDER
 #define PRIMITIVE_CONE 6u
+#define PRIMITIVE_PLANE 7u /* in no box, so beside the hierarchies */
 
 /* Rows of a 3x4 matrix: (row.xyz . p + row.w) is a coordinate of the mapped point. */
 typedef struct {
@@ -61,6 +62,8 @@ DEVICE_UNIT_SHAPE(EllipsoidPrimitive, PRIMITIVE_ELLIPSOID);
 DEVICE_UNIT_SHAPE(CylinderPrimitive, PRIMITIVE_CYLINDER);
 /* Around the y axis, of radius 1 at y = 0, with an end there, and its tip at y = 1. */
 DEVICE_UNIT_SHAPE(ConePrimitive, PRIMITIVE_CONE);
+/* y = 0, without an end. */
+DEVICE_UNIT_SHAPE(PlanePrimitive, PRIMITIVE_PLANE);
 
 /* Axis-parallel in a frame of its own; flat where min == max. The frame is the box's own as written, so that a flat box
  * needs no singular matrix. */

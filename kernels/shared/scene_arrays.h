@@ -22,7 +22,8 @@
 #define UNIT_SHAPE_ARRAYS(ARRAY)        \
   ARRAY(EllipsoidPrimitive, ellipsoids) \
   ARRAY(CylinderPrimitive, cylinders)   \
-  ARRAY(ConePrimitive, cones)
+  ARRAY(ConePrimitive, cones)           \
+  ARRAY(PlanePrimitive, planes)
 
 /* ... and the others. */
 #define SINGLE_PRIMITIVE_ARRAYS(ARRAY) \

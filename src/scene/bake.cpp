@@ -115,6 +115,10 @@ class Baker final : public ShapeVisitor {
     append_unit_shape(upright_frame(cone.base(), cone.tip() - cone.base(), cone.radius()), object_.cones);
   }
 
+  void visit(Plane const& plane) override {
+    append_unit_shape(upright_frame(plane.point(), unit_vector(plane.normal()), 1), object_.planes);
+  }
+
   void visit(Mesh const& mesh) override {
     MeshGeometry const& geometry = *mesh.geometry();
     std::vector<Float3> const positions = mapped(geometry.positions);

@@ -93,6 +93,16 @@ inline FlatScene mixed_scene(std::uint64_t seed) {
     }
   }
   for (int i = 0; i < 12; ++i) scene.instances.push_back({1, random_transform(random, random.in_cube(8))});
+  // Planes of glass, in the world and in an instance among other things.
+  scene.objects.resize(3);
+  for (FlatObject* const object : {&scene.objects[0], &scene.objects[2]}) {
+    for (device::uint i = 0; i < 9; ++i) {
+      object->cones.push_back(
+          unit_shape<device::ConePrimitive>(random, {i % 2, device::uint(object->primitive_count())}));
+    }
+    object->planes.push_back(unit_shape<device::PlanePrimitive>(random, {1, device::uint(object->primitive_count())}));
+  }
+  scene.instances.push_back({2, random_transform(random, random.in_cube(8))});
   scene.materials = {std::make_shared<Material>(), std::make_shared<Material>()};
   auto glass = std::make_shared<Material>();
   glass->set_mirror_and_glass(0, 0.5, 1.5);

@@ -1,5 +1,6 @@
 /// What is stored as a map to a shape of one size, against a body that shares no formula with it.
 
+#include "random_scene.hpp"
 #include "shape_probe.hpp"
 #include "support/catch.hpp"
 #include "support/convex_oracle.hpp"
@@ -157,4 +158,57 @@ TEST_CASE("Cone edge cases", "[kernel]") {
   cases.add({5, 0.5, 0}, {nan, 0, 0}, inf);
   cases.add({0, 0.5, 0}, {0, 0, 0}, inf);
   cases.check("probe_cone");
+}
+
+TEST_CASE("Plane hits lie on it, however far away", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  Random random(22);
+  ShapeCases<device::CylinderPrimitive> cases;
+  std::size_t const count = scaled_count(20000);
+  for (std::size_t i = 0; i < count; ++i) {
+    double const scale = std::array{1e-3, 1., 1e6}[i % 3];
+    Affine const object_from_unit = random_affine(random, scale, 5 * scale);
+    auto const [origin, direction] = random_ray(random, object_from_unit.offset, scale);
+    cases.add({{to_device(object_from_unit.inverse()), {}, {}}}, origin, direction);
+  }
+  auto const t = cases.run("probe_plane");
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Affine const unit_from_object = from_device(cases.primitives[i].unit_from_object);
+    Vec3 const o = to_vec3(cases.rays[i].origin), d = to_vec3(cases.rays[i].direction);
+    double const height = unit_from_object.point(o).y;
+    double const rise = (unit_from_object.linear * d).y;
+    Vec3 const row(unit_from_object.linear[0].y, unit_from_object.linear[1].y, unit_from_object.linear[2].y);
+    double const terms = glm::dot(glm::abs(row), glm::abs(o)) + std::abs(unit_from_object.offset.y);
+    double const rise_terms = glm::dot(glm::abs(row), glm::abs(d));
+    INFO(i << ": t " << t[i] << ", height " << height << ", rise " << rise);
+    if (std::abs(height) < 8 * rounding_unit * terms || std::abs(rise) < 8 * rounding_unit * rise_terms) continue;
+    double const expected = -height / rise;
+    if ((t[i] < float_infinity) != (expected > 0)) FAIL("hit or miss");
+    if (!(expected > 0)) continue;
+    ++hits;
+    double const slack = 8 * rounding_unit * (terms + expected * rise_terms) / std::abs(rise);
+    if (std::abs(t[i] - expected) > slack) FAIL("distance");
+  }
+  CHECK(hits > count / 3);
+}
+
+TEST_CASE("Plane edge cases", "[kernel]") {
+  EdgeCases cases;
+  float const inf = float_infinity, nan = float_nan;
+  cases.add({3, 2, 1}, {0, -1, 0}, 2);
+  cases.add({3, 2, 1}, {0, -4, 0}, 0.5);      // any length of direction
+  cases.add({3, -2, 1}, {5, 1, 0}, 2);        // from below
+  cases.add({3, 2, 1}, {0, 1, 0}, inf);       // behind
+  cases.add({3, 2, 1}, {1, 0, 0}, inf);       // parallel
+  cases.add({3, 0, 1}, {1, 0, 0}, inf);       // within it
+  cases.add({3, 0, 1}, {0, -1, 0}, inf);      // from it: t = 0 does not count
+  cases.add({3, 2, 1}, {0, -1, 0}, inf, 2);   // t_max is exclusive
+  cases.add({3, 2, 1}, {1, -1e-7, 0}, 2e7);   // grazing
+  cases.add({3e6, 1e6, 1}, {0, -1, 0}, 1e6);  // far away
+  cases.add({3, 1e-6, 1}, {0, -1, 0}, 1e-6);  // close by
+  cases.add({3, 2, 1}, {0, 0, 0}, inf);       // no direction
+  cases.add({3, nan, 1}, {0, -1, 0}, inf);
+  cases.add({3, 2, 1}, {0, nan, 0}, inf);
+  cases.check("probe_plane");
 }

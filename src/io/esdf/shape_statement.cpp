@@ -18,18 +18,20 @@
 // define shape triangle <name> [a] [b] [c] <material>
 // define shape cylinder <name> [p1] [p2] <radius> <material>
 // define shape cone <name> [base] [tip] <radius> <material>
+// define shape plane <name> [point] [normal] <material>
 // define shape composite <name> <child> ...
 
 namespace lichtraum::esdf {
 namespace {
 
-constexpr char const* known_shapes = "the shapes are sphere, box, triangle, cylinder, cone and composite";
+constexpr char const* known_shapes = "the shapes are sphere, box, triangle, cylinder, cone, plane and composite";
 
 Signature const sphere_signature{{{"the center", 3}, {"the radius", 1}}, true};
 Signature const box_signature{{{"p1", 3}, {"p2", 3}}, true};
 Signature const triangle_signature{{{"a", 3}, {"b", 3}, {"c", 3}}, true};
 Signature const cylinder_signature{{{"p1", 3}, {"p2", 3}, {"the radius", 1}}, true, {5}};
 Signature const cone_signature{{{"the base", 3}, {"the tip", 3}, {"the radius", 1}}, true, {5}};
+Signature const plane_signature{{{"the point", 3}, {"the normal", 3}}, true};
 
 /// Name, N numbers, material: the numbers. Reports what is wrong.
 template <std::size_t N>
@@ -119,6 +121,19 @@ void define_cone(Interpreter& interpreter, Statement const& statement) {
                                                           solid->radius, interpreter.material(statement.last())));
 }
 
+void define_plane(Interpreter& interpreter, Statement const& statement) {
+  std::array<double, 6> v{};
+  if (!read_primitive(interpreter, statement, plane_signature, v)) return;
+  Vec3 const normal(v[3], v[4], v[5]);
+  if (normal == Vec3(0)) {
+    interpreter.error(statement[4], "plane: the normal must not be 0 0 0");
+    interpreter.mark_faulty(Kind::shape, statement[0]);
+    return;
+  }
+  interpreter.define(statement[0], std::make_shared<Plane>(std::string(statement[0]), Vec3(v[0], v[1], v[2]), normal,
+                                                           interpreter.material(statement[7])));
+}
+
 void define_box(Interpreter& interpreter, Statement const& statement) {
   std::array<double, 6> v{};
   if (!read_primitive(interpreter, statement, box_signature, v)) return;
@@ -158,15 +173,10 @@ void define_composite(Interpreter& interpreter, Statement const& statement) {
   interpreter.define(name, std::make_shared<Composite>(std::string(name), std::move(children)));
 }
 
-void refuse_shape(Interpreter& interpreter, Statement const& statement) {
-  interpreter.error(statement.keyword, fmt::format("a {} is not supported", statement.what), known_shapes);
-  if (statement.size() > 0) interpreter.mark_faulty(Kind::shape, statement[0]);
-}
-
 constexpr Keyword shape_table[] = {
     {"triangle", define_triangle},        {"sphere", define_sphere},    {"box", define_box},
     {"composite", define_composite},      {"mesh", define_mesh},        {"obj", define_obj, false},
-    {"cylinder", define_cylinder, false}, {"cone", define_cone, false}, {"plane", refuse_shape, false},
+    {"cylinder", define_cylinder, false}, {"cone", define_cone, false}, {"plane", define_plane, false},
 };
 
 std::string hint_for_unknown_kind(Interpreter& interpreter, Statement const& statement) {
@@ -191,9 +201,7 @@ void define_shape(Interpreter& interpreter, Statement const& statement) {
   Token const word = statement[0];
   Statement const inner{word, word, statement.arguments.subspan(1)};
   Keyword const* const kind = find_keyword(shape_table, word);
-  if (kind && kind->execute == refuse_shape) {
-    refuse_shape(interpreter, inner);
-  } else if (kind && (kind->is_standard || interpreter.dialect(word, fmt::format("'define shape {}'", word)))) {
+  if (kind && (kind->is_standard || interpreter.dialect(word, fmt::format("'define shape {}'", word)))) {
     kind->execute(interpreter, inner);
   } else {
     if (!kind) {

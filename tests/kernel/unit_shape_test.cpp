@@ -212,3 +212,17 @@ TEST_CASE("Plane edge cases", "[kernel]") {
   cases.add({3, 2, 1}, {0, nan, 0}, inf);
   cases.check("probe_plane");
 }
+
+// A line steeper than the side is within the lower half below some point, whatever rounding makes of the discriminant.
+TEST_CASE("Steep rays at a cone's tip do not slip past it", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  ShapeCases<device::CylinderPrimitive> cases;
+  Random random(23);
+  for (int i = 0; i < 20000; ++i) {
+    double const angle = random.uniform(0, 6.3), slope = 1 - std::pow(10., random.uniform(-6, -0.1));
+    Vec3 const direction(slope * std::cos(angle), -1, slope * std::sin(angle));
+    cases.add({{to_device(Affine()), {}, {}}}, Vec3(0, 1, 0) - 3. * direction, direction);
+  }
+  auto const t = cases.run("probe_cone");
+  CHECK(std::count_if(t.begin(), t.end(), [](float t_hit) { return t_hit < float_infinity; }) == 20000);
+}

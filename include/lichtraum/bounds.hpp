@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "lichtraum/transform.hpp"
@@ -45,6 +46,14 @@ using Bounds = BasicBounds<Vec3>;
 inline Vec3 corner_of(Bounds const& bounds, int i) {
   return {i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y,
           i & 4 ? bounds.max.z : bounds.min.z};
+}
+
+/// Adds a flat disc at right angles to `axis`, which has any length but zero.
+inline void add_disc(Bounds& bounds, Vec3 const& center, Vec3 const& axis, double radius) {
+  Vec3 const n = glm::normalize(axis);
+  Vec3 const extent = radius * Vec3(std::hypot(n.y, n.z), std::hypot(n.z, n.x), std::hypot(n.x, n.y));
+  bounds.add(center - extent);
+  bounds.add(center + extent);
 }
 
 /// The box around the mapped box; empty for an empty one.

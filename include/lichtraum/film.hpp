@@ -14,7 +14,7 @@
 namespace lichtraum {
 
 /// What a film can hold of each pixel. The order is that of the device's planes (kernels/shared/film.h).
-enum class Plane {
+enum class FilmPlane {
   radiance,  ///< linear red, green, blue
   alpha,     ///< share of the samples that hit something, 0..1; with it, radiance leaves out the background that the
              ///< camera sees
@@ -26,7 +26,7 @@ enum class Plane {
   instance,  ///< of what is shown several times, the occurrence's number from 1; else 0
   material,  ///< the material's number from 1, in the order in which the shapes use them; 0 where nothing is
 };
-inline constexpr std::size_t plane_count = std::size_t(Plane::material) + 1;
+inline constexpr std::size_t plane_count = std::size_t(FilmPlane::material) + 1;
 
 /// How a plane's samples become a pixel.
 enum class PlaneRule {
@@ -43,22 +43,22 @@ struct PlaneInfo {
 
 /// By the plane's place in the enumeration.
 std::span<PlaneInfo const> plane_infos();
-inline PlaneInfo const& info_of(Plane plane) { return plane_infos()[std::size_t(plane)]; }
+inline PlaneInfo const& info_of(FilmPlane plane) { return plane_infos()[std::size_t(plane)]; }
 
 /// Some of the planes.
 class PlaneSet {
  public:
   PlaneSet() = default;
-  PlaneSet(std::initializer_list<Plane> planes) {
-    for (Plane const plane : planes) add(plane);
+  PlaneSet(std::initializer_list<FilmPlane> planes) {
+    for (FilmPlane const plane : planes) add(plane);
   }
-  void add(Plane plane) { bits_ |= 1u << unsigned(plane); }
-  bool has(Plane plane) const { return (bits_ >> unsigned(plane) & 1u) != 0; }
+  void add(FilmPlane plane) { bits_ |= 1u << unsigned(plane); }
+  bool has(FilmPlane plane) const { return (bits_ >> unsigned(plane) & 1u) != 0; }
   bool is_empty() const { return bits_ == 0; }
   /// Whether it has one of that rule.
   bool has(PlaneRule rule) const;
   /// In the order of the enumeration.
-  std::vector<Plane> list() const;
+  std::vector<FilmPlane> list() const;
   std::uint32_t bits() const { return bits_; }
   friend bool operator==(PlaneSet const&, PlaneSet const&) = default;
 
@@ -111,18 +111,18 @@ class Film {
 
   /// The value of a pixel of the region's row `y` and column `x` (0, 0: its top left corner), a channel each. Planes of
   /// rule `center` are only in films that begin with sample 0.
-  float value(Plane plane, int x, int y, int channel = 0) const;
-  std::uint32_t number(Plane plane, int x, int y) const;
+  float value(FilmPlane plane, int x, int y, int channel = 0) const;
+  std::uint32_t number(FilmPlane plane, int x, int y) const;
   /// All values of a plane: height x width x channels.
-  std::vector<float> values(Plane plane) const;
+  std::vector<float> values(FilmPlane plane) const;
 
   // For who traces into it.
 
   /// height x width x channels: of rule `mean`, the sum of the last block's samples so far (a block that is full stays
   /// here until the next one begins); of rule `center`, the value.
-  std::span<float> floats(Plane plane);
-  std::span<std::uint32_t> numbers(Plane plane);
-  std::span<std::uint32_t const> numbers(Plane plane) const;
+  std::span<float> floats(FilmPlane plane);
+  std::span<std::uint32_t> numbers(FilmPlane plane);
+  std::span<std::uint32_t const> numbers(FilmPlane plane) const;
   /// All samples before `end` are in.
   void set_end(int end);
   /// Puts the last block to those before, and begins another.
@@ -130,7 +130,7 @@ class Film {
   /// Forgets the samples of the last block, which may be there in part.
   void drop_last_block();
   /// The sums of all samples, of a plane of rule `mean` that the film then no longer has.
-  std::vector<float> take_sums(Plane plane);
+  std::vector<float> take_sums(FilmPlane plane);
   /// Drops all other planes.
   void keep(PlaneSet const& planes);
 
@@ -141,7 +141,7 @@ class Film {
     std::vector<std::vector<float>> blocks;  // else each of them
   };
   static std::vector<float> sums_of_all(Sums sums);
-  std::size_t value_count(Plane plane) const;
+  std::size_t value_count(FilmPlane plane) const;
   std::size_t pixel_index(int x, int y) const;
 
   Region region_;
@@ -166,6 +166,6 @@ Image develop(Film film, Development const& development);
 /// Planes other than radiance as something to look at, 0..1: depth from white (the nearest in the picture) to dark (the
 /// farthest), coordinates of normals from -1..1 as red, green and blue, positions within their box, a colour of its own
 /// for each number, alpha and albedo as they are. Black where nothing is.
-Image show_plane(Film const& film, Plane plane);
+Image show_plane(Film const& film, FilmPlane plane);
 
 }  // namespace lichtraum

@@ -25,8 +25,8 @@ struct ShapeCounts {
 struct GraphSummary {
   ShapeCounts defined;  ///< each shape that can be reached, once
   ShapeCounts drawn;    ///< once for each path from a root: with all instances
-  /// Around all that is drawn, in the world. A composite's box is the box around its children's boxes: where those are
-  /// turned it may be larger than its contents.
+  /// Around all that is drawn and has an end, in the world: not around planes. A composite's box is the box around its
+  /// children's boxes: where those are turned it may be larger than its contents.
   Bounds bounds;
 };
 

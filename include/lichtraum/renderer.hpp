@@ -37,7 +37,7 @@ struct RenderRequest {
   std::optional<SampleRange> samples;  ///< of those of `sampling`; nothing: all. Begins with a block of the film
   int max_depth = 5;                   ///< how often a ray may be mirrored or refracted; 0: not at all
   std::uint64_t seed = 0;
-  PlaneSet planes{Plane::radiance};
+  PlaneSet planes{FilmPlane::radiance};
   std::optional<Rgb> background;  ///< instead of the scene's
 };
 

@@ -9,7 +9,7 @@ struct SeenPoint {
   std::uint32_t object = 0;  ///< its number, see DrawnObjects
   double distance = 0;       ///< from the camera
   Vec3 position{0};          ///< in the world
-  Vec3 normal{0};            ///< see Plane::normal
+  Vec3 normal{0};            ///< see FilmPlane::normal
 };
 
 /// What is seen in the middle of a pixel of the picture that `view` asks for; nothing where there is nothing. Of `view`

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <string>
@@ -16,17 +17,20 @@ namespace lichtraum {
 class Shape;
 class ShapeVisitor;
 
-enum class ShapeKind { sphere, box, triangle, mesh, composite };
+enum class ShapeKind { sphere, box, triangle, cylinder, cone, plane, mesh, composite };
 inline constexpr std::size_t shape_kind_count = std::size_t(ShapeKind::composite) + 1;
 
-/// "sphere", "box" and so on, as in eSDF.
-std::string_view name_of(ShapeKind kind);
+/// As in eSDF.
+inline constexpr std::string_view shape_kind_names[] = {"sphere", "box",   "triangle", "cylinder",
+                                                        "cone",   "plane", "mesh",     "composite"};
+static_assert(std::size(shape_kind_names) == shape_kind_count);
+constexpr std::string_view name_of(ShapeKind kind) { return shape_kind_names[std::size_t(kind)]; }
 
 /// Where a ray meets a surface.
 struct Hit {
   double t = std::numeric_limits<double>::infinity();  ///< in units of the ray's direction
   Vec3 normal{0};                                      ///< geometric, unit length, outward (triangle: by its winding)
-  Shape const* shape = nullptr;                        ///< the sphere, box, triangle or mesh, never the composite above
+  Shape const* shape = nullptr;                        ///< the sphere, box and so on, never the composite above
   std::size_t triangle = 0;                            ///< of a mesh: the triangle's number
   Vec3 barycentric{0};        ///< of a mesh: the weights of that triangle's corners, which sum to 1
   Mat3 linear_from_shape{1};  ///< maps directions of the shape's own frame to those of the ray's
@@ -62,7 +66,7 @@ class Shape {
 
   virtual ShapeKind kind() const = 0;
 
-  /// A box around all of it, in its own frame. Empty for a composite, whose children have theirs.
+  /// A box around all of it, in its own frame. Empty for a composite, whose children have theirs; infinite for a plane.
   virtual Bounds bounds() const = 0;
 
   /// Whether the ray (in the parent's frame) hits; then `t` is the distance to the nearest hit in front of its origin,
@@ -75,6 +79,10 @@ class Shape {
 
   virtual void accept(ShapeVisitor& visitor) const = 0;
 
+  /// The same shape of another material, with the same name in the same place. A mesh shares its geometry, a composite
+  /// its children.
+  std::shared_ptr<Shape> copy(std::shared_ptr<Material const> material) const;
+
  protected:
   Shape(std::string name, std::shared_ptr<Material const> material)
       : name_(std::move(name)), material_(std::move(material)) {}
@@ -83,6 +91,13 @@ class Shape {
   Ray object_from_world(Ray const& ray) const;
 
  private:
+  friend std::ostream& operator<<(std::ostream& out, Shape const& shape);
+
+  /// What operator<< says between the name and the material.
+  virtual std::string description() const = 0;
+  /// A copy at the origin.
+  virtual std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const = 0;
+
   std::string name_;
   std::shared_ptr<Material const> material_;
   std::unique_ptr<Transform> world_from_object_;  // null is the identity: most of a million triangles never move

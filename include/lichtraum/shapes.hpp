@@ -1,7 +1,7 @@
 #pragma once
 
 /// The kinds of shape. Adding one: a class here, its file in src/scene/, a `visit` below, and the compiler names every
-/// place that has to know it (flatten, printing, info).
+/// place that has to know it (what bakes it for the device).
 
 #include <array>
 #include <vector>
@@ -25,6 +25,9 @@ class Sphere final : public Shape {
   void accept(ShapeVisitor& visitor) const override;
 
  private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
   Vec3 center_;
   double radius_;
 };
@@ -44,6 +47,9 @@ class Box final : public Shape {
   void accept(ShapeVisitor& visitor) const override;
 
  private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
   Vec3 min_;
   Vec3 max_;
 };
@@ -61,7 +67,80 @@ class Triangle final : public Shape {
   void accept(ShapeVisitor& visitor) const override;
 
  private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
   std::array<Vec3, 3> vertices_;
+};
+
+/// With a flat end at either point, at right angles to the way between them.
+class Cylinder final : public Shape {
+ public:
+  /// `radius` > 0 and p1 != p2, all finite; else throws std::invalid_argument.
+  Cylinder(std::string name, Vec3 const& p1, Vec3 const& p2, double radius, std::shared_ptr<Material const> material);
+  Vec3 const& p1() const { return p1_; }
+  Vec3 const& p2() const { return p2_; }
+  double radius() const { return radius_; }
+
+  ShapeKind kind() const override { return ShapeKind::cylinder; }
+  Bounds bounds() const override;
+  bool intersect(Ray const& ray, float& t) const override;
+  bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
+  void accept(ShapeVisitor& visitor) const override;
+
+ private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
+  Vec3 p1_;
+  Vec3 p2_;
+  double radius_;
+};
+
+/// On a flat disc around the centre of its base, at right angles to the way to the tip.
+class Cone final : public Shape {
+ public:
+  /// `radius` > 0 and base != tip, all finite; else throws std::invalid_argument.
+  Cone(std::string name, Vec3 const& base, Vec3 const& tip, double radius, std::shared_ptr<Material const> material);
+  Vec3 const& base() const { return base_; }
+  Vec3 const& tip() const { return tip_; }
+  double radius() const { return radius_; }
+
+  ShapeKind kind() const override { return ShapeKind::cone; }
+  Bounds bounds() const override;
+  bool intersect(Ray const& ray, float& t) const override;
+  bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
+  void accept(ShapeVisitor& visitor) const override;
+
+ private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
+  Vec3 base_;
+  Vec3 tip_;
+  double radius_;
+};
+
+/// Without an end, hit from both sides. No box holds it: what is framed or centred, the other shapes decide alone.
+class Plane final : public Shape {
+ public:
+  /// `normal` has any length but zero, all finite; else throws std::invalid_argument.
+  Plane(std::string name, Vec3 const& point, Vec3 const& normal, std::shared_ptr<Material const> material);
+  Vec3 const& point() const { return point_; }
+  Vec3 const& normal() const { return normal_; }
+
+  ShapeKind kind() const override { return ShapeKind::plane; }
+  Bounds bounds() const override { return {Vec3(-Bounds::infinity), Vec3(Bounds::infinity)}; }
+  bool intersect(Ray const& ray, float& t) const override;
+  bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
+  void accept(ShapeVisitor& visitor) const override;
+
+ private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
+  Vec3 point_;
+  Vec3 normal_;
 };
 
 /// Triangles of one material, hit from both sides. Shows its geometry under its own transform; several meshes may share
@@ -81,6 +160,9 @@ class Mesh final : public Shape {
   void accept(ShapeVisitor& visitor) const override;
 
  private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
   std::shared_ptr<MeshGeometry const> geometry_;
   Bounds bounds_;
 };
@@ -112,6 +194,9 @@ class Composite final : public Shape {
   void accept(ShapeVisitor& visitor) const override;
 
  private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
   bool holds(Composite const& sought) const;
 
   Children children_;
@@ -125,6 +210,9 @@ class ShapeVisitor {
   virtual void visit(Sphere const& sphere) = 0;
   virtual void visit(Box const& box) = 0;
   virtual void visit(Triangle const& triangle) = 0;
+  virtual void visit(Cylinder const& cylinder) = 0;
+  virtual void visit(Cone const& cone) = 0;
+  virtual void visit(Plane const& plane) = 0;
   virtual void visit(Mesh const& mesh) = 0;
   virtual void visit(Composite const& composite) = 0;
 

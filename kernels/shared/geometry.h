@@ -8,9 +8,14 @@ DEVICE_NAMESPACE_BEGIN
 /* The kinds of thing a leaf holds. */
 #define PRIMITIVE_TRIANGLE 0u
 #define PRIMITIVE_SPHERE 1u
-#define PRIMITIVE_ELLIPSOID 2u
+#define PRIMITIVE_ELLIPSOID 2u /* a unit shape, as what comes after instances */
 #define PRIMITIVE_BOX 3u
 #define PRIMITIVE_INSTANCE 4u
+/* From here on: what only scenes with SCENE_RARE_SHAPES have. */
+#define PRIMITIVE_CYLINDER 5u
+#define FIRST_RARE_SHAPE PRIMITIVE_CYLINDER
+#define PRIMITIVE_CONE 6u
+#define PRIMITIVE_PLANE 7u /* in no box, so beside the hierarchies */
 
 /* Rows of a 3x4 matrix: (row.xyz . p + row.w) is a coordinate of the mapped point. */
 typedef struct {
@@ -43,14 +48,22 @@ typedef struct {
 DEVICE_STRUCT_SIZE(SpherePrimitive, 24);
 DEVICE_PRIMITIVE(SpherePrimitive, PRIMITIVE_SPHERE);
 
-/* The unit sphere under an affine map. */
+/* A shape that has one size in a frame of its own, under an affine map. Which shape, its kind says. */
 typedef struct {
   AffineTransform unit_from_object;
   PrimitiveTag tag;
   uint padding[2];
-} EllipsoidPrimitive;
-DEVICE_STRUCT_SIZE(EllipsoidPrimitive, 64);
-DEVICE_PRIMITIVE(EllipsoidPrimitive, PRIMITIVE_ELLIPSOID);
+} UnitShape;
+DEVICE_STRUCT_SIZE(UnitShape, 64);
+
+/* The sphere of radius 1 around the origin. */
+DEVICE_UNIT_SHAPE(EllipsoidPrimitive, PRIMITIVE_ELLIPSOID);
+/* Radius 1 around the y axis, from y = 0 to y = 1, with both ends. */
+DEVICE_UNIT_SHAPE(CylinderPrimitive, PRIMITIVE_CYLINDER);
+/* Around the y axis, of radius 1 at y = 0, with an end there, and its tip at y = 1. */
+DEVICE_UNIT_SHAPE(ConePrimitive, PRIMITIVE_CONE);
+/* y = 0, without an end. */
+DEVICE_UNIT_SHAPE(PlanePrimitive, PRIMITIVE_PLANE);
 
 /* Axis-parallel in a frame of its own; flat where min == max. The frame is the box's own as written, so that a flat box
  * needs no singular matrix. */

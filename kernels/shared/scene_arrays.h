@@ -19,9 +19,16 @@
   ARRAY(TrianglePrimitive, triangles) \
   ARRAY(SpherePrimitive, spheres)
 
-/* ... and those that both layouts store alike. */
-#define SINGLE_PRIMITIVE_ARRAYS(ARRAY)  \
+/* ... and those that both layouts store alike: one struct for all unit shapes ... */
+#define UNIT_SHAPE_ARRAYS(ARRAY)        \
   ARRAY(EllipsoidPrimitive, ellipsoids) \
+  ARRAY(CylinderPrimitive, cylinders)   \
+  ARRAY(ConePrimitive, cones)           \
+  ARRAY(PlanePrimitive, planes)
+
+/* ... and the others. */
+#define SINGLE_PRIMITIVE_ARRAYS(ARRAY) \
+  UNIT_SHAPE_ARRAYS(ARRAY)             \
   ARRAY(BoxPrimitive, boxes)
 
 #define PRIMITIVE_ARRAYS(ARRAY) BLOCK_PRIMITIVE_ARRAYS(ARRAY) SINGLE_PRIMITIVE_ARRAYS(ARRAY)
@@ -75,7 +82,8 @@ DEVICE_STRUCT_SIZE(SceneConstants, 16);
 #define SCENE_ATTRIBUTES 4u   /* triangles have vertices with normals, colours or texture coordinates */
 #define SCENE_PBR 8u          /* a material is derived from a physically based one */
 #define SCENE_LIGHT_KINDS 16u /* a light is not LIGHT_CONSTANT */
-/* What remains where no model is: what eSDF's own shapes, materials and lights can have. */
+#define SCENE_RARE_SHAPES 32u /* a shape is of a kind from FIRST_RARE_SHAPE on */
+/* What remains where no model and no rare shape is: what eSDF's usual shapes, materials and lights can have. */
 #define SCENE_WITHOUT_MODELS SCENE_TRANSPARENCY
 
 DEVICE_NAMESPACE_END

@@ -20,6 +20,7 @@
 #define SHARED_FUNCTION static inline
 #define SHARED_TABLE __constant
 #define DEVICE_PRIMITIVE(type, kind) /* for the host */
+#define DEVICE_UNIT_SHAPE(type, kind) typedef UnitShape type
 
 #else
 
@@ -35,6 +36,10 @@
 #define DEVICE_PRIMITIVE(type, kind) \
   template <>                        \
   inline constexpr uint primitive_kind<type> = kind
+/* A kind that is stored as a UnitShape (shared/geometry.h): a type of its own on the host, the same on the device. */
+#define DEVICE_UNIT_SHAPE(type, kind) \
+  struct type : UnitShape {};         \
+  DEVICE_PRIMITIVE(type, kind)
 
 namespace lichtraum::device {
 using uint = std::uint32_t;

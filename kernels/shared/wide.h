@@ -24,7 +24,7 @@ DEVICE_NAMESPACE_BEGIN
 #define WIDE_INDEX_BITS 28
 #define WIDE_INDEX_MASK 0x0fffffffu
 /* A leaf's kind is PRIMITIVE_... */
-#define WIDE_KIND_NODE 7u
+#define WIDE_KIND_NODE 14u
 
 /*   bounds    min x | 0 1 2 ... 15 |   one row is one float16
  *             max x | 0 1 2 ... 15 |

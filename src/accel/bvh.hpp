@@ -27,6 +27,10 @@ struct Bvh {
 /// Top-down with the surface area heuristic over bins of centroids (Wald 2007, "On fast construction of SAH-based
 /// bounding volume hierarchies"), on every core. The same tree whatever the number of threads; no path of it is longer
 /// than BVH_MAX_DEPTH. Takes O(n log n) time for any input, identical primitives included. Reorders its argument.
-Bvh build_bvh(std::span<BuildPrimitive> primitives);
+///
+/// `unbounded` is what no box can hold, say a plane, or an instance of what has one. It stands beside the tree, next to
+/// the root, where every ray meets it, and so decides nothing about the tree. Of its bounds only Bvh::bounds knows:
+/// they are those of what in it is bounded, or empty.
+Bvh build_bvh(std::span<BuildPrimitive> primitives, std::span<BuildPrimitive const> unbounded = {});
 
 }  // namespace lichtraum

@@ -58,6 +58,8 @@ device::BvhChild make_child(DeviceBounds const& bounds, std::size_t first, std::
           device::uint(count)};
 }
 
+bool is_absent(device::BvhChild const& child) { return !(child.min[0] <= child.max[0]); }
+
 using Nodes = std::vector<device::BvhNode>;
 
 /// A subtree, depth-first, in pieces that follow each other. Numbers of nodes count from the beginning of a piece.
@@ -122,6 +124,15 @@ class Builder {
     return make_child(bounds, range.begin, range.size());
   }
 
+  bool is_leaf(Range const& range) const {
+    if (range.size() == 1) return true;
+    if (range.size() > max_leaf_size) return false;
+    auto const members = primitives(range);
+    device::uint const kind = members[0].reference.kind;
+    return (kind == PRIMITIVE_TRIANGLE || kind == PRIMITIVE_SPHERE) &&
+           std::all_of(members.begin(), members.end(), [&](auto const& p) { return p.reference.kind == kind; });
+  }
+
  private:
   /// The sum of work(begin, end) over the parts of a range, on several threads where it is long.
   template <class Sum, class Work>
@@ -132,15 +143,6 @@ class Builder {
     Sum sum = in_parts<Sum>(begin, middle, work);
     sum.add(other.get());
     return sum;
-  }
-
-  bool is_leaf(Range const& range) const {
-    if (range.size() == 1) return true;
-    if (range.size() > max_leaf_size) return false;
-    auto const members = primitives(range);
-    device::uint const kind = members[0].reference.kind;
-    return (kind == PRIMITIVE_TRIANGLE || kind == PRIMITIVE_SPHERE) &&
-           std::all_of(members.begin(), members.end(), [&](auto const& p) { return p.reference.kind == kind; });
   }
 
   void append(Range const& range, std::size_t depth, Nodes& nodes) {
@@ -237,21 +239,70 @@ BigVector<device::BvhNode> join(Subtree&& tree) {
   return nodes;
 }
 
+/// A subtree whose leaves every ray enters: references [begin, end), one a leaf, halved again and again. Returns the
+/// edge to it.
+device::BvhChild append_unbounded(std::size_t begin, std::size_t end, BigVector<device::BvhNode>& nodes) {
+  constexpr float far = std::numeric_limits<float>::max();  // no hit lies farther
+  DeviceBounds const everywhere{glm::vec3(-far), glm::vec3(far)};
+  if (end - begin == 1) return make_child(everywhere, begin, 1);
+  std::size_t const self = nodes.size();
+  std::size_t const middle = begin + (end - begin) / 2;
+  nodes.emplace_back();
+  device::BvhChild const left = append_unbounded(begin, middle, nodes);
+  device::BvhChild const right = append_unbounded(middle, end, nodes);
+  nodes[self] = {{left, right}};
+  return make_child(everywhere, self, 0);
+}
+
+/// Makes `unbounded` and what is in the tree the two children of a new root.
+void put_beside(Bvh& bvh, std::span<BuildPrimitive const> unbounded) {
+  device::BvhNode const& old_root = bvh.nodes[0];
+  device::BvhChild const absent = make_child(DeviceBounds(), 0, 0);
+  bool const is_tree = !is_absent(old_root.children[1]);
+  device::BvhChild tree = is_tree ? make_child(bvh.bounds, 0, 0) : old_root.children[0];
+  std::size_t const first = bvh.references.size();
+  for (BuildPrimitive const& primitive : unbounded) {
+    bvh.references.push_back(primitive.reference);
+    bvh.bounds.add(primitive.bounds);
+  }
+  BigVector<device::BvhNode> nodes;
+  if (is_absent(tree) && unbounded.size() > 1) {
+    append_unbounded(first, bvh.references.size(), nodes);
+  } else {
+    nodes.emplace_back();
+    device::BvhChild const beside = append_unbounded(first, bvh.references.size(), nodes);
+    std::size_t const moved = nodes.size();
+    if (is_tree) {
+      tree.first = device::uint(moved);
+      nodes.insert(nodes.end(), bvh.nodes.begin(), bvh.nodes.end());
+      for (device::BvhNode& node : std::span(nodes).subspan(moved)) {
+        for (device::BvhChild& child : node.children) {
+          if (child.count == 0) child.first += device::uint(moved);
+        }
+      }
+    }
+    nodes[0] = {{beside, is_absent(tree) ? absent : tree}};
+  }
+  bvh.nodes = std::move(nodes);
+}
+
 }  // namespace
 
-Bvh build_bvh(std::span<BuildPrimitive> primitives) {
+Bvh build_bvh(std::span<BuildPrimitive> primitives, std::span<BuildPrimitive const> unbounded) {
   Bvh bvh;
   bvh.references.resize(primitives.size());
   BigVector<BuildPrimitive> space(primitives.size());
   Builder builder(primitives, space, bvh.references);
   Range const all = builder.enclose(0, primitives.size(), 0);
   bvh.bounds = all.extents.bounds.bounds();
-  if (primitives.size() >= 2) {
-    bvh.nodes = join(builder.build(all, 1));
+  bool const is_below = !unbounded.empty();  // what will stand beside it is a level of its own
+  if (primitives.size() >= 2 && !(is_below && builder.is_leaf(all))) {
+    bvh.nodes = join(builder.build(all, is_below ? 2 : 1));
   } else {
     device::BvhChild const absent = make_child(DeviceBounds(), 0, 0);
     bvh.nodes.push_back({{primitives.empty() ? absent : builder.child(all, 0), absent}});
   }
+  if (is_below) put_beside(bvh, unbounded);
   return bvh;
 }
 

@@ -1,5 +1,7 @@
 #include "accel/primitive_bounds.hpp"
 
+#include <cmath>
+
 namespace lichtraum {
 namespace {
 
@@ -24,6 +26,12 @@ DeviceBounds around(Vec3 const& center, Vec3 const& extent) {
 /// The extent along each axis of the mapped box that reaches `extent` from its centre.
 Vec3 mapped_extent(Mat3 const& m, Vec3 const& extent) {
   return glm::abs(m[0]) * extent.x + glm::abs(m[1]) * extent.y + glm::abs(m[2]) * extent.z;
+}
+
+/// How far the image of the unit disc in the plane y = 0 reaches along each axis from its centre.
+Vec3 disc_extent(Transform const& object_from_unit) {
+  Mat3 const m(object_from_unit.matrix());
+  return {std::hypot(m[0].x, m[2].x), std::hypot(m[0].y, m[2].y), std::hypot(m[0].z, m[2].z)};
 }
 
 }  // namespace
@@ -52,6 +60,20 @@ DeviceBounds bounds_of(device::BoxPrimitive const& box) {
   Vec3 const min = vec3(box.min), max = vec3(box.max);
   Vec3 const extent = mapped_extent(Mat3(object_from_box.matrix()), 0.5 * (max - min));
   return around(object_from_box.point(0.5 * (min + max)), extent);
+}
+
+DeviceBounds bounds_of(device::CylinderPrimitive const& cylinder) {
+  Transform const object_from_unit = host_transform(cylinder.unit_from_object).inverse();
+  Vec3 const half_axis = 0.5 * object_from_unit.vector({0, 1, 0});
+  return around(object_from_unit.point({0, 0.5, 0}), disc_extent(object_from_unit) + glm::abs(half_axis));
+}
+
+DeviceBounds bounds_of(device::ConePrimitive const& cone) {
+  Transform const object_from_unit = host_transform(cone.unit_from_object).inverse();
+  Vec3 const base = object_from_unit.point({0, 0, 0}), tip = object_from_unit.point({0, 1, 0});
+  Vec3 const extent = disc_extent(object_from_unit);
+  Vec3 const min = glm::min(base - extent, tip), max = glm::max(base + extent, tip);
+  return around(0.5 * (min + max), 0.5 * (max - min));
 }
 
 DeviceBounds map_bounds(Transform const& world_from_object, DeviceBounds const& object_bounds) {

@@ -11,6 +11,8 @@ DeviceBounds bounds_of(device::TrianglePrimitive const& triangle);
 DeviceBounds bounds_of(device::SpherePrimitive const& sphere);
 DeviceBounds bounds_of(device::EllipsoidPrimitive const& ellipsoid);
 DeviceBounds bounds_of(device::BoxPrimitive const& box);
+DeviceBounds bounds_of(device::CylinderPrimitive const& cylinder);
+DeviceBounds bounds_of(device::ConePrimitive const& cone);
 
 /// The bounds of a mapped box. Empty stays empty.
 DeviceBounds map_bounds(Transform const& world_from_object, DeviceBounds const& object_bounds);

@@ -18,7 +18,7 @@ std::string turn(double angle_degrees, char const* positive, char const* negativ
 }  // namespace
 
 std::string describe_direction(Camera const& camera, Bounds const& bounds) {
-  if (bounds.is_empty()) return "the scene draws no shapes";
+  if (bounds.is_empty()) return "the scene draws no shapes, or nothing but planes";
   Vec3 const center = camera.world_from_camera().inverse().point(bounds.center());
   double const distance = glm::length(center);
   double const radius = 0.5 * glm::length(camera.world_from_camera().inverse().vector(bounds.max - bounds.min));

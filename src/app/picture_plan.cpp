@@ -75,14 +75,14 @@ Region choose_region(Resolution const& size, RenderOptions const& options) {
 
 std::string list_planes(PlaneSet const& planes) {
   std::string list;
-  for (Plane const plane : planes.list()) list += fmt::format("{}{}", list.empty() ? "" : ",", info_of(plane).name);
+  for (FilmPlane const plane : planes.list()) list += fmt::format("{}{}", list.empty() ? "" : ",", info_of(plane).name);
   return list;
 }
 
 void check_planes(PicturePlan const& plan) {
   ImageFormat const& format = *plan.output.format;
   std::size_t const count = plan.planes.list().size();
-  bool const is_with_alpha = plan.planes == PlaneSet{Plane::radiance, Plane::alpha};
+  bool const is_with_alpha = plan.planes == PlaneSet{FilmPlane::radiance, FilmPlane::alpha};
   if (count <= format.max_planes || (is_with_alpha && format.has_alpha && !plan.output.is_film)) return;
   throw Error(ErrorKind::usage,
               is_with_alpha ? fmt::format("'{}' cannot be transparent: .png and .exr pictures can", plan.output.shown)
@@ -144,7 +144,7 @@ Development choose_development(Scene const& scene, bool is_model, RenderOptions 
 
 void check_memory(Region const& region, PlaneSet const& planes, int sample_count, ErrorKind kind) {
   double pixel_bytes = 0;
-  for (Plane const plane : planes.list()) {
+  for (FilmPlane const plane : planes.list()) {
     bool const has_blocks = info_of(plane).rule == PlaneRule::mean && sample_count > Film::block_size;
     // As much again while it is encoded.
     pixel_bytes += 4.0 * double(info_of(plane).channels.size()) * (has_blocks ? 3 : 2);

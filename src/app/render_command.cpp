@@ -120,7 +120,8 @@ void check_show(RenderOptions const& options, std::vector<std::string> const& in
   if (names.is_film() || options.frames || options.turntable > 0)
     refuse("a window shows no films, --frames, --turntable");
   if (options.region) refuse("a window shows whole pictures, not a --region");
-  if (options.planes != PlaneSet{Plane::radiance}) refuse("a window begins with the picture, not with other --planes");
+  if (options.planes != PlaneSet{FilmPlane::radiance})
+    refuse("a window begins with the picture, not with other --planes");
 }
 
 /// What the options say together; throws Error{usage} where they contradict each other.

@@ -27,7 +27,7 @@ struct RenderOptions {
   std::optional<Region> region;
   std::string camera;
   std::string root;
-  PlaneSet planes{Plane::radiance};
+  PlaneSet planes{FilmPlane::radiance};
   struct Background {
     std::optional<Rgb> color;  // nothing: transparent
   };
@@ -53,7 +53,7 @@ struct RenderOptions {
   /// What is asked for, and what --background none needs besides.
   PlaneSet wanted_planes() const {
     PlaneSet wanted = planes;
-    if (background && !background->color && planes.has(Plane::radiance)) wanted.add(Plane::alpha);
+    if (background && !background->color && planes.has(FilmPlane::radiance)) wanted.add(FilmPlane::alpha);
     return wanted;
   }
   double frame_rate() const { return frames_per_second.value_or(default_frame_rate); }

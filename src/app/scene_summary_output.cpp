@@ -129,7 +129,8 @@ std::string to_text(SceneSummary const& summary, std::string const& file) {
   text += fmt::format("  ambient light   {}\n", triple(scene.ambient()));
   text += fmt::format("  background      {}\n", triple(scene.background));
   text += summary.bounds.is_empty()
-              ? "  bounds          nothing is drawn\n"
+              ? fmt::format("  bounds          none: nothing {}is drawn\n",
+                            summary.drawn.primitives() > 0 ? "but planes " : "")
               : fmt::format("  bounds          {} to {}\n", triple(summary.bounds.min), triple(summary.bounds.max));
   return text;
 }

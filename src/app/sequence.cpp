@@ -125,7 +125,7 @@ class Sequence {
       has_no_effect(options_.has_bits, format.encode && format.max_bits > 8 && !is_film, "--bits");
       has_no_effect(options_.has_quality, format.name == "jpg", "--quality");
       has_no_effect(options_.encoding.ppm_ascii, format.name == "ppm" && !is_film, "--ppm-ascii");
-      bool const has_radiance = plan.planes.has(Plane::radiance);
+      bool const has_radiance = plan.planes.has(FilmPlane::radiance);
       has_no_effect(options_.has_development, format.encode && has_radiance, "--exposure, --tonemap or --transfer");
       has_no_effect(options_.background.has_value(), has_radiance, "--background");
       has_no_effect(options_.sampling.has_value(), plan.planes.has(PlaneRule::mean), "--samples");
@@ -218,7 +218,7 @@ class Sequence {
 
   Drawn develop(Film film, PicturePlan const& plan, Development const& development) {
     if (plan.output.format->encode_film) return film;
-    if (film.planes().has(Plane::radiance)) return renderer_.develop(std::move(film), development);
+    if (film.planes().has(FilmPlane::radiance)) return renderer_.develop(std::move(film), development);
     return show_plane(film, film.planes().list().front());
   }
 
@@ -284,7 +284,7 @@ class Sequence {
     request.resolution = {probe_width, std::min(height, 4 * probe_width)};
     request.region = whole_picture(request.resolution);
     request.sampling = {};
-    request.planes = {Plane::depth};
+    request.planes = {FilmPlane::depth};
     bool is_seen = false;
     LoadOptions load = options_.load;
     load.language = language;

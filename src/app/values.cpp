@@ -138,7 +138,7 @@ PlaneSet parse_planes(std::string_view text) {
     std::string expected = "expected names with commas between, of:";
     bool is_known = false;
     for (std::size_t i = 0; i < plane_count; ++i) {
-      auto const plane = Plane(i);
+      auto const plane = FilmPlane(i);
       std::string_view const name = info_of(plane).name;
       expected += fmt::format("{} {}", i == 0 ? "" : ",", name);
       if (part != name) continue;

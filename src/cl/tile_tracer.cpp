@@ -121,7 +121,7 @@ struct TileTracer::State {
   }
 
   KnownKernel& kernel_for(device::FrameParameters const& parameters, PlaneSet const& wanted) {
-    RenderProgram const program{grouping, wanted != PlaneSet{Plane::radiance},
+    RenderProgram const program{grouping, wanted != PlaneSet{FilmPlane::radiance},
                                 (tables->features & ~SCENE_WITHOUT_MODELS) == 0, ray_stack_size(parameters.max_depth),
                                 traversal_stack_size(scene->stack_size)};
     auto const options = program.options();
@@ -197,14 +197,14 @@ void TileTracer::begin_frame(device::FrameParameters const& frame, Film& film) {
       for (cl::Buffer const& buffer : *buffers) state.kernel.setArg(argument++, buffer);
     }
     auto constants = scene_constants(*state.scene, *state.tables);
-    if (!planes.has(Plane::radiance)) constants.light_count = 0;
+    if (!planes.has(FilmPlane::radiance)) constants.light_count = 0;
     state.kernel.setArg(argument++, constants);
     state.arguments_before = argument;
     state.kernel.setArg(argument + RenderProgram::frame_argument, state.frame_buffer);
     state.kernel.setArg(argument + RenderProgram::planes_argument, cl_uint(planes.bits()));
     state.film.clear();
     for (std::size_t i = 0; i < plane_count; ++i) {
-      auto const plane = Plane(i);
+      auto const plane = FilmPlane(i);
       auto const film_argument = argument + RenderProgram::film_argument + cl_uint(i);
       if (info_of(plane).is_number) {
         state.set_plane(film_argument, film.size(), film.numbers(plane));

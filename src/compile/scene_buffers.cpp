@@ -57,6 +57,7 @@ class Compiler {
     ContentHasher content;
     std::vector<Range> ranges;  // of each kind
     std::vector<BuildPrimitive> instances;
+    std::vector<BuildPrimitive> unbounded_instances;
   };
 
   /// Moves the object's primitives into the buffers.
@@ -89,16 +90,28 @@ class Compiler {
 
   void add_instance(FlatInstance const& instance, FlatObject const& flat, CompiledObject const& object,
                     Pending& world) {
-    DeviceBounds const bounds = map_bounds(instance.world_from_object, object.bounds);
-    buffers_.object_numbers.add_instance(instance, flat, !bounds.is_empty());
-    if (bounds.is_empty()) return;
-    world.instances.push_back({bounds, {PRIMITIVE_INSTANCE, device::uint(buffers_.instances.size())}});
+    DeviceBounds bounds = map_bounds(instance.world_from_object, object.bounds);
+    if (object.is_unbounded && !bounds.is_finite()) bounds = {};
+    bool const is_drawn = object.is_unbounded || !bounds.is_empty();
+    buffers_.object_numbers.add_instance(instance, flat, is_drawn);
+    if (!is_drawn) return;
+    auto& instances = object.is_unbounded ? world.unbounded_instances : world.instances;
+    instances.push_back({bounds, {PRIMITIVE_INSTANCE, device::uint(buffers_.instances.size())}});
     device::Instance const placed{device_transform(instance.world_from_object.inverse()), object.root_node, {}};
     world.content.add(placed.object_from_world);
     world.content.add(bounds);
+    world.content.add(object.is_unbounded);
     scene_content_.add(placed.object_from_world);
     scene_content_.add(instance.object);
     buffers_.instances.push_back(placed);
+  }
+
+  /// Which kinds of shapes there are.
+  void note_features() {
+    device::for_each_kind(buffers_, [&]<class T>(BigVector<T> const& primitives) {
+      bool const is_rare = device::primitive_kind<T> >= FIRST_RARE_SHAPE;
+      if (is_rare && !primitives.empty()) buffers_.shading.features |= SCENE_RARE_SHAPES;
+    });
   }
 
   /// Once everything is built: attributes in the order of the layout's triangles.
@@ -153,19 +166,29 @@ class Compiler {
     std::size_t count = pending.instances.size();
     for (Range const& range : pending.ranges) count += range.count;
     BigVector<BuildPrimitive> all(count);
+    std::vector<BuildPrimitive> unbounded = std::move(pending.unbounded_instances);
     BuildPrimitive* out = all.data();
     std::uint64_t left_out = 0;
     auto range = pending.ranges.begin();
-    device::for_each_kind(buffers_, [&](auto const& primitives) {
-      left_out += refer(primitives, *range, out);
-      out += range->count;
+    device::for_each_kind(buffers_, [&]<class T>(BigVector<T> const& primitives) {
+      if constexpr (device::primitive_kind<T> == PRIMITIVE_PLANE) {
+        for (std::size_t i = 0; i < range->count; ++i) {
+          unbounded.push_back({{}, {PRIMITIVE_PLANE, device::uint(range->first + i)}});
+        }
+      } else {
+        left_out += refer(primitives, *range, out);
+        out += range->count;
+      }
       ++range;
     });
     auto const& instances = pending.instances;
-    std::copy(instances.begin(), instances.end(), out);
+    out = std::copy(instances.begin(), instances.end(), out);
+    all.resize(std::size_t(out - all.data()));
     left_out += std::uint64_t(std::count_if(instances.begin(), instances.end(), is_unrepresentable));
     if (left_out > 0) std::erase_if(all, is_unrepresentable);
-    CompiledObject object = buffers_.layout == TreeLayout::binary ? add_binary(all) : add_wide(all);
+    Bvh bvh = build_bvh(all, unbounded);
+    CompiledObject object = buffers_.layout == TreeLayout::binary ? add_binary(std::move(bvh)) : add_wide(bvh);
+    object.is_unbounded = !unbounded.empty();
     object.unrepresentable = left_out;
     return object;
   }
@@ -177,8 +200,7 @@ class Compiler {
     return found == previous_->objects.end() ? nullptr : &*found;
   }
 
-  CompiledObject add_binary(std::span<BuildPrimitive> primitives) {
-    Bvh bvh = build_bvh(primitives);
+  CompiledObject add_binary(Bvh&& bvh) {
     CompiledObject object;
     object.root_node = device::uint(buffers_.nodes.size());
     object.node_count = device::uint(bvh.nodes.size());
@@ -191,8 +213,7 @@ class Compiler {
     return object;
   }
 
-  CompiledObject add_wide(std::span<BuildPrimitive> primitives) {
-    Bvh const bvh = build_bvh(primitives);
+  CompiledObject add_wide(Bvh const& bvh) {
     WideBvh wide = collapse(bvh);
     CompiledObject object;
     object.root_node = device::uint(buffers_.wide_nodes.size());
@@ -297,6 +318,7 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tre
   std::size_t deepest_object = 0;
   for (CompiledObject const& object : objects) deepest_object = std::max(deepest_object, object.stack_size);
   buffers.stack_size = built.stack_size + deepest_object;
+  compiler.note_features();
   compiler.finish();
   buffers.triangle_count = buffers.triangles.size();
   buffers.sphere_count = buffers.spheres.size();

@@ -22,7 +22,8 @@ struct CompiledObject {
   device::uint leaf_count = 0;
   device::uint first_sphere_block = 0;  ///< where its `sphere_blocks` begin
   device::uint sphere_block_count = 0;
-  DeviceBounds bounds;
+  DeviceBounds bounds;                ///< of what has an end
+  bool is_unbounded = false;          ///< something has none
   std::size_t stack_size = 0;         ///< that a traversal of it needs; for the wide layout
   std::uint64_t unrepresentable = 0;  ///< of its primitives, whose bounds do not fit a float
 };
@@ -41,7 +42,7 @@ struct SceneBuffers : device::GeometryArrays {
   ObjectNumbers object_numbers;  ///< stays on the host
 
   device::uint root_node = 0;  ///< of the world's hierarchy
-  DeviceBounds world_bounds;   ///< empty when nothing is drawn
+  DeviceBounds world_bounds;   ///< of what has an end; empty when nothing is drawn that has
   std::vector<CompiledObject> objects;
   ContentHash content;                ///< of all that decides what rays see, whatever the layout
   std::uint64_t unrepresentable = 0;  ///< primitives left out, see FlatScene

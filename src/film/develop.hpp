@@ -17,12 +17,12 @@ void develop_sums(std::vector<float>& radiance, std::vector<float> const& alpha,
 /// The picture of a film whose sums `develop` (as above) develops.
 template <class DevelopSums>
 Image develop_film(Film film, Development const& development, DevelopSums const& develop) {
-  if (!film.planes().has(Plane::radiance) || film.is_empty()) {
+  if (!film.planes().has(FilmPlane::radiance) || film.is_empty()) {
     throw std::invalid_argument("only a film with samples of radiance can be developed");
   }
   auto const parameters = develop_parameters(development, film.samples().count());
-  auto radiance = film.take_sums(Plane::radiance);
-  auto alpha = film.planes().has(Plane::alpha) ? film.take_sums(Plane::alpha) : std::vector<float>();
+  auto radiance = film.take_sums(FilmPlane::radiance);
+  auto alpha = film.planes().has(FilmPlane::alpha) ? film.take_sums(FilmPlane::alpha) : std::vector<float>();
   develop(radiance, alpha, parameters);
   for (float& value : alpha) value /= parameters.sample_count;
   Image image(film.size(), std::move(radiance));

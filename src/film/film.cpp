@@ -38,13 +38,13 @@ std::span<PlaneInfo const> plane_infos() {
 
 bool PlaneSet::has(PlaneRule rule) const {
   auto const planes = list();
-  return std::any_of(planes.begin(), planes.end(), [&](Plane plane) { return info_of(plane).rule == rule; });
+  return std::any_of(planes.begin(), planes.end(), [&](FilmPlane plane) { return info_of(plane).rule == rule; });
 }
 
-std::vector<Plane> PlaneSet::list() const {
-  std::vector<Plane> planes;
+std::vector<FilmPlane> PlaneSet::list() const {
+  std::vector<FilmPlane> planes;
   for (std::size_t i = 0; i < plane_count; ++i) {
-    if (has(Plane(i))) planes.push_back(Plane(i));
+    if (has(FilmPlane(i))) planes.push_back(FilmPlane(i));
   }
   return planes;
 }
@@ -52,7 +52,7 @@ std::vector<Plane> PlaneSet::list() const {
 Film::Film(Region const& region, PlaneSet const& planes, int first_sample)
     : region_(region), planes_(planes), samples_{first_sample, first_sample} {
   if (first_sample % block_size != 0) throw std::invalid_argument("a film begins where a block of samples does");
-  for (Plane const plane : planes.list()) {
+  for (FilmPlane const plane : planes.list()) {
     PlaneInfo const& info = info_of(plane);
     if (info.rule == PlaneRule::center && first_sample > 0) continue;
     if (info.is_number) {
@@ -69,7 +69,7 @@ std::vector<float> Film::sums_of_all(Sums sums) {
   return std::move(sums.closed);
 }
 
-std::size_t Film::value_count(Plane plane) const {
+std::size_t Film::value_count(FilmPlane plane) const {
   return info_of(plane).channels.size() * std::size_t(region_.width) * std::size_t(region_.height);
 }
 
@@ -77,11 +77,11 @@ std::size_t Film::pixel_index(int x, int y) const {
   return std::size_t(y) * std::size_t(region_.width) + std::size_t(x);
 }
 
-std::span<float> Film::floats(Plane plane) { return sums_[std::size_t(plane)].open; }
-std::span<std::uint32_t> Film::numbers(Plane plane) { return numbers_[std::size_t(plane)]; }
-std::span<std::uint32_t const> Film::numbers(Plane plane) const { return numbers_[std::size_t(plane)]; }
+std::span<float> Film::floats(FilmPlane plane) { return sums_[std::size_t(plane)].open; }
+std::span<std::uint32_t> Film::numbers(FilmPlane plane) { return numbers_[std::size_t(plane)]; }
+std::span<std::uint32_t const> Film::numbers(FilmPlane plane) const { return numbers_[std::size_t(plane)]; }
 
-float Film::value(Plane plane, int x, int y, int channel) const {
+float Film::value(FilmPlane plane, int x, int y, int channel) const {
   PlaneInfo const& info = info_of(plane);
   std::size_t const i = pixel_index(x, y) * info.channels.size() + std::size_t(channel);
   Sums const& sums = sums_[std::size_t(plane)];
@@ -91,9 +91,11 @@ float Film::value(Plane plane, int x, int y, int channel) const {
   return (sum + sums.open[i]) / float(samples_.count());
 }
 
-std::uint32_t Film::number(Plane plane, int x, int y) const { return numbers_[std::size_t(plane)][pixel_index(x, y)]; }
+std::uint32_t Film::number(FilmPlane plane, int x, int y) const {
+  return numbers_[std::size_t(plane)][pixel_index(x, y)];
+}
 
-std::vector<float> Film::values(Plane plane) const {
+std::vector<float> Film::values(FilmPlane plane) const {
   Sums const& sums = sums_[std::size_t(plane)];
   std::vector<float> values = sums.closed.empty() && sums.blocks.empty() ? sums.open : sums_of_all(sums);
   if (info_of(plane).rule == PlaneRule::mean) {
@@ -105,7 +107,7 @@ std::vector<float> Film::values(Plane plane) const {
 void Film::set_end(int end) { samples_.end = end; }
 
 void Film::drop_last_block() {
-  for (Plane const plane : planes_.list()) {
+  for (FilmPlane const plane : planes_.list()) {
     if (info_of(plane).rule != PlaneRule::mean) continue;
     std::vector<float>& sums = sums_[std::size_t(plane)].open;
     std::fill(sums.begin(), sums.end(), 0.0f);
@@ -114,7 +116,7 @@ void Film::drop_last_block() {
 }
 
 void Film::close_block() {
-  for (Plane const plane : planes_.list()) {
+  for (FilmPlane const plane : planes_.list()) {
     if (info_of(plane).rule != PlaneRule::mean) continue;
     Sums& sums = sums_[std::size_t(plane)];
     if (samples_.first == 0) {
@@ -126,14 +128,14 @@ void Film::close_block() {
   }
 }
 
-std::vector<float> Film::take_sums(Plane plane) {
+std::vector<float> Film::take_sums(FilmPlane plane) {
   Sums sums = std::exchange(sums_[std::size_t(plane)], {});
   if (sums.closed.empty() && sums.blocks.empty()) return std::move(sums.open);
   return sums_of_all(std::move(sums));
 }
 
 void Film::keep(PlaneSet const& planes) {
-  for (Plane const plane : planes_.list()) {
+  for (FilmPlane const plane : planes_.list()) {
     if (planes.has(plane)) continue;
     sums_[std::size_t(plane)] = {};
     numbers_[std::size_t(plane)] = {};
@@ -149,7 +151,7 @@ void Film::merge(Film const& next) {
     throw std::invalid_argument("a film that is merged begins where the other ends, at the border of a block");
   }
   if (!is_empty()) close_block();
-  for (Plane const plane : planes_.list()) {
+  for (FilmPlane const plane : planes_.list()) {
     if (info_of(plane).rule != PlaneRule::mean) continue;
     Sums& sums = sums_[std::size_t(plane)];
     Sums const& more = next.sums_[std::size_t(plane)];

@@ -11,7 +11,7 @@ namespace {
 float logarithm(float x) { return float(log_of(double(x))); }
 
 /// One colour channel for each of the plane's; of a plane of one channel, three of the same.
-Image values_of(Film const& film, Plane plane) {
+Image values_of(Film const& film, FilmPlane plane) {
   Image image(film.size());
   int const channels = int(info_of(plane).channels.size());
   for (int y = 0; y < image.height(); ++y) {
@@ -71,7 +71,7 @@ Image show_positions(Image image) {
 }
 
 /// Neighbouring numbers get hues far apart: by the golden ratio each falls into the largest gap of those before.
-Image show_numbers(Film const& film, Plane plane) {
+Image show_numbers(Film const& film, FilmPlane plane) {
   constexpr double golden_ratio = 0.6180339887498949;
   Image image(film.size());
   for (int y = 0; y < image.height(); ++y) {
@@ -91,21 +91,21 @@ Image show_numbers(Film const& film, Plane plane) {
 
 }  // namespace
 
-Image show_plane(Film const& film, Plane plane) {
+Image show_plane(Film const& film, FilmPlane plane) {
   switch (plane) {
-    case Plane::radiance:
-    case Plane::alpha:
-    case Plane::albedo:
+    case FilmPlane::radiance:
+    case FilmPlane::alpha:
+    case FilmPlane::albedo:
       return values_of(film, plane);
-    case Plane::normal:
+    case FilmPlane::normal:
       return show_normals(values_of(film, plane));
-    case Plane::depth:
+    case FilmPlane::depth:
       return show_depth(values_of(film, plane));
-    case Plane::position:
+    case FilmPlane::position:
       return show_positions(values_of(film, plane));
-    case Plane::object:
-    case Plane::instance:
-    case Plane::material:
+    case FilmPlane::object:
+    case FilmPlane::instance:
+    case FilmPlane::material:
       return show_numbers(film, plane);
   }
   return {};

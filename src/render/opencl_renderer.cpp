@@ -39,16 +39,16 @@ double next_budget(double budget, double seconds) {
 
 /// What the planes hold where nothing is, as the device has it.
 void begin_centers(Film& film) {
-  std::ranges::fill(film.floats(Plane::depth), std::numeric_limits<float>::infinity());
-  for (Plane const plane : {Plane::object, Plane::instance, Plane::material}) {
+  std::ranges::fill(film.floats(FilmPlane::depth), std::numeric_limits<float>::infinity());
+  for (FilmPlane const plane : {FilmPlane::object, FilmPlane::instance, FilmPlane::material}) {
     std::ranges::fill(film.numbers(plane), nothing);
   }
 }
 
 /// From the numbers that the device has written (kernels/integrators/first_surface.clh) to those of the film.
 void number_objects(Film& film, ObjectNumbers const& numbers) {
-  auto const objects = film.numbers(Plane::object);
-  auto const instances = film.numbers(Plane::instance);
+  auto const objects = film.numbers(FilmPlane::object);
+  auto const instances = film.numbers(FilmPlane::instance);
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i] == nothing) {
       objects[i] = 0;
@@ -59,12 +59,12 @@ void number_objects(Film& film, ObjectNumbers const& numbers) {
     objects[i] = std::uint32_t(std::min<std::uint64_t>(number, nothing));
   }
   for (std::uint32_t& number : instances) number = number == nothing ? 0 : numbers.flat_instance(number) + 1;
-  for (std::uint32_t& number : film.numbers(Plane::material)) ++number;  // from nothing to 0
+  for (std::uint32_t& number : film.numbers(FilmPlane::material)) ++number;  // from nothing to 0
 }
 
 /// Makes the samples of some pixels of a picture as if none had been traced.
 void clear_samples(Film& film, Region const& pixels) {
-  for (Plane const plane : film.planes().list()) {
+  for (FilmPlane const plane : film.planes().list()) {
     if (info_of(plane).rule != PlaneRule::mean) continue;
     std::size_t const channels = info_of(plane).channels.size();
     auto const row_length = channels * std::size_t(film.region().width);
@@ -144,7 +144,7 @@ class OpenClRenderer final : public Renderer {
     SampleRange const wanted = wanted_samples(request);
     if (!has_begun(request, film)) {
       PlaneSet planes = request.planes;
-      if (planes.has(Plane::object)) planes.add(Plane::instance);  // it takes both to number objects
+      if (planes.has(FilmPlane::object)) planes.add(FilmPlane::instance);  // it takes both to number objects
       film = Film(request.region, planes, wanted.first);
     }
     RenderResult result;

@@ -57,13 +57,13 @@ glm::dvec2 sample_offset(RenderRequest const& request, int x, int y, int index) 
 class PixelOf {
  public:
   PixelOf(Film& film, std::size_t pixel) : film_(film), pixel_(pixel) {}
-  void add(Plane plane, Vec3 const& value) {
+  void add(FilmPlane plane, Vec3 const& value) {
     std::size_t const channels = info_of(plane).channels.size();
     for (std::size_t c = 0; c < channels && film_.planes().has(plane); ++c) {
       film_.floats(plane)[channels * pixel_ + c] += float(value[int(c)]);
     }
   }
-  void set(Plane plane, std::uint32_t number) {
+  void set(FilmPlane plane, std::uint32_t number) {
     if (film_.planes().has(plane)) film_.numbers(plane)[pixel_] = number;
   }
 
@@ -95,16 +95,17 @@ class PixelTracer {
     auto const center = surfaces_.center(request_.camera.generate_ray(x + 0.5, y + 0.5, request_.resolution));
     ++counts.camera;
     counts.camera_hits += std::isfinite(center.depth);
-    pixel.add(Plane::depth, Vec3(center.depth));
-    pixel.add(Plane::position, center.position);
-    pixel.set(Plane::object, center.object);
-    pixel.set(Plane::instance, center.instance);
-    pixel.set(Plane::material, center.material);
+    pixel.add(FilmPlane::depth, Vec3(center.depth));
+    pixel.add(FilmPlane::position, center.position);
+    pixel.set(FilmPlane::object, center.object);
+    pixel.set(FilmPlane::instance, center.instance);
+    pixel.set(FilmPlane::material, center.material);
   }
 
   void trace_samples(int x, int y, PixelOf& pixel, RayCounts& counts) const {
     PlaneSet const& planes = film_.planes();
-    bool const has_surfaces = planes.has(Plane::alpha) || planes.has(Plane::albedo) || planes.has(Plane::normal);
+    bool const has_surfaces =
+        planes.has(FilmPlane::alpha) || planes.has(FilmPlane::albedo) || planes.has(FilmPlane::normal);
     for (int i = samples_.first; i < samples_.end; ++i) {
       auto const offset = sample_offset(request_, x, y, i);
       Ray const ray = request_.camera.generate_ray(x + offset.x, y + offset.y, request_.resolution);
@@ -112,15 +113,15 @@ class PixelTracer {
       if (has_surfaces) {
         auto const surface = surfaces_.sample(ray);
         is_hit = surface.alpha > 0;
-        pixel.add(Plane::alpha, Vec3(surface.alpha));
-        pixel.add(Plane::albedo, surface.albedo);
-        pixel.add(Plane::normal, surface.normal);
+        pixel.add(FilmPlane::alpha, Vec3(surface.alpha));
+        pixel.add(FilmPlane::albedo, surface.albedo);
+        pixel.add(FilmPlane::normal, surface.normal);
       }
-      if (planes.has(Plane::radiance)) {
+      if (planes.has(FilmPlane::radiance)) {
         Rgb const radiance = trace_radiance(scene_, ray, request_.max_depth, counts);
-        if (planes.has(Plane::alpha) && !is_hit) continue;
+        if (planes.has(FilmPlane::alpha) && !is_hit) continue;
         if (is_finite(radiance)) {
-          pixel.add(Plane::radiance, radiance);
+          pixel.add(FilmPlane::radiance, radiance);
         } else {
           ++counts.not_finite;
         }

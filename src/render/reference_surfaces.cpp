@@ -12,7 +12,7 @@ namespace lichtraum {
 ReferenceSurfaces::ReferenceSurfaces(ReferenceScene const& scene, ReferenceNumbers const& numbers,
                                      PlaneSet const& planes)
     : scene_(scene), numbers_(numbers) {
-  if (planes.has(Plane::object) || planes.has(Plane::instance)) list_objects();
+  if (planes.has(FilmPlane::object) || planes.has(FilmPlane::instance)) list_objects();
 }
 
 void ReferenceSurfaces::list_objects() {

@@ -10,6 +10,7 @@
 #include "core/parallel_ranges.hpp"
 #include "scene/bake_attributes.hpp"
 #include "scene/device_conversion.hpp"
+#include "scene/unit_vector.hpp"
 
 namespace lichtraum {
 namespace {
@@ -45,6 +46,22 @@ bool is_finite(device::TrianglePrimitive const& t) {
   return all_finite(t.vertices[0]) && all_finite(t.vertices[1]) && all_finite(t.vertices[2]);
 }
 
+/// The frame at `origin` whose y axis is `up`, and whose others are `width` long.
+Transform upright_frame(Vec3 const& origin, Vec3 const& up, double width) {
+  Vec3 const y = unit_vector(up);
+  Vec3 const size = glm::abs(y);
+  Vec3 const least = size.x <= size.y && size.x <= size.z ? Vec3(1, 0, 0)
+                     : size.y <= size.z                   ? Vec3(0, 1, 0)
+                                                          : Vec3(0, 0, 1);
+  Vec3 const z = glm::normalize(glm::cross(least, y));
+  Mat4 frame(1);
+  frame[0] = glm::dvec4(width * glm::cross(y, z), 0);
+  frame[1] = glm::dvec4(up, 0);
+  frame[2] = glm::dvec4(width * z, 0);
+  frame[3] = glm::dvec4(origin, 1);
+  return Transform::from_matrix(frame);
+}
+
 /// Of triangles or positions of a mesh: fewer are not worth a thread.
 constexpr std::size_t min_range = std::size_t(1) << 15;
 
@@ -63,12 +80,8 @@ class Baker final : public ShapeVisitor {
       primitive.tag = tag_;
       append(primitive, all_finite(primitive.center) && std::isnormal(primitive.radius), object_.spheres);
     } else {
-      device::EllipsoidPrimitive primitive{};
-      auto const object_from_unit =
-          object_from_shape_ * Transform::translation(sphere.center()) * Transform::scaling(Vec3(sphere.radius()));
-      primitive.unit_from_object = device_transform(object_from_unit.inverse());
-      primitive.tag = tag_;
-      append(primitive, is_finite(primitive.unit_from_object), object_.ellipsoids);
+      append_unit_shape(Transform::translation(sphere.center()) * Transform::scaling(Vec3(sphere.radius())),
+                        object_.ellipsoids);
     }
   }
 
@@ -91,6 +104,19 @@ class Baker final : public ShapeVisitor {
     }
     primitive.tag = tag_;
     append(primitive, fits, object_.triangles);
+  }
+
+  void visit(Cylinder const& cylinder) override {
+    append_unit_shape(upright_frame(cylinder.p1(), cylinder.p2() - cylinder.p1(), cylinder.radius()),
+                      object_.cylinders);
+  }
+
+  void visit(Cone const& cone) override {
+    append_unit_shape(upright_frame(cone.base(), cone.tip() - cone.base(), cone.radius()), object_.cones);
+  }
+
+  void visit(Plane const& plane) override {
+    append_unit_shape(upright_frame(plane.point(), unit_vector(plane.normal()), 1), object_.planes);
   }
 
   void visit(Mesh const& mesh) override {
@@ -126,6 +152,14 @@ class Baker final : public ShapeVisitor {
   void visit(Composite const&) override {}  // no leaf: flatten unfolds it
 
  private:
+  template <class T>
+  void append_unit_shape(Transform const& shape_from_unit, BigVector<T>& list) {
+    T primitive{};
+    primitive.unit_from_object = device_transform((object_from_shape_ * shape_from_unit).inverse());
+    primitive.tag = tag_;
+    append(primitive, is_finite(primitive.unit_from_object), list);
+  }
+
   template <class T>
   void append(T const& primitive, bool fits, BigVector<T>& list) {
     if (fits) {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <glm/matrix.hpp>
 #include <iterator>
 #include <stdexcept>
@@ -108,5 +110,16 @@ bool Composite::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
 bool Composite::intersect(Ray const& ray, float& t) const { return intersect_closest(*this, ray, t); }
 
 void Composite::accept(ShapeVisitor& visitor) const { visitor.visit(*this); }
+
+std::string Composite::description() const {
+  std::size_t const count = children_.size();
+  return fmt::format("{} {}", count, count == 1 ? "child" : "children");
+}
+
+std::shared_ptr<Shape> Composite::remake(std::shared_ptr<Material const>) const {
+  auto copy = std::make_shared<Composite>(name(), children_);
+  copy->set_moves_as_one(moves_as_one_);
+  return copy;
+}
 
 }  // namespace lichtraum

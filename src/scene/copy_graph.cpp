@@ -7,42 +7,32 @@
 namespace lichtraum {
 namespace {
 
-/// Copies a node. A composite's children are to be copied first, or this recurses as deep as the graph.
-class NodeCopier final : private ShapeVisitor {
+/// Copies nodes, children before parents.
+class NodeCopier {
  public:
   explicit NodeCopier(MaterialChoice const& material_of) : material_of_(material_of) {}
 
   std::shared_ptr<Shape> copy_of(Shape const& shape) {
     std::shared_ptr<Shape>& copy = copies_[&shape];
-    if (copy) return copy;
-    shape.accept(*this);
-    if (!shape.world_from_object().is_identity()) made_->set_world_from_object(shape.world_from_object());
-    copy = std::move(made_);
+    if (!copy) copy = make_copy(shape);
     return copy;
   }
 
  private:
-  void visit(Sphere const& s) override {
-    made_ = std::make_shared<Sphere>(s.name(), s.center(), s.radius(), material_of_(s));
-  }
-  void visit(Box const& b) override { made_ = std::make_shared<Box>(b.name(), b.min(), b.max(), material_of_(b)); }
-  void visit(Triangle const& t) override {
-    auto const& [a, b, c] = t.vertices();
-    made_ = std::make_shared<Triangle>(t.name(), a, b, c, material_of_(t));
-  }
-  void visit(Mesh const& m) override { made_ = std::make_shared<Mesh>(m.name(), m.geometry(), material_of_(m)); }
-  void visit(Composite const& composite) override {
+  std::shared_ptr<Shape> make_copy(Shape const& shape) {
+    Composite const* const composite = as_composite(shape);
+    if (!composite) return shape.copy(material_of_(shape));
     Composite::Children children;
-    children.reserve(composite.children().size());
-    for (auto const& child : composite.children()) children.push_back(copy_of(*child));
-    auto copy = std::make_shared<Composite>(composite.name(), std::move(children));
-    copy->set_moves_as_one(composite.moves_as_one());
-    made_ = std::move(copy);
+    children.reserve(composite->children().size());
+    for (auto const& child : composite->children()) children.push_back(copy_of(*child));
+    auto copy = std::make_shared<Composite>(composite->name(), std::move(children));
+    copy->set_moves_as_one(composite->moves_as_one());
+    copy->set_world_from_object(composite->world_from_object());
+    return copy;
   }
 
   MaterialChoice const& material_of_;
   std::unordered_map<Shape const*, std::shared_ptr<Shape>> copies_;
-  std::shared_ptr<Shape> made_;
 };
 
 }  // namespace

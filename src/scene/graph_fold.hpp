@@ -48,11 +48,11 @@ GraphFold<Value, Leaf, Add> fold_graph(std::vector<std::shared_ptr<Shape const>>
   return {roots, std::move(leaf), std::move(add)};
 }
 
-/// The boxes around shapes with all below them, each in its own frame; the total is in the world. A composite's is the
-/// box around its children's boxes: where those are turned it may be larger than its contents.
+/// The boxes around shapes with all below them that has an end, each in its own frame; the total is in the world. A
+/// composite's is the box around its children's boxes: where those are turned it may be larger than its contents.
 inline auto fold_bounds(std::vector<std::shared_ptr<Shape const>> const& roots) {
   return fold_graph<Bounds>(
-      roots, [](Shape const& shape) { return shape.bounds(); },
+      roots, [](Shape const& shape) { return shape.bounds().is_finite() ? shape.bounds() : Bounds(); },
       [](Bounds& bounds, Shape const& child, Bounds const& own) {
         bounds.add(mapped(child.world_from_object(), own));
       });

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -83,5 +85,14 @@ bool Mesh::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
 bool Mesh::intersect(Ray const& ray, float& t) const { return intersect_closest(*this, ray, t); }
 
 void Mesh::accept(ShapeVisitor& visitor) const { visitor.visit(*this); }
+
+std::string Mesh::description() const {
+  std::size_t const count = geometry_->triangle_count();
+  return fmt::format("{} {}", count, count == 1 ? "triangle" : "triangles");
+}
+
+std::shared_ptr<Shape> Mesh::remake(std::shared_ptr<Material const> material) const {
+  return std::make_shared<Mesh>(name(), geometry_, std::move(material));
+}
 
 }  // namespace lichtraum

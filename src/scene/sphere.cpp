@@ -1,8 +1,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/format_numbers.hpp"
 #include "lichtraum/shapes.hpp"
-#include "scene/leaf_hit.hpp"
+#include "scene/passage.hpp"
 
 namespace lichtraum {
 
@@ -11,9 +12,7 @@ Sphere::Sphere(std::string name, Vec3 const& center, double radius, std::shared_
   if (!(radius > 0 && std::isfinite(radius))) throw std::invalid_argument("a sphere's radius must be positive");
 }
 
-// The quadratic without cancellation: Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere
-// Intersection", Ray Tracing Gems (2019), chapter 7. The discriminant comes from the ray's point nearest to the centre,
-// and the smaller root from the product of both.
+// The discriminant comes from the line's point nearest to the centre.
 bool Sphere::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
   Ray const local = object_from_world(ray);
   Vec3 const from_center = local.origin - center_;
@@ -24,20 +23,22 @@ bool Sphere::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
   if (!(discriminant >= 0)) return false;
 
   double const distance = glm::length(from_center);
-  double const c = (distance - radius_) * (distance + radius_);
-  double const q = b + std::copysign(std::sqrt(a * discriminant), b);
-  double near = c / q;
-  double far = q / a;
-  if (near > far) std::swap(near, far);
-
-  double const t = near > t_min ? near : far;
-  if (!(t > t_min && t < hit.t)) return false;
-  hit = leaf_hit(*this, t, from_center + t * local.direction);
-  return true;
+  auto const [near, far] = roots_of_quadratic(a, b, (distance - radius_) * (distance + radius_), a * discriminant);
+  Passage passage;
+  passage.clip(near, from_center + near * local.direction, far, from_center + far * local.direction);
+  return take_hit(*this, passage, t_min, hit);
 }
 
 bool Sphere::intersect(Ray const& ray, float& t) const { return intersect_closest(*this, ray, t); }
 
 void Sphere::accept(ShapeVisitor& visitor) const { visitor.visit(*this); }
+
+std::string Sphere::description() const {
+  return fmt::format("center {}, radius {}", format_numbers(center_), radius_);
+}
+
+std::shared_ptr<Shape> Sphere::remake(std::shared_ptr<Material const> material) const {
+  return std::make_shared<Sphere>(name(), center_, radius_, std::move(material));
+}
 
 }  // namespace lichtraum

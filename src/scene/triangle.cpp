@@ -1,3 +1,4 @@
+#include "core/format_numbers.hpp"
 #include "lichtraum/shapes.hpp"
 #include "scene/hit_triangle.hpp"
 #include "scene/leaf_hit.hpp"
@@ -24,5 +25,14 @@ bool Triangle::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
 bool Triangle::intersect(Ray const& ray, float& t) const { return intersect_closest(*this, ray, t); }
 
 void Triangle::accept(ShapeVisitor& visitor) const { visitor.visit(*this); }
+
+std::string Triangle::description() const {
+  auto const& [a, b, c] = vertices_;
+  return fmt::format("{}, {}, {}", format_numbers(a), format_numbers(b), format_numbers(c));
+}
+
+std::shared_ptr<Shape> Triangle::remake(std::shared_ptr<Material const> material) const {
+  return std::make_shared<Triangle>(name(), vertices_[0], vertices_[1], vertices_[2], std::move(material));
+}
 
 }  // namespace lichtraum

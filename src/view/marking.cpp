@@ -10,8 +10,8 @@ std::vector<unsigned char> outline_pixels(Film const& film, ObjectTree::Objects 
   constexpr Rgba line{255, 160, 30, 255}, edge{20, 10, 0, 200};
   auto const [width, height] = film.size();
   auto const is_marked = [&](int x, int y) {
-    std::uint64_t const object =
-        film.number(Plane::object, std::clamp(x, 0, film.size().width - 1), std::clamp(y, 0, film.size().height - 1));
+    std::uint64_t const object = film.number(FilmPlane::object, std::clamp(x, 0, film.size().width - 1),
+                                             std::clamp(y, 0, film.size().height - 1));
     return object >= objects.first && object < objects.first + objects.count;
   };
   std::vector<unsigned char> pixels(4 * std::size_t(width) * std::size_t(height));

@@ -82,7 +82,7 @@ void Worker::restart_refinement() {
   int const first_side = view_ && seconds_per_pixel_
                              ? Refinement::first_side_for(view_->resolution, *seconds_per_pixel_, moving_pass_seconds)
                              : side_when_unknown;
-  bool const is_picture = !view_ || view_->planes.has(Plane::radiance);
+  bool const is_picture = !view_ || view_->planes.has(FilmPlane::radiance);
   refinement_.restart(first_side, is_picture ? options_.sampling.value_or(Refinement::finest_by_default) : Sampling());
 }
 
@@ -208,7 +208,7 @@ void Worker::trace_marking(Renderer& renderer, std::stop_token const& stop) {
     marked = marked_;
     request = Refinement::request(*view_, {});
   }
-  request.planes = {Plane::object};
+  request.planes = {FilmPlane::object};
   Film film;
   auto const is_wanted = [&] { return !stop.stop_requested() && !is_new_view_ && marked == marked_; };
   RenderResult const result = renderer.render(request, film, [&](RenderProgress const&) {
@@ -263,8 +263,8 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
   }
   is_fine_ = pass.pixel_side == 1;
   frame.statistics = result.statistics;
-  frame.image = film_.planes().has(Plane::radiance) ? renderer.develop(film_, development_)
-                                                    : show_plane(film_, film_.planes().list().front());
+  frame.image = film_.planes().has(FilmPlane::radiance) ? renderer.develop(film_, development_)
+                                                        : show_plane(film_, film_.planes().list().front());
   frame.pixels = display_pixels(frame.image);
   {
     std::lock_guard const lock(mutex_);

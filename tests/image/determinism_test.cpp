@@ -52,7 +52,7 @@ std::string bytes_of(Image const& image) {
 /// All that can be read from a film, bit by bit.
 bool same_bytes(Film const& a, Film const& b) {
   if (a.region() != b.region() || a.planes() != b.planes() || a.samples() != b.samples()) return false;
-  for (Plane const plane : a.planes().list()) {
+  for (FilmPlane const plane : a.planes().list()) {
     auto const x = a.values(plane), y = b.values(plane);
     if (x.size() != y.size() || std::memcmp(x.data(), y.data(), x.size() * sizeof(float)) != 0) return false;
     if (!std::ranges::equal(a.numbers(plane), b.numbers(plane))) return false;
@@ -62,7 +62,7 @@ bool same_bytes(Film const& a, Film const& b) {
 
 PlaneSet all_planes() {
   PlaneSet planes;
-  for (std::size_t i = 0; i < plane_count; ++i) planes.add(Plane(i));
+  for (std::size_t i = 0; i < plane_count; ++i) planes.add(FilmPlane(i));
   return planes;
 }
 

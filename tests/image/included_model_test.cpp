@@ -68,17 +68,17 @@ TEST_CASE("a large model that a scene includes looks as the reference tracer see
 
   RenderRequest request = whole_picture(scene.cameras.front(), {96, 72});
   Image const expected = render_reference(scene, request);
-  request.planes = {Plane::object};
+  request.planes = {FilmPlane::object};
   Film const expected_ids = film_on(reference_device(), scene, request);
   for (DeviceInfo const& device : opencl_devices()) {
     for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
       INFO("device " << device.index << ", traversal " << int(traversal.grouping));
-      request.planes = {Plane::radiance};
+      request.planes = {FilmPlane::radiance};
       check_picture(render_on(device, scene, request, traversal), expected,
                     fmt::format("included model, device {}, traversal {}", device.index, int(traversal.grouping)));
-      request.planes = {Plane::object};
+      request.planes = {FilmPlane::object};
       Film const ids = film_on(device, scene, request, traversal);
-      auto const actual = ids.numbers(Plane::object), wanted = expected_ids.numbers(Plane::object);
+      auto const actual = ids.numbers(FilmPlane::object), wanted = expected_ids.numbers(FilmPlane::object);
       std::size_t differing = 0;
       for (std::size_t i = 0; i < wanted.size(); ++i) differing += actual[i] != wanted[i];
       CHECK(double(differing) <= differing_share * 96 * 72);

@@ -40,7 +40,7 @@ std::string const graph =
     "define camera eye 50\ntransform eye rotate -5 1 0 0\ntransform eye translate 0 2.5 12\n";
 
 /// How many values differ: by more than `tolerance` of the expected one's size.
-std::size_t differing(Film const& actual, Film const& expected, Plane plane, double tolerance) {
+std::size_t differing(Film const& actual, Film const& expected, FilmPlane plane, double tolerance) {
   std::size_t count = 0;
   auto const a = actual.values(plane), e = expected.values(plane);
   for (std::size_t i = 0; i < e.size(); ++i) {
@@ -55,15 +55,15 @@ std::size_t differing(Film const& actual, Film const& expected, Plane plane, dou
 /// All planes at once, and each alone, on each device in each layout.
 void check_planes(Scene const& scene, std::string const& name) {
   struct Tolerated {
-    Plane plane;
+    FilmPlane plane;
     double tolerance;
   };
-  std::vector<Tolerated> const planes{{Plane::alpha, 0},    {Plane::albedo, 1e-3},   {Plane::normal, 2e-4},
-                                      {Plane::depth, 2e-5}, {Plane::position, 1e-4}, {Plane::object, 0},
-                                      {Plane::instance, 0}, {Plane::material, 0}};
+  std::vector<Tolerated> const planes{{FilmPlane::alpha, 0},    {FilmPlane::albedo, 1e-3},   {FilmPlane::normal, 2e-4},
+                                      {FilmPlane::depth, 2e-5}, {FilmPlane::position, 1e-4}, {FilmPlane::object, 0},
+                                      {FilmPlane::instance, 0}, {FilmPlane::material, 0}};
   RenderRequest request = whole_picture(scene.cameras.front(), size);
   request.sampling = {Sampling::Pattern::seeded, 3};
-  request.planes.add(Plane::radiance);
+  request.planes.add(FilmPlane::radiance);
   for (auto const& [plane, tolerance] : planes) request.planes.add(plane);
   Film const expected = film_on(reference_device(), scene, request);
   for (DeviceInfo const& device : opencl_devices()) {
@@ -141,32 +141,32 @@ TEST_CASE("a transparent picture leaves out the background, and mirrors still sh
       "define material mirror 0 0 0  0 0 0  0 0 0  1 reflect=1\ndefine shape sphere ball 0 0 -5 1 mirror\n"
       "define background 0.5 0.25 1\ndefine camera eye 60\n");
   RenderRequest request = whole_picture(scene.cameras.front(), {31, 31});
-  request.planes.add(Plane::alpha);
+  request.planes.add(FilmPlane::alpha);
   std::vector<DeviceInfo> devices = opencl_devices();
   devices.push_back(reference_device());
   for (DeviceInfo const& device : devices) {
     INFO(device.name);
     Film const film = film_on(device, scene, request);
-    CHECK(film.value(Plane::alpha, 0, 0) == 0);
-    CHECK(film.value(Plane::radiance, 0, 0, 0) == 0);
-    CHECK(film.value(Plane::alpha, 15, 15) == 1);
-    CHECK(film.value(Plane::radiance, 15, 15, 2) == Approx(1));
+    CHECK(film.value(FilmPlane::alpha, 0, 0) == 0);
+    CHECK(film.value(FilmPlane::radiance, 0, 0, 0) == 0);
+    CHECK(film.value(FilmPlane::alpha, 15, 15) == 1);
+    CHECK(film.value(FilmPlane::radiance, 15, 15, 2) == Approx(1));
   }
 }
 
 TEST_CASE("a device develops films to the bytes of the host", "[image][planes]") {
   REQUIRE_OPENCL_DEVICE();
-  Film film({0, 0, 61, 47}, {Plane::radiance, Plane::alpha});
+  Film film({0, 0, 61, 47}, {FilmPlane::radiance, FilmPlane::alpha});
   float value = 1e-9f;
-  for (float& sum : film.floats(Plane::radiance)) sum = value = value > 1e6f ? 1e-9f : value * 1.0371f;
+  for (float& sum : film.floats(FilmPlane::radiance)) sum = value = value > 1e6f ? 1e-9f : value * 1.0371f;
   float covered = 0;
-  for (float& sum : film.floats(Plane::alpha)) sum = covered = covered == 7 ? 0 : covered + 1;
+  for (float& sum : film.floats(FilmPlane::alpha)) sum = covered = covered == 7 ? 0 : covered + 1;
   film.set_end(7);
   for (DeviceInfo const& device : opencl_devices()) {
     auto const renderer = make_renderer(device);
     renderer->set_scene(scene_of(graph));
     for (bool const has_alpha : {true, false}) {
-      if (!has_alpha) film.keep({Plane::radiance});
+      if (!has_alpha) film.keep({FilmPlane::radiance});
       for (ToneMap const tone_map : {ToneMap::none, ToneMap::reinhard}) {
         for (Transfer const transfer : {Transfer::linear, Transfer::srgb}) {
           Development const development{0.7, tone_map, transfer};
@@ -184,7 +184,7 @@ TEST_CASE("a part of a huge picture takes memory for that part", "[image][planes
   Scene const scene = scene_of(graph);
   RenderRequest request = whole_picture(scene.cameras.front(), {100'000, 100'000});
   request.region = {50'000, 50'000, 256, 256};
-  for (std::size_t i = 0; i < plane_count; ++i) request.planes.add(Plane(i));
+  for (std::size_t i = 0; i < plane_count; ++i) request.planes.add(FilmPlane(i));
   auto const renderer = make_renderer(opencl_devices().front());
   renderer->set_scene(scene);
   Film film;

@@ -46,6 +46,10 @@ std::string one_of_each(std::string const& name, std::string const& material, in
       return fmt::format("define shape box {0} -0.7 -0.6 -0.5 0.7 0.6 0.5 {1}\n", name, material);
     case 2:
       return tetrahedron(name, material);
+    case 3:
+      return fmt::format("define shape cylinder {0} -0.2 -0.7 0 0.1 0.7 0.3 0.5 {1}\n", name, material);
+    case 4:
+      return fmt::format("define shape cone {0} 0 -0.6 0 0.2 0.9 0.1 0.7 {1}\n", name, material);
     default:
       return fmt::format("define shape box {0} -0.7 -0.7 0.1 0.7 0.7 0.1 {1}\n", name, material);  // flat
   }
@@ -62,11 +66,11 @@ std::string shapes_and_transforms(std::string const& material) {
   };
   std::string text = materials + lights + "define shape box wall -20 -20 -3 20 20 -1.5 white\n";
   for (int row = 0; row < 5; ++row) {
-    for (int column = 0; column < 4; ++column) {
+    for (int column = 0; column < 6; ++column) {
       std::string const name = fmt::format("s{}{}", row, column);
       text += one_of_each(name, material, column);
       text += fmt::format(fmt::runtime(transforms[row]), name);
-      text += fmt::format("transform {} translate {} {} 0\n", name, 2 * column - 3, 4 - 2 * row);
+      text += fmt::format("transform {} translate {} {} 0\n", name, 2 * column - 5, 4 - 2 * row);
     }
   }
   return text + "define background 0.5 0.6 0.8\ndefine camera eye 40\ntransform eye translate 0 0 21\n";
@@ -111,6 +115,42 @@ std::string const glass = materials + lights + tetrahedron("prism", "glass") +
                           "define background 0.3 0.4 0.6\n"
                           "define camera eye 45\ntransform eye rotate -8 1 0 0\ntransform eye translate 0 1.2 9\n";
 
+std::string const round_glass =
+    materials + lights +
+    "define shape cylinder rod -2.2 -1 0 -1.6 1.2 0.3 0.7 glass\n"
+    "define shape cone tip 0.3 -1.2 0 0.2 1.3 0.4 0.9 glass\n"
+    "define shape cylinder lens 2.4 0 -0.3 2.6 0.1 0.4 1.1 glass\n"
+    "define shape cone fog 0 3 0 0 1.5 0 0.6 smoke\n"
+    "define shape plane floor 0 -1.5 0 0 1 0 white\n"
+    "define shape sphere r -0.5 -0.3 -3 0.7 red\n"
+    "define shape cylinder b 1.5 -1 -4 1.5 1 -4 0.6 blue\n"
+    "define background 0.3 0.4 0.6\n"
+    "define camera eye 45\ntransform eye rotate -8 1 0 0\ntransform eye translate 0 1.2 9\n";
+
+/// In the world, stretched, and in two instances of what has bounds as well.
+std::string planes() {
+  std::string text = materials + lights +
+                     "define shape plane floor 0 -2 0 0.02 2 0 white\n"
+                     "define shape plane glass_wall 0 0 -3 0.1 0 1 smoke\n"
+                     "transform glass_wall scale 1 1 2\n"
+                     "define shape plane slope 0 -8 0 1 3 1 blue\n";
+  std::string children = " slope";
+  for (int i = 0; i < 8; ++i) {
+    text += fmt::format("define shape sphere s{0} {1} {2} {3} 0.5 red\n", i, 1.2 * i - 4, i % 3 - 1, -i % 2);
+    children += fmt::format(" s{}", i);
+  }
+  return text + "define shape composite group" + children +
+         "\ndefine shape composite a group\ntransform a scale 0.8 1 -1\n"
+         "define shape composite b group\ntransform b rotate 160 0 0.2 1\ntransform b translate 0 1.5 -2\n"
+         "define shape plane mirror_wall 0 0 -30 0 0.1 1 mirror\n"
+         "define background 0.3 0.4 0.6\n"
+         "define camera eye 60\ntransform eye rotate -8 1 0 0\ntransform eye translate 0 1 9\n";
+}
+
+std::string const only_a_plane = materials + lights +
+                                 "define shape plane floor 0 -1 0 0 1 0 mirror\n"
+                                 "define background 0.3 0.4 0.6\ndefine camera eye 60\n";
+
 std::string many_lights() {
   std::string text = materials + "define shape box floor -30 -2 -30 30 -1 30 white\n";
   for (int i = 0; i < 40; ++i) {
@@ -150,6 +190,9 @@ std::vector<Variant> variants() {
       {"glass", glass},
       {"glass at depth 12", glass, {}, 12},
       {"glowing shapes", mirrors, {}, 5, ToneMap::none, Transfer::linear, Rgb(0.05, 0.4, 0.3)},
+      {"round glass", round_glass, {}, 12},
+      {"planes", planes()},
+      {"only a plane", only_a_plane},
       {"many lights", many_lights()},
       {"grid samples", instances, grid},
       {"seeded samples", instances, seeded},
@@ -224,6 +267,7 @@ TEST_CASE("a scene looks the same at any scale and place: no acne, no light leak
         Place{"moved", 1, Vec3(300, -200, 100)}, Place{"million, moved", 1e6, Vec3(1e8, -2e8, 3e8)}}) {
     for (auto const& [kind, text] : {std::pair<char const*, std::string>{"matt", shapes_and_transforms("red")},
                                      {"instances", instances},
+                                     {"planes", planes()},
                                      {"mirrors", mirrors}}) {
       DYNAMIC_SECTION(kind << " " << name) {
         Scene const original = scene_of(text);

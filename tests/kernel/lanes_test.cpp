@@ -46,8 +46,11 @@ std::string scene_text(Random& random) {
             number(0.2, 0.9) + material;
     text += "transform b" + id + " rotate" + number(0, 360) + point(1) + "\n";
     text += "transform b" + id + " translate" + point(4) + "\n";
+    text += "define shape cylinder c" + id + point(4) + point(4) + number(0.1, 0.4) + material;
+    text += "define shape cone d" + id + point(4) + point(4) + number(0.1, 0.6) + material;
     text += "define shape triangle t" + id + point(4) + point(4) + point(4) + material;
   }
+  text += "define shape plane floor 0 -5 0 0.1 1 0.2 m1\n";
   return text + "define light ambient sky 0.3 0.2 0.1\ndefine camera eye 40\n";
 }
 
@@ -98,7 +101,8 @@ TEST_CASE("sixteen points at once are shaded as one by one, to the last bit", "[
     }
   }
   std::size_t const rays = lights.size() * origins.size();
-  for (device::uint const kind : {PRIMITIVE_TRIANGLE, PRIMITIVE_SPHERE, PRIMITIVE_ELLIPSOID, PRIMITIVE_BOX}) {
+  for (device::uint const kind : {PRIMITIVE_TRIANGLE, PRIMITIVE_SPHERE, PRIMITIVE_ELLIPSOID, PRIMITIVE_BOX,
+                                  PRIMITIVE_CYLINDER, PRIMITIVE_CONE, PRIMITIVE_PLANE}) {
     CAPTURE(kind);
     CHECK(met[int(kind)] > rays / 50);
     CHECK(lit[int(kind)] > met[int(kind)] / 20);

@@ -53,6 +53,14 @@ inline device::SpherePrimitive tagged_sphere(Vec3 const& center, double radius, 
   return sphere;
 }
 
+template <class UnitPrimitive>
+UnitPrimitive unit_shape(Random& random, device::PrimitiveTag const& tag) {
+  UnitPrimitive shape{};
+  shape.unit_from_object = device_transform(random_transform(random, random.in_cube(3)).inverse());
+  shape.tag = tag;
+  return shape;
+}
+
 /// Every kind of primitive, half of them of glass, overlapping, and a cluster of spheres only; and instances of half of
 /// them.
 inline FlatScene mixed_scene(std::uint64_t seed) {
@@ -67,7 +75,9 @@ inline FlatScene mixed_scene(std::uint64_t seed) {
       };
       Vec3 const center = random.in_cube(3);
       object.spheres.push_back(tagged_sphere(center, random.uniform(0.05, 0.4), tag()));
-      object.ellipsoids.push_back({device_transform(random_transform(random, random.in_cube(3)).inverse()), tag(), {}});
+      object.ellipsoids.push_back(unit_shape<device::EllipsoidPrimitive>(random, tag()));
+      object.cylinders.push_back(unit_shape<device::CylinderPrimitive>(random, tag()));
+      object.cones.push_back(unit_shape<device::ConePrimitive>(random, tag()));
       device::BoxPrimitive box{};
       box.box_from_object = device_transform(random_transform(random, random.in_cube(3)).inverse());
       for (int axis = 0; axis < 3; ++axis) {
@@ -83,6 +93,16 @@ inline FlatScene mixed_scene(std::uint64_t seed) {
     }
   }
   for (int i = 0; i < 12; ++i) scene.instances.push_back({1, random_transform(random, random.in_cube(8))});
+  // Planes of glass, in the world and in an instance among other things.
+  scene.objects.resize(3);
+  for (FlatObject* const object : {&scene.objects[0], &scene.objects[2]}) {
+    for (device::uint i = 0; i < 9; ++i) {
+      object->cones.push_back(
+          unit_shape<device::ConePrimitive>(random, {i % 2, device::uint(object->primitive_count())}));
+    }
+    object->planes.push_back(unit_shape<device::PlanePrimitive>(random, {1, device::uint(object->primitive_count())}));
+  }
+  scene.instances.push_back({2, random_transform(random, random.in_cube(8))});
   auto const glass = std::make_shared<Material>("glass", PhongModel{.transmit = 0.5, .ior = 1.5});
   scene.materials = {std::make_shared<Material>(), glass};
   return scene;

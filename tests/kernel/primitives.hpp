@@ -24,6 +24,13 @@ inline device::EllipsoidPrimitive make_ellipsoid(Affine const& object_from_unit,
   return {to_device(object_from_unit.inverse()), {material, 0}, {0, 0}};
 }
 
+template <class UnitPrimitive>
+UnitPrimitive make_unit_shape(Affine const& object_from_unit) {
+  UnitPrimitive p{};
+  p.unit_from_object = to_device(object_from_unit.inverse());
+  return p;
+}
+
 inline device::BoxPrimitive make_box(Affine const& object_from_box, Vec3 const& min, Vec3 const& max,
                                      device::uint material = 0) {
   device::BoxPrimitive p{};

@@ -25,7 +25,7 @@ struct SmallPicture {
   std::vector<device::FrameParameters> frame = std::vector<device::FrameParameters>(1);
   Film film;
 
-  explicit SmallPicture(device::uint sample_count, PlaneSet const& planes = {Plane::radiance}) {
+  explicit SmallPicture(device::uint sample_count, PlaneSet const& planes = {FilmPlane::radiance}) {
     for (auto const& [reflect, transmit] : {std::pair{0., 0.}, {0.5, 0.}, {0.1, 0.8}}) {
       scene.materials.push_back(phong_material({"", PhongModel{.ka = {0.1, 0.2, 0.1},
                                                                .kd = {0.5, 0.6, 0.7},
@@ -60,14 +60,14 @@ struct SmallPicture {
     f.seed_low = 7;
     f.max_depth = interpreted ? 2 : 5;
     film = Film({0, 0, int(width), int(height)}, planes);
-    for (Plane const plane : planes.list()) {
+    for (FilmPlane const plane : planes.list()) {
       std::ranges::fill(film.floats(plane), -1.f);
       std::ranges::fill(film.numbers(plane), untouched);
     }
   }
 
   std::vector<float> radiance() {
-    auto const sums = film.floats(Plane::radiance);
+    auto const sums = film.floats(FilmPlane::radiance);
     return {sums.begin(), sums.end()};
   }
   device::uint width() const { return frame[0].region_width; }
@@ -81,7 +81,7 @@ struct SmallPicture {
     numbers.reserve(plane_count);
     std::vector<ProbeArgument> arguments;
     for (std::size_t i = 0; i < plane_count; ++i) {
-      auto const plane = Plane(i);
+      auto const plane = FilmPlane(i);
       if (info_of(plane).is_number) {
         auto& values = numbers.emplace_back(film.numbers(plane).begin(), film.numbers(plane).end());
         values.resize(std::max<std::size_t>(values.size(), 1));
@@ -99,7 +99,7 @@ struct SmallPicture {
     auto next_floats = floats.begin();
     auto next_numbers = numbers.begin();
     for (std::size_t i = 0; i < plane_count; ++i) {
-      auto const plane = Plane(i);
+      auto const plane = FilmPlane(i);
       if (info_of(plane).is_number) {
         std::copy_n(next_numbers++->begin(), film.numbers(plane).size(), film.numbers(plane).begin());
       } else {
@@ -128,7 +128,7 @@ TEST_CASE("A picture is the same bytes however it is cut into tiles and samples"
   CHECK(sum.camera_hits < samples);
   CHECK(sum.shadow > sum.camera_hits);
   CHECK(sum.secondary > samples / 10);
-  for (float const c : whole.film.floats(Plane::radiance)) {
+  for (float const c : whole.film.floats(FilmPlane::radiance)) {
     if (!(c >= 0 && c < 100)) FAIL("not a sum of radiance: " << c);
   }
 
@@ -160,13 +160,15 @@ TEST_CASE("One launch writes all planes, and only those that are wanted", "[kern
   NEEDS_OPENCL_DEVICE();
   ProbeProgram const program("render.cl");
   PlaneSet all;
-  for (std::size_t i = 0; i < plane_count; ++i) all.add(Plane(i));
+  for (std::size_t i = 0; i < plane_count; ++i) all.add(FilmPlane(i));
   SmallPicture picture(2, all);
   device::Tile const tile{0, 0, picture.width(), picture.height(), 0, 2, {}};
   picture.render(program, tile);
-  for (Plane const plane : all.list()) {
+  for (FilmPlane const plane : all.list()) {
     INFO("plane " << info_of(plane).name);
-    SmallPicture alone(2, {plane});
+    PlaneSet wanted{plane};
+    if (plane == FilmPlane::radiance) wanted.add(FilmPlane::alpha);  // which leaves out the background
+    SmallPicture alone(2, wanted);
     alone.render(program, tile);
     CHECK(std::ranges::equal(alone.film.floats(plane), picture.film.floats(plane)));
     CHECK(std::ranges::equal(alone.film.numbers(plane), picture.film.numbers(plane)));
@@ -174,25 +176,25 @@ TEST_CASE("One launch writes all planes, and only those that are wanted", "[kern
   Film& film = picture.film;
   std::size_t hits = 0;
   std::set<device::uint> instances;
-  for (std::size_t i = 0; i < film.floats(Plane::depth).size(); ++i) {
+  for (std::size_t i = 0; i < film.floats(FilmPlane::depth).size(); ++i) {
     INFO("pixel " << i);
-    float const depth = film.floats(Plane::depth)[i];
+    float const depth = film.floats(FilmPlane::depth)[i];
     bool const is_hit = std::isfinite(depth);
-    CHECK(is_hit == (film.numbers(Plane::object)[i] != untouched));
-    CHECK(is_hit == (film.numbers(Plane::material)[i] != untouched));
-    float const* const position = &film.floats(Plane::position)[3 * i];
-    float const* const normal = &film.floats(Plane::normal)[3 * i];
-    float const alpha = film.floats(Plane::alpha)[i];
+    CHECK(is_hit == (film.numbers(FilmPlane::object)[i] != untouched));
+    CHECK(is_hit == (film.numbers(FilmPlane::material)[i] != untouched));
+    float const* const position = &film.floats(FilmPlane::position)[3 * i];
+    float const* const normal = &film.floats(FilmPlane::normal)[3 * i];
+    float const alpha = film.floats(FilmPlane::alpha)[i];
     CHECK((alpha == 0 || alpha == 1 || alpha == 2));
     CHECK(std::hypot(normal[0], normal[1], normal[2]) <= alpha * 1.0001f);
     if (!is_hit) continue;
     ++hits;
     CHECK((depth > 1 && depth < 20));
     CHECK(std::hypot(position[0], position[1], position[2]) == Approx(depth));  // the camera is at the origin
-    CHECK(film.numbers(Plane::material)[i] < 3);
-    instances.insert(film.numbers(Plane::instance)[i]);
+    CHECK(film.numbers(FilmPlane::material)[i] < 3);
+    instances.insert(film.numbers(FilmPlane::instance)[i]);
   }
-  CHECK((hits > 0 && hits < film.floats(Plane::depth).size()));
+  CHECK((hits > 0 && hits < film.floats(FilmPlane::depth).size()));
   CHECK(instances == std::set<device::uint>{0, 1, untouched});  // the last: the world itself
 }
 

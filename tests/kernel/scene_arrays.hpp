@@ -27,18 +27,26 @@ struct SceneArrays : device::GeometryArrays, device::ShadingArrays {
   void add(device::SpherePrimitive const& p) { add(spheres, p); }
   void add(device::EllipsoidPrimitive const& p) { add(ellipsoids, p); }
   void add(device::BoxPrimitive const& p) { add(boxes, p); }
-  /// `bounds` are the object's, in its own frame.
+  void add(device::CylinderPrimitive const& p) { add(cylinders, p); }
+  void add(device::ConePrimitive const& p) { add(cones, p); }
+  void add(device::PlanePrimitive const& p) {
+    planes.push_back(p);
+    unbounded_.push_back({{}, {PRIMITIVE_PLANE, device::uint(planes.size() - 1)}});
+  }
+  /// `bounds` are the object's, in its own frame; empty if it is a plane.
   void add_instance(Affine const& world_from_object, device::uint object_root, DeviceBounds const& bounds) {
     Mat4 matrix(world_from_object.linear);
     matrix[3] = glm::dvec4(world_from_object.offset, 1);
     instances.push_back({to_device(world_from_object.inverse()), object_root, {}});
-    open_.push_back(
-        {map_bounds(Transform::from_matrix(matrix), bounds), {PRIMITIVE_INSTANCE, device::uint(instances.size() - 1)}});
+    (bounds.is_empty() ? unbounded_ : open_)
+        .push_back({map_bounds(Transform::from_matrix(matrix), bounds),
+                    {PRIMITIVE_INSTANCE, device::uint(instances.size() - 1)}});
   }
   /// The root node and the bounds of what was added since the last call.
   std::pair<device::uint, DeviceBounds> close_object() {
-    Bvh bvh = build_bvh(open_);
+    Bvh bvh = build_bvh(open_, unbounded_);
     open_.clear();
+    unbounded_.clear();
     root_node = device::uint(nodes.size());
     for (auto& node : bvh.nodes) {
       for (auto& child : node.children) {
@@ -57,8 +65,9 @@ struct SceneArrays : device::GeometryArrays, device::ShadingArrays {
     auto const add_array = [&](auto const& array) { all.push_back(in(array)); };
     device::for_each_array(*this, true, add_array);
     device::for_each_array(*this, add_array);
-    all.push_back(value(device::SceneConstants{root_node, device::uint(lights.size()),
-                                               SCENE_TRANSPARENCY | SCENE_LIGHT_KINDS, DEFAULT_RAY_EPSILON}));
+    all.push_back(
+        value(device::SceneConstants{root_node, device::uint(lights.size()),
+                                     SCENE_TRANSPARENCY | SCENE_LIGHT_KINDS | SCENE_RARE_SHAPES, DEFAULT_RAY_EPSILON}));
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
@@ -70,7 +79,7 @@ struct SceneArrays : device::GeometryArrays, device::ShadingArrays {
     open_.push_back({bounds_of(primitive), {device::primitive_kind<Primitive>, device::uint(array.size() - 1)}});
   }
 
-  std::vector<BuildPrimitive> open_;
+  std::vector<BuildPrimitive> open_, unbounded_;
   std::size_t nodes_before_ = 0;
 };
 

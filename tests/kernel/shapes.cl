@@ -1,5 +1,9 @@
+#include "math/affine.clh"
 #include "shapes/box.clh"
+#include "shapes/cone.clh"
+#include "shapes/cylinder.clh"
 #include "shapes/ellipsoid.clh"
+#include "shapes/plane.clh"
 #include "shapes/sphere.clh"
 #include "shapes/triangle.clh"
 
@@ -20,6 +24,30 @@ __kernel void probe_ellipsoid(__global EllipsoidPrimitive const* ellipsoids, __g
                               __global float const* t_max, __global float* t) {
   size_t const i = get_global_id(0);
   t[i] = intersect_ellipsoid(ellipsoids + i, load_ray(rays[i]), t_max[i]);
+}
+
+__kernel void probe_cylinder(__global UnitShape const* shapes, __global ProbeRay const* rays,
+                             __global float const* t_max, __global float* t) {
+  size_t const i = get_global_id(0);
+  Ray const unit = map_ray(shapes[i].unit_from_object, load_ray(rays[i]));
+  Crossings const crossings = cross_unit_cylinder(unit.origin, unit.direction);
+  t[i] = nearest_in_front((float2)(crossings.t_enter, crossings.t_leave), t_max[i]);
+}
+
+__kernel void probe_cone(__global UnitShape const* shapes, __global ProbeRay const* rays, __global float const* t_max,
+                         __global float* t) {
+  size_t const i = get_global_id(0);
+  Ray const unit = map_ray(shapes[i].unit_from_object, load_ray(rays[i]));
+  Crossings const crossings = cross_unit_cone(unit.origin, unit.direction);
+  t[i] = nearest_in_front((float2)(crossings.t_enter, crossings.t_leave), t_max[i]);
+}
+
+__kernel void probe_plane(__global UnitShape const* shapes, __global ProbeRay const* rays, __global float const* t_max,
+                          __global float* t) {
+  size_t const i = get_global_id(0);
+  Ray const unit = map_ray(shapes[i].unit_from_object, load_ray(rays[i]));
+  Crossings const crossings = cross_unit_plane(unit.origin, unit.direction);
+  t[i] = nearest_in_front((float2)(crossings.t_enter, crossings.t_leave), t_max[i]);
 }
 
 __kernel void probe_box(__global BoxPrimitive const* boxes, __global ProbeRay const* rays, __global float const* t_max,

@@ -8,7 +8,20 @@ using namespace lichtraum::test;
 
 namespace {
 
-enum class Kind { triangle, sphere, ellipsoid, box, flat_box };
+enum class Kind { triangle, sphere, ellipsoid, box, flat_box, cylinder, cone, plane };
+
+/// A unit shape's map, with its middle at `at`.
+Affine upright(Random& random, double scale, Vec3 const& at) {
+  Mat3 const linear = random_affine(random, scale, 0).linear;
+  return {linear, at - linear * Vec3(0, 0.5, 0)};
+}
+
+/// Of several faces, how far one is away and its normal: the nearest counts. `off` begins as 0 with a normal of 0.
+void take_nearest(double face_off, Vec3 const& face_normal, double& off, Vec3& normal) {
+  if (normal != Vec3(0) && std::abs(face_off) >= std::abs(off)) return;
+  off = face_off;
+  normal = face_normal;
+}
 
 /// One convex shape in front of a great many rays, in the world or in an instance, with its true surface in double.
 struct OneShape {
@@ -33,6 +46,15 @@ struct OneShape {
     } else if (k == Kind::ellipsoid) {
       scene.add(make_ellipsoid({random_affine(random, scale, 0).linear, at}));
       frame = from_device(scene.ellipsoids[0].unit_from_object);
+    } else if (k == Kind::cylinder) {
+      scene.add(make_unit_shape<device::CylinderPrimitive>(upright(random, scale, at)));
+      frame = from_device(scene.cylinders[0].unit_from_object);
+    } else if (k == Kind::cone) {
+      scene.add(make_unit_shape<device::ConePrimitive>(upright(random, scale, at)));
+      frame = from_device(scene.cones[0].unit_from_object);
+    } else if (k == Kind::plane) {
+      scene.add(make_unit_shape<device::PlanePrimitive>({random_affine(random, scale, 0).linear, at}));
+      frame = from_device(scene.planes[0].unit_from_object);
     } else {
       Vec3 const corner = scale * Vec3(0.7, 0.4, k == Kind::flat_box ? 0 : 0.9);
       scene.add(make_box({random.rotation(), at}, -corner, corner));
@@ -53,7 +75,7 @@ struct OneShape {
   std::pair<double, Vec3> distance_and_normal(Vec3 const& world) const {
     Vec3 const p = shape_from_world.point(world);
     double off = 0;
-    Vec3 normal;
+    Vec3 normal(0);
     if (kind == Kind::triangle) {
       auto const& t = scene.triangles[0];
       Vec3 const a = to_vec3(t.vertices[0]);
@@ -64,6 +86,19 @@ struct OneShape {
       Vec3 const from_center = p - (unit ? Vec3(0) : to_vec3(scene.spheres[0].center));
       off = glm::length(from_center) - (unit ? 1. : double(scene.spheres[0].radius));
       normal = glm::normalize(from_center);
+    } else if (kind == Kind::cylinder) {
+      Vec3 const across(p.x, 0, p.z);
+      take_nearest(glm::length(across) - 1, glm::normalize(across), off, normal);
+      take_nearest(-p.y, {0, -1, 0}, off, normal);
+      take_nearest(p.y - 1, {0, 1, 0}, off, normal);
+    } else if (kind == Kind::cone) {
+      Vec3 const across(p.x, 0, p.z);
+      take_nearest((glm::length(across) - (1 - p.y)) / std::sqrt(2.),
+                   glm::normalize(glm::normalize(across) + Vec3(0, 1, 0)), off, normal);
+      take_nearest(-p.y, {0, -1, 0}, off, normal);
+    } else if (kind == Kind::plane) {
+      off = p.y;
+      normal = {0, 1, 0};
     } else {
       off = infinity;
       for (int axis = 0; axis < 3; ++axis) {
@@ -87,13 +122,15 @@ struct OneShape {
 // Acne is a ray that hits what it has just left; a leak is a ray that starts beyond what it should have hit.
 TEST_CASE("Points lie on the surface within their offset, and rays that leave it get away", "[kernel]") {
   NEEDS_OPENCL_DEVICE();
-  Random random(60);
+  Random usual(60), rare(61);
   ProbeProgram const program("surface.cl");
   std::size_t const count = scaled_count(4000);
   for (double const scale : {1e-3, 1., 1e3, 1e6}) {
     for (double const far : {0., 1., 100.}) {
       for (bool const instanced : {false, true}) {
-        for (Kind const kind : {Kind::triangle, Kind::sphere, Kind::ellipsoid, Kind::box, Kind::flat_box}) {
+        for (Kind const kind : {Kind::triangle, Kind::sphere, Kind::ellipsoid, Kind::box, Kind::flat_box,
+                                Kind::cylinder, Kind::cone, Kind::plane}) {
+          Random& random = kind < Kind::cylinder ? usual : rare;
           OneShape const shape(kind, scale, random.in_cube(far * scale), instanced, random);
           std::vector<ProbeRay> rays(count);
           for (std::size_t i = 0; i < count; ++i) {
@@ -118,7 +155,9 @@ TEST_CASE("Points lie on the surface within their offset, and rays that leave it
             double const offset = positions[i].w;
             worst = std::max(worst, std::abs(off) / offset);
             largest_offset = std::max(largest_offset, offset);
-            bool const edge = kind == Kind::box || kind == Kind::flat_box;  // two faces are equally near there
+            // Two faces are equally near at an edge.
+            bool const edge =
+                kind == Kind::box || kind == Kind::flat_box || kind == Kind::cylinder || kind == Kind::cone;
             if (!edge && glm::length(n - normal) > 1e-3 && glm::length(n + normal) > 1e-3) FAIL("normal");
             if (std::abs(glm::length(n) - 1) > 1e-6) FAIL("length of the normal");
             Vec3 d = random.direction();
@@ -136,7 +175,7 @@ TEST_CASE("Points lie on the surface within their offset, and rays that leave it
             if (hits[i].kind == none) continue;
             // All shapes are convex: nothing is outside; inside there is the other side, except of what is flat.
             acne += next[i].kind != none;
-            bool const solid = kind == Kind::sphere || kind == Kind::ellipsoid || kind == Kind::box;
+            bool const solid = kind != Kind::triangle && kind != Kind::flat_box && kind != Kind::plane;
             if (solid && i % 4 != 0) leaks += crossing[i].kind == none;
             if (!solid) acne += crossing[i].kind != none;
           }
@@ -145,7 +184,8 @@ TEST_CASE("Points lie on the surface within their offset, and rays that leave it
           CHECK(worst < 0.5);  // the other half is for what the next ray's own arithmetic rounds
           CHECK(acne == 0);
           CHECK(leaks <= found / 1000);
-          CHECK(largest_offset < 2e-4 * scale * (1 + far));
+          // Points of a plane may be far away, where numbers are larger.
+          if (kind != Kind::plane) CHECK(largest_offset < 2e-4 * scale * (1 + far));
           if (count >= 1000) CHECK(found > count / 100);  // some triangles are slivers
         }
       }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <set>
 
@@ -143,4 +144,49 @@ TEST_CASE("two builds of one scene, on threads, give the same tree", "[unit][bvh
                        same(first.nodes[i].children[1], second.nodes[i].children[1]);
     if (!equal) FAIL("node " << i << " differs");
   }
+}
+
+TEST_CASE("what has no bounds stands beside the tree, where every ray meets it", "[unit][bvh]") {
+  constexpr float far = std::numeric_limits<float>::max();
+  DeviceBounds const everywhere{glm::vec3(-far), glm::vec3(far)};
+  for (std::size_t const bounded : {0, 1, 3, 4, 5, 100, 20'000}) {
+    for (device::uint const count : {1u, 2u, 3u, 40u}) {
+      INFO(bounded << " with bounds, " << count << " without");
+      std::vector<BuildPrimitive> all = random_primitives(bounded);
+      std::vector<BuildPrimitive> unbounded;
+      for (device::uint i = 0; i < count; ++i) {
+        unbounded.push_back({DeviceBounds(), {PRIMITIVE_ELLIPSOID, device::uint(bounded) + i}});
+      }
+      unbounded[0].bounds = around(Vec3(500), 1);  // what in it is bounded
+      std::vector<BuildPrimitive> copy = all;
+      Bvh const alone = build(all);
+      Bvh const bvh = build_bvh(copy, unbounded);
+      for (BuildPrimitive primitive : unbounded) {
+        primitive.bounds = everywhere;
+        all.push_back(primitive);
+      }
+      Facts const facts = check(bvh, all);
+      require_each_once(facts, all.size());
+      CHECK(facts.largest_leaf <= 4);
+      CHECK(facts.depth <= BVH_MAX_DEPTH);
+      CHECK(bvh.bounds.max.x == 501);
+      CHECK(bvh.bounds.min.x == (bounded == 0 ? 499 : alone.bounds.min.x));
+      for (std::size_t node = 0; node < bvh.nodes.size(); ++node) {  // depth-first: a left child comes next
+        device::BvhChild const& left = bvh.nodes[node].children[0];
+        if (left.count == 0) CHECK(left.first == node + 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("a hierarchy with something beside it is as deep as any may be", "[unit][bvh]") {
+  std::vector<BuildPrimitive> primitives;
+  for (device::uint i = 0; i < 3000; ++i) {
+    Vec3 const center(std::pow(1.02, double(i)), 0, 0);
+    primitives.push_back({around(center, 1e-3 * center.x), {PRIMITIVE_SPHERE, i}});
+  }
+  std::vector<BuildPrimitive> const unbounded{{DeviceBounds(), {PRIMITIVE_ELLIPSOID, 3000}}};
+  std::vector<BuildPrimitive> all = primitives;
+  all.push_back({DeviceBounds{glm::vec3(0), glm::vec3(1)}, unbounded[0].reference});
+  CHECK(check(build_bvh(primitives, unbounded), all).depth <= BVH_MAX_DEPTH);
 }

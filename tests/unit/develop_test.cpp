@@ -51,10 +51,10 @@ TEST_CASE("sRGB encodes as IEC 61966-2-1 says", "[unit][develop]") {
 }
 
 TEST_CASE("with alpha a picture has straight colours", "[unit][develop]") {
-  Film film({0, 0, 2, 1}, {Plane::radiance, Plane::alpha});
+  Film film({0, 0, 2, 1}, {FilmPlane::radiance, FilmPlane::alpha});
   // Of four samples three hit something of radiance 0.5, in the first pixel.
-  film.floats(Plane::radiance)[0] = 1.5f;
-  film.floats(Plane::alpha)[0] = 3;
+  film.floats(FilmPlane::radiance)[0] = 1.5f;
+  film.floats(FilmPlane::alpha)[0] = 3;
   film.set_end(4);
   Image const image = develop(film, {});
   CHECK(image.alpha() == std::vector<float>{0.75f, 0});
@@ -63,6 +63,6 @@ TEST_CASE("with alpha a picture has straight colours", "[unit][develop]") {
 
 TEST_CASE("what cannot be developed is refused", "[unit][develop]") {
   CHECK_THROWS_AS(developed(Rgb(1), {0, ToneMap::automatic, Transfer::linear}), std::invalid_argument);
-  CHECK_THROWS_AS(develop(Film({0, 0, 1, 1}, {Plane::depth}), {}), std::invalid_argument);
-  CHECK_THROWS_AS(develop(Film({0, 0, 1, 1}, {Plane::radiance}), {}), std::invalid_argument);
+  CHECK_THROWS_AS(develop(Film({0, 0, 1, 1}, {FilmPlane::depth}), {}), std::invalid_argument);
+  CHECK_THROWS_AS(develop(Film({0, 0, 1, 1}, {FilmPlane::radiance}), {}), std::invalid_argument);
 }

@@ -116,6 +116,28 @@ TEST_CASE("primitives", "[unit][esdf]") {
   CHECK(scene.roots().size() == 4);
 }
 
+TEST_CASE("cylinders, cones and planes", "[unit][esdf]") {
+  Scene const scene = scene_of(red +
+                               "define shape cylinder c 1 2 3 4 5 6 7 red\n"
+                               "define shape cylinder c_up 1 2 3 4 5 red\n"
+                               "define shape cone d 1 2 3 4 5 6 -7 red\n"
+                               "define shape cone d_down 0 50 -100 50 -50 red\n"
+                               "define shape plane p 1 2 3 0 5 0 red\n");
+  CHECK(shape<Cylinder>(scene, "c").p1() == Vec3(1, 2, 3));
+  CHECK(shape<Cylinder>(scene, "c").p2() == Vec3(4, 5, 6));
+  CHECK(shape<Cylinder>(scene, "c").radius() == 7);
+  CHECK(shape<Cylinder>(scene, "c").material() == *scene.materials.find("red"));
+  CHECK(shape<Cylinder>(scene, "c_up").p2() == Vec3(1, 7, 3));
+  CHECK(shape<Cylinder>(scene, "c_up").radius() == 4);
+  CHECK(shape<Cone>(scene, "d").base() == Vec3(1, 2, 3));
+  CHECK(shape<Cone>(scene, "d").tip() == Vec3(4, 5, 6));
+  CHECK(shape<Cone>(scene, "d").radius() == 7);
+  CHECK(shape<Cone>(scene, "d_down").tip() == Vec3(0, 0, -100));
+  CHECK(shape<Cone>(scene, "d_down").radius() == 50);
+  CHECK(shape<Plane>(scene, "p").point() == Vec3(1, 2, 3));
+  CHECK(shape<Plane>(scene, "p").normal() == Vec3(0, 5, 0));
+}
+
 TEST_CASE("composites share their children", "[unit][esdf]") {
   Scene const scene = scene_of(red +
                                "define shape sphere s 0 0 0 1 red\n"

@@ -75,6 +75,9 @@ TEST_CASE("strict mode refuses every dialect, which is accepted otherwise", "[un
                                  "define renderer eye a.ppm 640 480",
                                  "define filename a.ppm",
                                  "define resolution 640 480",
+                                 "define shape cylinder r 0 0 0 0 1 0 1 red",
+                                 "define shape cone r 0 0 0 0 1 0 1 red",
+                                 "define shape plane r 0 0 0 0 1 0 red",
                                  "define shape sphere r 0 0 0 -1 red"}) {
     INFO(line);
     CHECK(loads(base + line + "\n"));

@@ -11,11 +11,11 @@ namespace {
 
 /// A pixel whose samples are first, first + 1, ... end - 1.
 Film counting(int first, int end) {
-  Film film({0, 0, 1, 1}, {Plane::radiance}, first);
+  Film film({0, 0, 1, 1}, {FilmPlane::radiance}, first);
   while (film.samples().end < end) {
     int const sample = film.samples().end;
     if (sample > first && sample % Film::block_size == 0) film.close_block();
-    film.floats(Plane::radiance)[0] += float(sample);
+    film.floats(FilmPlane::radiance)[0] += float(sample);
     film.set_end(sample + 1);
   }
   return film;
@@ -24,12 +24,12 @@ Film counting(int first, int end) {
 }  // namespace
 
 TEST_CASE("a film's value is the mean of its samples", "[unit][film]") {
-  CHECK(counting(0, 1).value(Plane::radiance, 0, 0) == 0);
-  CHECK(counting(0, 16).value(Plane::radiance, 0, 0) == 7.5f);
-  CHECK(counting(0, 50).value(Plane::radiance, 0, 0) == 24.5f);
-  CHECK(counting(32, 64).value(Plane::radiance, 0, 0) == 47.5f);
-  CHECK(counting(0, 50).values(Plane::radiance) == std::vector<float>{24.5f, 0, 0});
-  CHECK(counting(48, 99).values(Plane::radiance) == std::vector<float>{73, 0, 0});
+  CHECK(counting(0, 1).value(FilmPlane::radiance, 0, 0) == 0);
+  CHECK(counting(0, 16).value(FilmPlane::radiance, 0, 0) == 7.5f);
+  CHECK(counting(0, 50).value(FilmPlane::radiance, 0, 0) == 24.5f);
+  CHECK(counting(32, 64).value(FilmPlane::radiance, 0, 0) == 47.5f);
+  CHECK(counting(0, 50).values(FilmPlane::radiance) == std::vector<float>{24.5f, 0, 0});
+  CHECK(counting(48, 99).values(FilmPlane::radiance) == std::vector<float>{73, 0, 0});
 }
 
 TEST_CASE("films merge in order, at borders of blocks only", "[unit][film]") {
@@ -37,56 +37,57 @@ TEST_CASE("films merge in order, at borders of blocks only", "[unit][film]") {
   film.merge(counting(16, 80));
   film.merge(counting(80, 90));
   CHECK(film.samples() == SampleRange{0, 90});
-  CHECK(film.value(Plane::radiance, 0, 0) == 44.5f);
+  CHECK(film.value(FilmPlane::radiance, 0, 0) == 44.5f);
   CHECK_THROWS_AS(film.merge(counting(96, 97)), std::invalid_argument);  // a gap
   CHECK_THROWS_AS(counting(0, 16).merge(counting(0, 16)), std::invalid_argument);
   Film odd = counting(0, 17);
   CHECK_THROWS_AS(odd.merge(counting(32, 33)), std::invalid_argument);
-  Film other({0, 0, 1, 1}, {Plane::alpha}, 16);
+  Film other({0, 0, 1, 1}, {FilmPlane::alpha}, 16);
   Film whole = counting(0, 16);
   CHECK_THROWS_AS(whole.merge(other), std::invalid_argument);
-  CHECK_THROWS_AS(whole.merge(Film({0, 0, 2, 1}, {Plane::radiance}, 16)), std::invalid_argument);
-  CHECK_THROWS_AS(Film({0, 0, 1, 1}, {Plane::radiance}, 8), std::invalid_argument);
+  CHECK_THROWS_AS(whole.merge(Film({0, 0, 2, 1}, {FilmPlane::radiance}, 16)), std::invalid_argument);
+  CHECK_THROWS_AS(Film({0, 0, 1, 1}, {FilmPlane::radiance}, 8), std::invalid_argument);
 }
 
 TEST_CASE("the last block can be dropped", "[unit][film]") {
   Film film = counting(0, 40);
   film.drop_last_block();
   CHECK(film.samples() == SampleRange{0, 32});
-  CHECK(film.value(Plane::radiance, 0, 0) == 15.5f);
+  CHECK(film.value(FilmPlane::radiance, 0, 0) == 15.5f);
   film.close_block();
-  film.floats(Plane::radiance)[0] += 32;
+  film.floats(FilmPlane::radiance)[0] += 32;
   film.set_end(33);
-  CHECK(film.value(Plane::radiance, 0, 0) == 16);
+  CHECK(film.value(FilmPlane::radiance, 0, 0) == 16);
 }
 
 TEST_CASE("planes that are not kept are gone", "[unit][film]") {
-  Film film({0, 0, 2, 2}, {Plane::radiance, Plane::object});
+  Film film({0, 0, 2, 2}, {FilmPlane::radiance, FilmPlane::object});
   film.set_end(1);
-  film.keep({Plane::object});
-  CHECK(film.planes() == PlaneSet{Plane::object});
-  CHECK(film.values(Plane::radiance).empty());
-  CHECK(film.numbers(Plane::object).size() == 4);
+  film.keep({FilmPlane::object});
+  CHECK(film.planes() == PlaneSet{FilmPlane::object});
+  CHECK(film.values(FilmPlane::radiance).empty());
+  CHECK(film.numbers(FilmPlane::object).size() == 4);
 }
 
 TEST_CASE("planes are shown as pictures", "[unit][film]") {
-  auto const shown = [](Plane plane, std::vector<float> const& values) {
+  auto const shown = [](FilmPlane plane, std::vector<float> const& values) {
     std::size_t const channels = info_of(plane).channels.size();
     Film film({0, 0, int(values.size() / channels), 1}, {plane});
     std::ranges::copy(values, film.floats(plane).begin());
     film.set_end(1);
     return show_plane(film, plane).data();
   };
-  auto const grey = shown(Plane::depth, {2, 4, std::numeric_limits<float>::infinity()});
+  auto const grey = shown(FilmPlane::depth, {2, 4, std::numeric_limits<float>::infinity()});
   CHECK((grey[0] == 1 && grey[1] == 1 && grey[2] == 1));
   CHECK((grey[3] > 0 && grey[3] < 0.2f));
   CHECK(grey[6] == 0);
-  CHECK(shown(Plane::normal, {0, 0, -1, 0, 0, 0}) == std::vector<float>{0.5f, 0.5f, 0, 0, 0, 0});
-  CHECK(shown(Plane::position, {-1, 5, 7, 3, 5, 8, 0, 0, 0}) == std::vector<float>{0, 0.5f, 0, 1, 0.5f, 1, 0, 0, 0});
-  CHECK(shown(Plane::alpha, {0.25f}) == std::vector<float>{0.25f, 0.25f, 0.25f});
-  Film film({0, 0, 3, 1}, {Plane::object});
-  for (std::uint32_t i = 0; i < 3; ++i) film.numbers(Plane::object)[i] = i;
-  auto const colors = show_plane(film, Plane::object).data();
+  CHECK(shown(FilmPlane::normal, {0, 0, -1, 0, 0, 0}) == std::vector<float>{0.5f, 0.5f, 0, 0, 0, 0});
+  CHECK(shown(FilmPlane::position, {-1, 5, 7, 3, 5, 8, 0, 0, 0}) ==
+        std::vector<float>{0, 0.5f, 0, 1, 0.5f, 1, 0, 0, 0});
+  CHECK(shown(FilmPlane::alpha, {0.25f}) == std::vector<float>{0.25f, 0.25f, 0.25f});
+  Film film({0, 0, 3, 1}, {FilmPlane::object});
+  for (std::uint32_t i = 0; i < 3; ++i) film.numbers(FilmPlane::object)[i] = i;
+  auto const colors = show_plane(film, FilmPlane::object).data();
   CHECK((colors[0] == 0 && colors[1] == 0 && colors[2] == 0));
   double apart = 0;
   for (std::size_t c = 0; c < 3; ++c) apart += std::abs(double(colors[3 + c] - colors[6 + c]));

@@ -122,17 +122,17 @@ TEST_CASE("PNG stores alpha beside straight colours", "[unit][image]") {
 
 TEST_CASE("a film of all planes becomes one OpenEXR file, a channel each", "[unit][image]") {
   PlaneSet planes;
-  for (std::size_t i = 0; i < plane_count; ++i) planes.add(Plane(i));
+  for (std::size_t i = 0; i < plane_count; ++i) planes.add(FilmPlane(i));
   Film film({7, 5, 3, 2}, planes);
   float next = 0.25f;
   std::uint32_t number = 0xfffffff0u;
-  for (Plane const plane : planes.list()) {
+  for (FilmPlane const plane : planes.list()) {
     for (float& value : film.floats(plane)) value = next++;
     for (std::uint32_t& value : film.numbers(plane)) value = number++;
   }
   film.set_end(1);
   std::string const bytes = image_format_named("exr").encode_film(film, {});
-  for (Plane const plane : planes.list()) {
+  for (FilmPlane const plane : planes.list()) {
     PlaneInfo const& info = info_of(plane);
     INFO(info.name);
     for (std::size_t c = 0; c < info.channels.size(); ++c) {
@@ -149,8 +149,8 @@ TEST_CASE("a film of all planes becomes one OpenEXR file, a channel each", "[uni
 }
 
 TEST_CASE("PFM stores a plane of one channel as Pf", "[unit][image]") {
-  Film film({0, 0, 2, 2}, {Plane::depth});
-  std::ranges::copy(std::vector<float>{1, 2, 3, infinity}, film.floats(Plane::depth).begin());
+  Film film({0, 0, 2, 2}, {FilmPlane::depth});
+  std::ranges::copy(std::vector<float>{1, 2, 3, infinity}, film.floats(FilmPlane::depth).begin());
   film.set_end(1);
   std::string const bytes = image_format_named("pfm").encode_film(film, {});
   CHECK(bytes.substr(0, 3) == "Pf\n");

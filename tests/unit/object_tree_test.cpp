@@ -104,9 +104,9 @@ TEST_CASE("a tree copes with many objects and with deep graphs", "[unit][view]")
 }
 
 TEST_CASE("objects are outlined where they end", "[unit][view]") {
-  Film ids({0, 0, 5, 5}, {Plane::object});
+  Film ids({0, 0, 5, 5}, {FilmPlane::object});
   for (std::size_t y = 1; y < 4; ++y) {
-    for (std::size_t x = 1; x < 4; ++x) ids.numbers(Plane::object)[5 * y + x] = x == 3 ? 8 : 7;
+    for (std::size_t x = 1; x < 4; ++x) ids.numbers(FilmPlane::object)[5 * y + x] = x == 3 ? 8 : 7;
   }
   auto const alpha = [](std::vector<unsigned char> const& pixels, int x, int y) {
     return int(pixels[std::size_t(4 * (5 * y + x) + 3)]);

@@ -205,8 +205,8 @@ TEST_CASE("progress is reported while rendering and can stop it", "[unit][refere
   if (count == Film::block_size) {
     for (int y = 0; y < 200; ++y) {
       for (int x = 0; x < 300; ++x) {
-        bool const is_black = film.value(Plane::radiance, x, y, 0) == 0;
-        REQUIRE((film.value(Plane::radiance, x, y, 2) == 0) == is_black);
+        bool const is_black = film.value(FilmPlane::radiance, x, y, 0) == 0;
+        REQUIRE((film.value(FilmPlane::radiance, x, y, 2) == 0) == is_black);
       }
     }
   }
@@ -265,7 +265,7 @@ TEST_CASE("samples that are no numbers are counted and left out", "[unit][refere
   RayCounts const rays = renderer->render(request, film).statistics.rays;
   CHECK(rays.not_finite >= rays.camera - rays.camera_hits);
   CHECK(rays.not_finite < rays.camera);
-  for (float const value : film.values(Plane::radiance)) REQUIRE(std::isfinite(value));
+  for (float const value : film.values(FilmPlane::radiance)) REQUIRE(std::isfinite(value));
 }
 
 TEST_CASE("another background than the scene's, or none", "[unit][reference]") {
@@ -275,7 +275,7 @@ TEST_CASE("another background than the scene's, or none", "[unit][reference]") {
   RenderRequest request = request_of({20, 15});
   request.background = Rgb(0.5, 0.25, 1);
   CHECK(rendered(*renderer, request).pixel(0, 0)[1] == 0.25f);
-  request.planes.add(Plane::alpha);
+  request.planes.add(FilmPlane::alpha);
   Image const cut_out = rendered(*renderer, request);
   CHECK(cut_out.alpha().at(0) == 0);
   CHECK(cut_out.pixel(0, 0)[2] == 0);

@@ -1,5 +1,7 @@
 #include "accel/wide_layout.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <random>
 #include <set>
 
@@ -96,4 +98,34 @@ TEST_CASE("blocks are more than half full where all are of one kind", "[unit][bv
        triangles = random_primitives(count, {PRIMITIVE_TRIANGLE});
   CHECK(collapse(build_bvh(spheres)).sphere_blocks.size() < count / 2);
   CHECK(collapse(build_bvh(triangles)).triangle_blocks.size() < count / 2);
+}
+
+TEST_CASE("what stands beside the tree costs no wide node, if it is not too much", "[unit][bvh]") {
+  constexpr float far = std::numeric_limits<float>::max();
+  for (device::uint const beside : {1u, 3u, 40u}) {
+    for (std::size_t const count : {0, 1, 3, 1000}) {
+      INFO(beside << " beside " << count);
+      auto primitives = random_primitives(count, {PRIMITIVE_SPHERE, PRIMITIVE_TRIANGLE});
+      std::vector<BuildPrimitive> unbounded;
+      for (device::uint i = 0; i < beside; ++i) unbounded.push_back({{}, {PRIMITIVE_BOX, device::uint(count) + i}});
+      auto reordered = primitives;
+      std::size_t const nodes_alone = collapse(build_bvh(reordered)).nodes.size();
+      reordered = primitives;
+      Bvh const bvh = build_bvh(reordered, unbounded);
+      WideBvh const wide = collapse(bvh);
+      for (BuildPrimitive primitive : unbounded) {
+        primitive.bounds = {glm::vec3(-far), glm::vec3(far)};
+        primitives.push_back(primitive);
+      }
+      auto const found = find_all(wide, bvh, primitives);
+      CHECK(found.size() == count + beside);
+      CHECK(std::set(found.begin(), found.end()).size() == count + beside);
+      CHECK(wide.stack_size <= WIDE_STACK_SIZE);
+      if (beside > WIDE_CHILDREN) continue;
+      CHECK(wide.nodes.size() <= nodes_alone + 1);
+      auto const* children = wide.nodes[0].children;
+      CHECK(std::count_if(children, children + WIDE_CHILDREN,
+                          [](device::uint child) { return child >> WIDE_INDEX_BITS == PRIMITIVE_BOX; }) == beside);
+    }
+  }
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/ascii.hpp"
@@ -15,14 +16,22 @@
 // define shape sphere <name> [center] <radius> <material>
 // define shape box <name> [p1] [p2] <material>
 // define shape triangle <name> [a] [b] [c] <material>
+// define shape cylinder <name> [p1] [p2] <radius> <material>
+// define shape cone <name> [base] [tip] <radius> <material>
+// define shape plane <name> [point] [normal] <material>
 // define shape composite <name> <child> ...
 
 namespace lichtraum::esdf {
 namespace {
 
+constexpr char const* known_shapes = "the shapes are sphere, box, triangle, cylinder, cone, plane and composite";
+
 Signature const sphere_signature{{{"the center", 3}, {"the radius", 1}}, true};
 Signature const box_signature{{{"p1", 3}, {"p2", 3}}, true};
 Signature const triangle_signature{{{"a", 3}, {"b", 3}, {"c", 3}}, true};
+Signature const cylinder_signature{{{"p1", 3}, {"p2", 3}, {"the radius", 1}}, true, {5}};
+Signature const cone_signature{{{"the base", 3}, {"the tip", 3}, {"the radius", 1}}, true, {5}};
+Signature const plane_signature{{{"the point", 3}, {"the normal", 3}}, true};
 
 /// Name, N numbers, material: the numbers. Reports what is wrong.
 template <std::size_t N>
@@ -41,24 +50,88 @@ bool read_primitive(Interpreter& interpreter, Statement const& statement, Signat
   return false;
 }
 
+/// A radius, whose sign does not count. Reports what is wrong with it.
+std::optional<double> checked_radius(Interpreter& interpreter, Statement const& statement, Token token, double value) {
+  if (value == 0) {
+    interpreter.error(token, fmt::format("{}: the radius must not be 0", statement.what));
+  } else if (value > 0 || interpreter.dialect_warning(
+                              token, fmt::format("{}: the radius {} is negative", statement.what, in_quotes(token)),
+                              "its absolute value is taken")) {
+    return std::abs(value);
+  }
+  interpreter.mark_faulty(Kind::shape, statement[0]);
+  return std::nullopt;
+}
+
 void define_sphere(Interpreter& interpreter, Statement const& statement) {
   std::array<double, 4> v{};
   if (!read_primitive(interpreter, statement, sphere_signature, v)) return;
-  double const radius = std::abs(v[3]);
-  bool good = radius > 0;
-  if (!good) {
-    interpreter.error(statement[4], "sphere: the radius must not be 0");
-  } else if (v[3] < 0) {
-    good = interpreter.dialect_warning(statement[4],
-                                       fmt::format("sphere: the radius {} is negative", in_quotes(statement[4])),
-                                       "its absolute value is taken");
+  auto const radius = checked_radius(interpreter, statement, statement[4], v[3]);
+  if (!radius) return;
+  interpreter.define(statement[0], std::make_shared<Sphere>(std::string(statement[0]), Vec3(v[0], v[1], v[2]), *radius,
+                                                            interpreter.material(statement[5])));
+}
+
+/// What is round about the line between two points.
+struct RoundSolid {
+  Vec3 p1, p2;
+  double radius;
+};
+
+/// Both points and the radius, or in a dialect the first, the radius, and the height above it along y.
+std::optional<RoundSolid> read_round_solid(Interpreter& interpreter, Statement const& statement,
+                                           Signature const& signature) {
+  constexpr std::size_t dialect_numbers = 5;
+  std::array<double, 7> v{};
+  bool const has_height = statement.size() == dialect_numbers + 2 && looks_like_number(statement[5]);
+  if (has_height) {
+    std::array<double, dialect_numbers> w{};
+    if (!read_primitive(interpreter, statement, signature, w)) return std::nullopt;
+    interpreter.dialect(statement.keyword, fmt::format("a {} by its radius and height", statement.what));
+    v = {w[0], w[1], w[2], w[0], w[1] + w[4], w[2], w[3]};
+  } else if (!read_primitive(interpreter, statement, signature, v)) {
+    return std::nullopt;
   }
-  if (!good) {
+  RoundSolid const solid{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6]};
+  auto const radius = checked_radius(interpreter, statement, statement[has_height ? 4 : 7], solid.radius);
+  if (!radius) return std::nullopt;
+  if (solid.p1 == solid.p2) {
+    auto const* const names = signature.numbers.begin();
+    interpreter.error(
+        statement[has_height ? 5 : 4],
+        has_height ? fmt::format("{}: the height must not be 0", statement.what)
+                   : fmt::format("{}: {} and {} are the same point", statement.what, names[0].name, names[1].name));
+    interpreter.mark_faulty(Kind::shape, statement[0]);
+    return std::nullopt;
+  }
+  return RoundSolid{solid.p1, solid.p2, *radius};
+}
+
+void define_cylinder(Interpreter& interpreter, Statement const& statement) {
+  auto const solid = read_round_solid(interpreter, statement, cylinder_signature);
+  if (!solid) return;
+  interpreter.define(statement[0], std::make_shared<Cylinder>(std::string(statement[0]), solid->p1, solid->p2,
+                                                              solid->radius, interpreter.material(statement.last())));
+}
+
+void define_cone(Interpreter& interpreter, Statement const& statement) {
+  auto const solid = read_round_solid(interpreter, statement, cone_signature);
+  if (!solid) return;
+  interpreter.define(statement[0], std::make_shared<Cone>(std::string(statement[0]), solid->p1, solid->p2,
+                                                          solid->radius, interpreter.material(statement.last())));
+}
+
+void define_plane(Interpreter& interpreter, Statement const& statement) {
+  std::array<double, 6> v{};
+  if (!read_primitive(interpreter, statement, plane_signature, v)) return;
+  Vec3 const normal(v[3], v[4], v[5]);
+  if (normal == Vec3(0)) {
+    interpreter.error(statement[4], "plane: the normal must not be 0 0 0");
     interpreter.mark_faulty(Kind::shape, statement[0]);
     return;
   }
-  interpreter.define(statement[0], std::make_shared<Sphere>(std::string(statement[0]), Vec3(v[0], v[1], v[2]), radius,
-                                                            interpreter.material(statement[5])));
+  interpreter.define(statement[0], std::make_shared<Plane>(std::string(statement[0]), Vec3(v[0], v[1], v[2]), normal,
+                                                           interpreter.material(statement[7])));
 }
 
 void define_box(Interpreter& interpreter, Statement const& statement) {
@@ -100,16 +173,10 @@ void define_composite(Interpreter& interpreter, Statement const& statement) {
   interpreter.define(name, std::make_shared<Composite>(std::string(name), std::move(children)));
 }
 
-void refuse_shape(Interpreter& interpreter, Statement const& statement) {
-  interpreter.error(statement.keyword, fmt::format("a {} is not supported", statement.what),
-                    "the shapes are sphere, box, triangle and composite");
-  if (statement.size() > 0) interpreter.mark_faulty(Kind::shape, statement[0]);
-}
-
 constexpr Keyword shape_table[] = {
-    {"triangle", define_triangle},     {"sphere", define_sphere},     {"box", define_box},
-    {"composite", define_composite},   {"mesh", define_mesh},         {"obj", define_obj, false},
-    {"cylinder", refuse_shape, false}, {"cone", refuse_shape, false}, {"plane", refuse_shape, false},
+    {"triangle", define_triangle},        {"sphere", define_sphere},    {"box", define_box},
+    {"composite", define_composite},      {"mesh", define_mesh},        {"obj", define_obj, false},
+    {"cylinder", define_cylinder, false}, {"cone", define_cone, false}, {"plane", define_plane, false},
 };
 
 std::string hint_for_unknown_kind(Interpreter& interpreter, Statement const& statement) {
@@ -118,7 +185,7 @@ std::string hint_for_unknown_kind(Interpreter& interpreter, Statement const& sta
   std::string const lower = to_lower_ascii(statement[0]);
   if (lower != statement[0] && find_keyword(shape_kinds(), lower)) return "keywords are lower case: " + lower;
   std::string hint = interpreter.suggest(statement[0], known);
-  return hint.empty() ? "the shapes are sphere, box, triangle and composite" : hint;
+  return hint.empty() ? std::string(known_shapes) : hint;
 }
 
 }  // namespace
@@ -127,16 +194,13 @@ std::span<Keyword const> shape_kinds() { return shape_table; }
 
 void define_shape(Interpreter& interpreter, Statement const& statement) {
   if (statement.arguments.empty()) {
-    interpreter.error(place_after(statement.keyword), "shape: expected a kind of shape, found nothing",
-                      "the shapes are sphere, box, triangle and composite");
+    interpreter.error(place_after(statement.keyword), "shape: expected a kind of shape, found nothing", known_shapes);
     return;
   }
   Token const word = statement[0];
   Statement const inner{word, word, statement.arguments.subspan(1)};
   Keyword const* const kind = find_keyword(shape_table, word);
-  if (kind && kind->execute == refuse_shape) {
-    refuse_shape(interpreter, inner);
-  } else if (kind && (kind->is_standard || interpreter.dialect(word, fmt::format("'define shape {}'", word)))) {
+  if (kind && (kind->is_standard || interpreter.dialect(word, fmt::format("'define shape {}'", word)))) {
     kind->execute(interpreter, inner);
   } else {
     if (!kind) {

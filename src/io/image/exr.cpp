@@ -67,7 +67,7 @@ std::string encode_exr(Film const& film, ImageEncoding const& encoding) {
     }
     Imf::FrameBuffer frame;
     std::list<std::vector<float>> kept;
-    for (Plane const plane : film.planes().list()) {
+    for (FilmPlane const plane : film.planes().list()) {
       PlaneInfo const& info = info_of(plane);
       Imf::PixelType const type = info.is_number ? Imf::UINT : Imf::FLOAT;
       void const* const values = info.is_number ? static_cast<void const*>(film.numbers(plane).data())

@@ -10,7 +10,7 @@ namespace lichtraum {
 static_assert(std::endian::native == std::endian::little, "PFM is written as the floats lie in memory");
 
 std::string encode_pfm(Film const& film, ImageEncoding const&) {
-  Plane const plane = film.planes().list().at(0);
+  FilmPlane const plane = film.planes().list().at(0);
   PlaneInfo const& info = info_of(plane);
   auto const numbers = info.is_number ? film.numbers(plane) : std::span<std::uint32_t const>();
   std::vector<float> const values =

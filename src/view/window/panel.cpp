@@ -50,17 +50,17 @@ Panel::Changes Panel::draw() {
 
 bool Panel::draw_views() {
   struct View {
-    Plane plane;
+    FilmPlane plane;
     char const* label;
   };
   constexpr View views[] = {
-      {Plane::radiance, "picture (P)"}, {Plane::depth, "depth (D)"},    {Plane::normal, "normals (N)"},
-      {Plane::object, "objects (O)"},   {Plane::albedo, "albedo"},      {Plane::position, "positions"},
-      {Plane::material, "materials"},   {Plane::instance, "instances"},
+      {FilmPlane::radiance, "picture (P)"}, {FilmPlane::depth, "depth (D)"},    {FilmPlane::normal, "normals (N)"},
+      {FilmPlane::object, "objects (O)"},   {FilmPlane::albedo, "albedo"},      {FilmPlane::position, "positions"},
+      {FilmPlane::material, "materials"},   {FilmPlane::instance, "instances"},
   };
   auto const current = std::ranges::find(views, plane, &View::plane);
   if (!ImGui::BeginCombo("view", current->label)) return false;
-  Plane const before = plane;
+  FilmPlane const before = plane;
   for (View const& view : views) {
     if (ImGui::Selectable(view.label, view.plane == plane)) plane = view.plane;
   }

@@ -23,7 +23,7 @@ class Panel {
   /// In the current frame of Dear ImGui.
   Changes draw();
 
-  Plane plane = Plane::radiance;
+  FilmPlane plane = FilmPlane::radiance;
   SceneValues const& values() const { return values_; }
   ObjectTree::Objects selected_objects() const { return tree_.selected_objects(); }
 

@@ -97,7 +97,7 @@ void Window::show() {
   worker_->show(view);
 }
 
-void Window::show(Plane plane) {
+void Window::show(FilmPlane plane) {
   panel_.plane = plane;
   show();
 }
@@ -168,10 +168,10 @@ void Window::handle_character(char32_t character) {
   if (character == 'q') close();
   if (!camera_) return;
   if (character >= '1' && character <= '9') choose_camera(character - '1');
-  if (character == 'p') show(Plane::radiance);
-  if (character == 'd') show(Plane::depth);
-  if (character == 'n') show(Plane::normal);
-  if (character == 'o') show(Plane::object);
+  if (character == 'p') show(FilmPlane::radiance);
+  if (character == 'd') show(FilmPlane::depth);
+  if (character == 'n') show(FilmPlane::normal);
+  if (character == 'o') show(FilmPlane::object);
   if (character == 's') save();
   if (character == 'c') copy_camera();
   if (character == 'f') frame_everything();

@@ -39,7 +39,7 @@ class Window {
   void choose_camera(std::size_t number);
   void frame_everything();
   void show();
-  void show(Plane plane);
+  void show(FilmPlane plane);
   void mark_selection();
   void save();
   void copy_camera() const;

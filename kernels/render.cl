@@ -10,6 +10,7 @@
 #include "film/film.clh"
 #include "integrators/first_surface.clh"
 #include "integrators/whitted.clh"
+#include "program.clh"
 
 __kernel void render_tile(SCENE_PARAMETERS, FILM_PARAMETERS, __global FrameParameters const* frame, Tile const tile,
                           __global WorkItemRays* rays) {
@@ -37,7 +38,7 @@ __kernel void render_tile(SCENE_PARAMETERS, FILM_PARAMETERS, __global FrameParam
   uint const sample_count = wants(&film, MEAN_PLANES) ? tile.sample_count : 0u;
   for (uint i = 0u; i < sample_count; ++i) {
     generate_camera_rays(frame, &tile, square.corner_x, square.corner_y, tile.first_sample + i, &wave.rays);
-    trace_whitted(&scene, frame, &film, &wave, &samples, &counts);
+    INTEGRATE(&scene, frame, &film, &wave, &samples, &counts);
     add_samples(&film, &wave.rays, &samples, &sums, &counts);
   }
   store_samples(frame, &film, &square, &sums);

@@ -15,6 +15,7 @@
 #include "lichtraum/scene.hpp"
 #include "lichtraum/scene_edits.hpp"
 #include "lichtraum/traversal.hpp"
+#include "shared/integrators.h"
 
 namespace lichtraum {
 
@@ -28,6 +29,13 @@ struct Sampling {
   int count = 1;  ///< per pixel; a square number for a grid
 };
 
+/// How the radiance along the camera's rays is found: kernels/shared/integrators.h says what each is.
+enum class Integrator {
+#define LICHTRAUM_ENUMERATOR(name) name,
+  INTEGRATORS(LICHTRAUM_ENUMERATOR)
+#undef LICHTRAUM_ENUMERATOR
+};
+
 /// Which picture of a scene to compute: planes of a region of pixels, of a range of samples.
 struct RenderRequest {
   Camera camera;
@@ -35,7 +43,8 @@ struct RenderRequest {
   Region region;  ///< within the resolution
   Sampling sampling;
   std::optional<SampleRange> samples;  ///< of those of `sampling`; nothing: all. Begins with a block of the film
-  int max_depth = 5;                   ///< how often a ray may be mirrored or refracted; 0: not at all
+  Integrator integrator = Integrator::whitted;
+  int max_depth = 5;  ///< how often a ray may be mirrored or refracted; 0: not at all
   std::uint64_t seed = 0;
   PlaneSet planes{FilmPlane::radiance};
   std::optional<Rgb> background;  ///< instead of the scene's

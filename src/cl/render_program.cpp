@@ -21,10 +21,18 @@ std::string_view grouping_options(RayGrouping grouping) {
   return {};
 }
 
+std::string_view function_name(Integrator integrator) {
+#define TRACE_FUNCTION(name) "trace_" #name,
+  constexpr std::string_view names[] = {INTEGRATORS(TRACE_FUNCTION)};
+#undef TRACE_FUNCTION
+  return names[std::size_t(integrator)];
+}
+
 }  // namespace
 
 std::string RenderProgram::options() const {
-  std::string text = fmt::format("-cl-std=CL1.2 -D RAY_STACK_SIZE={}{}", ray_stack_size, grouping_options(grouping));
+  std::string text = fmt::format("-cl-std=CL1.2 -D INTEGRATE={} -D RAY_STACK_SIZE={}{}", function_name(integrator),
+                                 ray_stack_size, grouping_options(grouping));
   if (!has_all_planes) text += fmt::format(" -D POSSIBLE_PLANES={}", PLANE_RADIANCE);
   if (grouping != RayGrouping::one) text += fmt::format(" -D TRAVERSAL_STACK_SIZE={}", traversal_stack_size);
   if (without_models) text += fmt::format(" -D POSSIBLE_FEATURES={}", SCENE_WITHOUT_MODELS);

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "cl/opencl.hpp"
-#include "lichtraum/traversal.hpp"
+#include "lichtraum/renderer.hpp"
 #include "shared/film.h"
 
 namespace lichtraum {
@@ -23,6 +23,7 @@ struct RenderProgram {
   RayGrouping grouping = RayGrouping::packet;
   bool has_all_planes = false;  ///< else radiance alone
   bool without_models = false;  ///< for scenes without what only models have: SCENE_WITHOUT_MODELS
+  Integrator integrator = Integrator::whitted;
   unsigned ray_stack_size = 8;
   std::size_t traversal_stack_size = 96;
 

@@ -120,10 +120,10 @@ struct TileTracer::State {
     kernel.setArg(argument, film.back().buffer);
   }
 
-  KnownKernel& kernel_for(device::FrameParameters const& parameters, PlaneSet const& wanted) {
-    RenderProgram const program{grouping, wanted != PlaneSet{FilmPlane::radiance},
-                                (tables->features & ~SCENE_WITHOUT_MODELS) == 0, ray_stack_size(parameters.max_depth),
-                                traversal_stack_size(scene->stack_size)};
+  KnownKernel& kernel_for(device::FrameParameters const& parameters, Integrator integrator, PlaneSet const& wanted) {
+    RenderProgram const program{
+        grouping,   wanted != PlaneSet{FilmPlane::radiance}, (tables->features & ~SCENE_WITHOUT_MODELS) == 0,
+        integrator, ray_stack_size(parameters.max_depth),    traversal_stack_size(scene->stack_size)};
     auto const options = program.options();
     auto found = kernels.find(options);
     if (found == kernels.end()) {
@@ -184,12 +184,12 @@ void TileTracer::upload(std::shared_ptr<SceneBuffers const> scene, std::shared_p
 SceneBuffers const& TileTracer::scene() const { return *state_->scene; }
 std::uint64_t TileTracer::device_bytes() const { return state_->device_bytes; }
 
-void TileTracer::begin_frame(device::FrameParameters const& frame, Film& film) {
+void TileTracer::begin_frame(device::FrameParameters const& frame, Integrator integrator, Film& film) {
   State& state = *state_;
   PlaneSet const& planes = film.planes();
   state.frame.assign(1, frame);
   checked([&] {
-    auto& known = state.kernel_for(frame, planes);
+    auto& known = state.kernel_for(frame, integrator, planes);
     state.kernel = known.kernel;
     state.frame_buffer = buffer_over(state.context, CL_MEM_READ_ONLY, state.frame);
     cl_uint argument = 0;

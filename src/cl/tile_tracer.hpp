@@ -27,7 +27,7 @@ class TileTracer {
 
   /// Begins with a block of a film's samples, or goes on with it. `film` must stay until end_frame, which makes the
   /// device's work visible in it.
-  void begin_frame(device::FrameParameters const& frame, Film& film);
+  void begin_frame(device::FrameParameters const& frame, Integrator integrator, Film& film);
   /// Traces a tile and waits for it. The tile's first_sample begins the block, or follows on what was traced before.
   RayCounts trace(device::Tile const& tile);
   void end_frame();

@@ -25,6 +25,7 @@ std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const&
   hasher.add(request.region);
   hasher.add(int(request.sampling.pattern));
   hasher.add(request.sampling.count);
+  hasher.add(int(request.integrator));
   hasher.add(request.max_depth);
   bool const is_random = request.sampling.pattern == Sampling::Pattern::seeded;
   hasher.add(is_random ? request.seed : std::uint64_t(0));

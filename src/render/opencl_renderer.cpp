@@ -150,7 +150,7 @@ class OpenClRenderer final : public Renderer {
     RenderResult result;
     Work work{.samples = wanted.end - film.samples().end};
     result.complete = trace_blocks(wanted, film, [&](SampleRange const& samples) {
-      return trace(frame, samples, film, work, result.statistics, progress);
+      return trace(frame, request.integrator, samples, film, work, result.statistics, progress);
     });
     film.keep(request.planes);
     return result;
@@ -175,13 +175,13 @@ class OpenClRenderer final : public Renderer {
   };
 
   /// Adds samples of one block; false: it was stopped.
-  bool trace(device::FrameParameters const& frame, SampleRange const& samples, Film& film, Work& work,
-             RenderStatistics& statistics, ProgressFunction const& progress) {
+  bool trace(device::FrameParameters const& frame, Integrator integrator, SampleRange const& samples, Film& film,
+             Work& work, RenderStatistics& statistics, ProgressFunction const& progress) {
     Region const& region = film.region();
     double const all_work = double(region.width) * double(region.height) * double(work.samples);
     if (samples.first == 0) begin_centers(film);
     auto const start = Clock::now();
-    tracer_.begin_frame(frame, film);
+    tracer_.begin_frame(frame, integrator, film);
     statistics.program_ms += 1e3 * seconds_since(start);
     auto const trace_start = Clock::now();
     bool is_going_on = true;

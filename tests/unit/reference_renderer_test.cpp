@@ -206,7 +206,7 @@ TEST_CASE("progress is reported while rendering and can stop it", "[unit][refere
     for (int y = 0; y < 200; ++y) {
       for (int x = 0; x < 300; ++x) {
         bool const is_black = film.value(Plane::radiance, x, y, 0) == 0;
-        REQUIRE((film.value(Plane::radiance, x, y, 2) == 0) == is_black);
+        REQUIRE((!is_black || film.value(Plane::radiance, x, y, 2) == 0));  // in its shadow, the red ball has no blue
       }
     }
   }

@@ -1,4 +1,4 @@
-#include "render/reference_renderer.hpp"
+#include "reference/renderer.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -108,8 +108,9 @@ class PreparedScene {
 
   SceneStatistics statistics;  ///< device_bytes and upload_ms are known once a renderer was given the scene
   Bounds bounds;               ///< of all that is drawn, in the world
-  /// A hash of everything that decides what rays see. Equal for equal scenes, whatever the device and the traversal,
-  /// except that the reference tracer has its own.
+  /// A hash of all that decides what rays see: shapes as floats, where they are, materials with their textures, lights,
+  /// background, tone map; not names. 32 hexadecimal digits. Equal for equal scenes, whichever renderer prepared them
+  /// and whether they were written or edited so.
   std::string fingerprint;
 };
 

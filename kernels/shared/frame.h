@@ -18,9 +18,6 @@ DEVICE_STRUCT_SIZE(PinholeCamera, 64);
 #define SAMPLING_GRID 0u
 #define SAMPLING_SEEDED 1u
 
-/* Mirrored and refracted rays that can change a pixel by less than this share of what they see are not followed. */
-#define MIN_RAY_WEIGHT 0.0009765625f
-
 /* Everything about the picture that is the same for each of its pixels. */
 typedef struct {
   PinholeCamera camera;

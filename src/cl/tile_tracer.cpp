@@ -181,7 +181,6 @@ void TileTracer::upload(std::shared_ptr<SceneBuffers const> scene, std::shared_p
   state_->is_uploaded = true;
 }
 
-SceneBuffers const& TileTracer::scene() const { return *state_->scene; }
 std::uint64_t TileTracer::device_bytes() const { return state_->device_bytes; }
 
 void TileTracer::begin_frame(device::FrameParameters const& frame, Integrator integrator, Film& film) {

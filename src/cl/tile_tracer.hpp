@@ -21,8 +21,6 @@ class TileTracer {
   /// that is there already. Throws Error{no_device} with the numbers when it does not fit.
   /// `tables`: the scene's own, or others instead; where the scene is there already they are all that is made again.
   void upload(std::shared_ptr<SceneBuffers const> scene, std::shared_ptr<ShadingTables const> tables);
-  /// The one uploaded last, else an empty one.
-  SceneBuffers const& scene() const;
   std::uint64_t device_bytes() const;
 
   /// Begins with a block of a film's samples, or goes on with it. `film` must stay until end_frame, which makes the

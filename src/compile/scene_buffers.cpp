@@ -32,13 +32,6 @@ void append(std::vector<T, Allocator>& all, std::span<T const> more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-ContentHash hash_of_primitives(FlatObject const& object) {
-  ContentHasher hasher;
-  hasher.add(object.triangle_attributes);
-  device::for_each_kind(object, [&](auto const& primitives) { hasher.add(primitives); });
-  return hasher.finish();
-}
-
 device::uint features_of(BigVector<device::PunctualLight> const& lights) {
   auto const is_constant = [](device::PunctualLight const& light) { return light.kind == LIGHT_CONSTANT; };
   return std::all_of(lights.begin(), lights.end(), is_constant) ? 0 : SCENE_LIGHT_KINDS;
@@ -63,9 +56,7 @@ class Compiler {
   /// Moves the object's primitives into the buffers.
   std::unique_ptr<Pending> take(FlatObject&& object) {
     auto pending = std::make_unique<Pending>();
-    ContentHash const primitives = hash_of_primitives(object);
-    pending->content.add(primitives);
-    scene_content_.add(primitives);
+    pending->content.add(object.content);
     std::size_t const first_triangle = buffers_.triangles.size();
     device::for_each_kind(buffers_, object, [&](auto& all, auto& more) {
       pending->ranges.push_back({all.size(), more.size()});
@@ -88,22 +79,19 @@ class Compiler {
     return buffers_.objects.back();
   }
 
-  void add_instance(FlatInstance const& instance, FlatObject const& flat, CompiledObject const& object,
-                    Pending& world) {
+  /// `number`: of FlatScene::instances.
+  void add_instance(std::size_t number, FlatInstance const& instance, CompiledObject const& object, Pending& world) {
     DeviceBounds bounds = map_bounds(instance.world_from_object, object.bounds);
     if (object.is_unbounded && !bounds.is_finite()) bounds = {};
-    bool const is_drawn = object.is_unbounded || !bounds.is_empty();
-    buffers_.object_numbers.add_instance(instance, flat, is_drawn);
-    if (!is_drawn) return;
+    if (!object.is_unbounded && bounds.is_empty()) return;
     auto& instances = object.is_unbounded ? world.unbounded_instances : world.instances;
     instances.push_back({bounds, {PRIMITIVE_INSTANCE, device::uint(buffers_.instances.size())}});
     device::Instance const placed{device_transform(instance.world_from_object.inverse()), object.root_node, {}};
     world.content.add(placed.object_from_world);
     world.content.add(bounds);
     world.content.add(object.is_unbounded);
-    scene_content_.add(placed.object_from_world);
-    scene_content_.add(instance.object);
     buffers_.instances.push_back(placed);
+    buffers_.flat_instances.push_back(device::uint(number));
   }
 
   /// Which kinds of shapes there are.
@@ -127,7 +115,6 @@ class Compiler {
   }
 
   SceneBuffers& buffers() { return buffers_; }
-  ContentHasher& scene_content() { return scene_content_; }
 
  private:
   /// Those of the triangles taken last.
@@ -294,7 +281,6 @@ class Compiler {
 
   SceneBuffers const* previous_;
   SceneBuffers buffers_;
-  ContentHasher scene_content_;
   BigVector<device::TriangleAttributes> attributes_;  // of the triangles taken so far, as those are counted
 };
 
@@ -308,8 +294,8 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tre
   for (std::size_t i = 1; i < scene.objects.size(); ++i) {
     objects.push_back(compiler.build(compiler.take(std::move(scene.objects[i]))));
   }
-  for (FlatInstance const& instance : scene.instances) {
-    compiler.add_instance(instance, scene.objects[instance.object], objects[instance.object], *world);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    compiler.add_instance(i, scene.instances[i], objects[scene.instances[i].object], *world);
   }
   CompiledObject const built = compiler.build(std::move(world));
   SceneBuffers& buffers = compiler.buffers();
@@ -335,13 +321,6 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tre
   shading.lights = make_light_table({lights.begin(), lights.end()}, buffers.world_bounds);
   shading.features |= table.features | features_of(shading.lights);
   buffers.unrepresentable += scene.unrepresentable;
-  compiler.scene_content().add(buffers.vertex_data);
-  compiler.scene_content().add(shading.materials);
-  compiler.scene_content().add(shading.pbr_materials);
-  compiler.scene_content().add(buffers.textures);
-  compiler.scene_content().add(buffers.texels);
-  compiler.scene_content().add(shading.lights);
-  buffers.content = compiler.scene_content().finish();
   return std::move(buffers);
 }
 

@@ -9,7 +9,6 @@
 #include "lichtraum/scene_edits.hpp"
 #include "scene/device_bounds.hpp"
 #include "scene/flat_scene.hpp"
-#include "scene/object_numbers.hpp"
 
 namespace lichtraum {
 
@@ -39,12 +38,11 @@ struct SceneBuffers : device::GeometryArrays {
   TreeLayout layout = TreeLayout::binary;  ///< which arrays are filled
   std::size_t stack_size = 0;              ///< that a traversal needs; for the wide layout
 
-  ObjectNumbers object_numbers;  ///< stays on the host
+  std::vector<std::uint32_t> flat_instances;  ///< where `instances` are in FlatScene::instances; stays on the host
 
   device::uint root_node = 0;  ///< of the world's hierarchy
   DeviceBounds world_bounds;   ///< of what has an end; empty when nothing is drawn that has
   std::vector<CompiledObject> objects;
-  ContentHash content;                ///< of all that decides what rays see, whatever the layout
   std::uint64_t unrepresentable = 0;  ///< primitives left out, see FlatScene
   std::uint64_t triangle_count = 0;
   std::uint64_t sphere_count = 0;

@@ -10,8 +10,8 @@
 #include "lichtraum/device.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/renderer.hpp"
+#include "reference/renderer.hpp"
 #include "render/opencl_renderer.hpp"
-#include "render/reference_renderer.hpp"
 
 namespace lichtraum {
 namespace {

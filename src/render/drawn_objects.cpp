@@ -1,6 +1,6 @@
 #include "lichtraum/drawn_objects.hpp"
 
-#include "render/drawn_roots.hpp"
+#include "scene/drawn_roots.hpp"
 #include "scene/graph_fold.hpp"
 
 namespace lichtraum {

@@ -3,7 +3,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "core/elementary.hpp"
-#include "render/check_request.hpp"
+#include "film/check_request.hpp"
 #include "scene/device_conversion.hpp"
 
 namespace lichtraum {

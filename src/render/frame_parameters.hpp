@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lichtraum/renderer.hpp"
-#include "render/scene_shading.hpp"
+#include "scene/scene_shading.hpp"
 #include "shared/frame.h"
 
 namespace lichtraum {

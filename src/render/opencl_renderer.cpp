@@ -6,12 +6,13 @@
 
 #include "cl/tile_tracer.hpp"
 #include "film/develop.hpp"
-#include "render/drawn_roots.hpp"
-#include "render/fingerprint.hpp"
+#include "film/trace_blocks.hpp"
 #include "render/frame_parameters.hpp"
 #include "render/tile_plan.hpp"
-#include "render/trace_blocks.hpp"
+#include "scene/drawn_roots.hpp"
 #include "scene/flatten.hpp"
+#include "scene/object_numbers.hpp"
+#include "scene/scene_content.hpp"
 
 namespace lichtraum {
 namespace {
@@ -46,7 +47,8 @@ void begin_centers(Film& film) {
 }
 
 /// From the numbers that the device has written (kernels/integrators/first_surface.clh) to those of the film.
-void number_objects(Film& film, ObjectNumbers const& numbers) {
+/// `flat_instances`: where the device's are in FlatScene::instances.
+void number_objects(Film& film, ObjectNumbers const& numbers, std::vector<std::uint32_t> const& flat_instances) {
   auto const objects = film.numbers(FilmPlane::object);
   auto const instances = film.numbers(FilmPlane::instance);
   for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -54,11 +56,12 @@ void number_objects(Film& film, ObjectNumbers const& numbers) {
       objects[i] = 0;
       continue;
     }
-    std::uint64_t const number =
-        instances[i] == nothing ? numbers.in_world(objects[i]) : numbers.in_instance(instances[i], objects[i]);
+    std::uint64_t const number = instances[i] == nothing
+                                     ? numbers.in_world(objects[i])
+                                     : numbers.in_instance(flat_instances[instances[i]], objects[i]);
     objects[i] = std::uint32_t(std::min<std::uint64_t>(number, nothing));
   }
-  for (std::uint32_t& number : instances) number = number == nothing ? 0 : numbers.flat_instance(number) + 1;
+  for (std::uint32_t& number : instances) number = number == nothing ? 0 : flat_instances[number] + 1;
   for (std::uint32_t& number : film.numbers(FilmPlane::material)) ++number;  // from nothing to 0
 }
 
@@ -79,6 +82,8 @@ struct CompiledScene final : PreparedScene {
   std::shared_ptr<SceneBuffers const> buffers;
   std::shared_ptr<ShadingTables const> tables;  // the buffers' own, unless it is edited
   SceneShading shading;
+  SceneContent content;  // as it was prepared, whatever the edits
+  ObjectNumbers numbers;
   std::vector<Material const*> materials;  // as the tables list them; only compared with, as they may be gone
 };
 
@@ -98,12 +103,18 @@ class OpenClRenderer final : public Renderer {
     auto start = Clock::now();
     FlatScene flat = flatten(drawn_roots(scene, root));
     for (auto const& material : flat.materials) prepared->materials.push_back(material.get());
+    prepared->numbers = ObjectNumbers(flat);
+    prepared->content = content_of(flat, {scene.lights.begin(), scene.lights.end()});
+    prepared->fingerprint = scene_fingerprint(prepared->content, prepared->shading);
     statistics.flatten_ms = 1e3 * seconds_since(start);
 
     start = Clock::now();
-    prepared->buffers = std::make_shared<SceneBuffers>(
-        compile_scene(std::move(flat), scene.lights, traversal_.layout, old ? old->buffers.get() : nullptr));
-    if (old && old->buffers->content == prepared->buffers->content) prepared->buffers = old->buffers;
+    if (old && old->content == prepared->content) {
+      prepared->buffers = old->buffers;
+    } else {
+      prepared->buffers = std::make_shared<SceneBuffers>(
+          compile_scene(std::move(flat), scene.lights, traversal_.layout, old ? old->buffers.get() : nullptr));
+    }
     prepared->tables = {prepared->buffers, &prepared->buffers->shading};
     SceneBuffers const& buffers = *prepared->buffers;
     statistics.build_ms = 1e3 * seconds_since(start);
@@ -114,7 +125,6 @@ class OpenClRenderer final : public Renderer {
     statistics.bvh_nodes = buffers.nodes.size() + buffers.wide_nodes.size();
     statistics.unrepresentable = buffers.unrepresentable;
     prepared->bounds = {Vec3(buffers.world_bounds.min), Vec3(buffers.world_bounds.max)};
-    prepared->fingerprint = scene_fingerprint(buffers.content, prepared->shading);
     return prepared;
   }
 
@@ -123,7 +133,7 @@ class OpenClRenderer final : public Renderer {
     auto const edited = std::make_shared<CompiledScene>(compiled(prepared));
     auto const tables = std::make_shared<ShadingTables>(edit_tables(*edited->buffers, edited->materials, edits));
     edited->shading.ambient = ambient(edits.lights);
-    edited->fingerprint = edited_fingerprint(*edited, *tables);
+    edited->fingerprint = scene_fingerprint(edit_content(edited->content, edited->materials, edits), edited->shading);
     edited->tables = tables;
     return edited;
   }
@@ -199,7 +209,7 @@ class OpenClRenderer final : public Renderer {
     }
     tracer_.end_frame();
     if (!plan.is_between_pixels()) clear_samples(film, plan.current_pixels());
-    if (samples.first == 0) number_objects(film, tracer_.scene().object_numbers);
+    if (samples.first == 0) number_objects(film, scene_->numbers, scene_->buffers->flat_instances);
     statistics.trace_ms += 1e3 * seconds_since(trace_start);
     return plan.is_done();
   }
@@ -207,15 +217,6 @@ class OpenClRenderer final : public Renderer {
   static CompiledScene const& compiled(std::shared_ptr<PreparedScene const> const& scene) {
     if (auto const* const known = dynamic_cast<CompiledScene const*>(scene.get())) return *known;
     throw Error(ErrorKind::internal, "the scene was not prepared by this renderer");
-  }
-
-  static std::string edited_fingerprint(CompiledScene const& scene, ShadingTables const& tables) {
-    ContentHasher hasher;
-    hasher.add(scene.buffers->content.words);
-    hasher.add(tables.materials);
-    hasher.add(tables.pbr_materials);
-    hasher.add(tables.lights);
-    return scene_fingerprint(hasher.finish(), scene.shading);
   }
 
   DeviceInfo device_;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/content_hash.hpp"
 #include "lichtraum/scene.hpp"
 #include "scene/primitive_arrays.hpp"
 
@@ -17,6 +18,7 @@ struct FlatObject : device::PrimitiveArrays {
   /// Its part of FlatScene::shapes.
   std::size_t first_shape = 0;
   std::size_t shape_count = 0;
+  ContentHash content;  ///< of its primitives and what lies at their vertices; flatten fills it in
 
   std::size_t primitive_count() const {
     std::size_t count = 0;

@@ -7,6 +7,7 @@
 #include "core/memory.hpp"
 #include "scene/bake.hpp"
 #include "scene/graph_order.hpp"
+#include "scene/scene_content.hpp"
 
 namespace lichtraum {
 namespace {
@@ -92,6 +93,7 @@ class Flattener {
       scene_.objects.back().first_shape = first_shape;
       scene_.objects.back().shape_count = scene_.shapes.size() - first_shape;
     }
+    for (FlatObject& object : scene_.objects) object.content = content_of(object);
   }
 
   FlatScene take() { return std::move(scene_); }

@@ -4,15 +4,14 @@
 
 namespace lichtraum {
 
-void ObjectNumbers::add_instance(FlatInstance const& instance, FlatObject const& object, bool is_on_device) {
+ObjectNumbers::ObjectNumbers(FlatScene const& scene) {
   std::uint64_t in_instances = 0;
-  if (!instances_.empty()) {
-    Instance const& last = instances_.back();
-    in_instances = last.numbers_before - last.world_shapes_before + last.shape_count;
+  for (FlatInstance const& instance : scene.instances) {
+    FlatObject const& object = scene.objects[instance.object];
+    instances_.push_back({instance.world_shapes_before, instance.world_shapes_before + in_instances, object.first_shape,
+                          object.shape_count});
+    in_instances += object.shape_count;
   }
-  if (is_on_device) on_device_.push_back(std::uint32_t(instances_.size()));
-  instances_.push_back({instance.world_shapes_before, instance.world_shapes_before + in_instances, object.first_shape,
-                        object.shape_count});
 }
 
 std::uint64_t ObjectNumbers::in_world(std::uint64_t shape) const {
@@ -23,8 +22,8 @@ std::uint64_t ObjectNumbers::in_world(std::uint64_t shape) const {
   return shape + 1 + last.numbers_before - last.world_shapes_before + last.shape_count;
 }
 
-std::uint64_t ObjectNumbers::in_instance(std::uint64_t instance, std::uint64_t shape) const {
-  Instance const& placed = instances_[on_device_[instance]];
+std::uint64_t ObjectNumbers::in_instance(std::size_t instance, std::uint64_t shape) const {
+  Instance const& placed = instances_[instance];
   return placed.numbers_before + shape - placed.first_shape + 1;
 }
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "render/reference_renderer.hpp"
+#include "reference/renderer.hpp"
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
 #include "support/picture_check.hpp"

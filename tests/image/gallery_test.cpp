@@ -6,7 +6,7 @@
 
 #include "lichtraum/esdf.hpp"
 #include "lichtraum/image_io.hpp"
-#include "render/reference_renderer.hpp"
+#include "reference/renderer.hpp"
 #include "support/catch.hpp"
 #include "support/decode.hpp"
 #include "support/esdf.hpp"

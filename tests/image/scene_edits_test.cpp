@@ -73,12 +73,16 @@ TEST_CASE("an edited scene looks as if it had been written so", "[image][edits]"
     REQUIRE(expected.data() != before.data());
     auto const edited = renderer.edit(prepared, edits);
     CHECK(draw(renderer, edited, scene).data() == expected.data());
+    CHECK(edited->fingerprint == renderer.prepare(wanted)->fingerprint);
+    CHECK(renderer.edit(edited, edits)->fingerprint == edited->fingerprint);
+    CHECK(prepared->fingerprint == make_renderer(reference_device())->prepare(scene)->fingerprint);
     CHECK(edited->fingerprint != prepared->fingerprint);
     // And back.
     CHECK(draw(renderer, prepared, scene).data() == before.data());
     edits.lights.assign(scene.lights.begin(), scene.lights.end());
     SceneEdits const none{edits.lights, {}};
     CHECK(draw(renderer, renderer.edit(prepared, none), scene).data() == before.data());
+    CHECK(renderer.edit(prepared, none)->fingerprint == prepared->fingerprint);
     edits.lights.assign(wanted.lights.begin(), wanted.lights.end());
   });
 }
@@ -105,6 +109,8 @@ TEST_CASE("an edited material keeps its textures", "[image][edits]") {
     Image const expected = draw(renderer, renderer.prepare(wanted), scene);
     CHECK(draw(renderer, prepared, scene).data() != expected.data());
     CHECK(draw(renderer, renderer.edit(prepared, edits), scene).data() == expected.data());
+    CHECK(renderer.edit(prepared, edits)->fingerprint == renderer.prepare(wanted)->fingerprint);
+    CHECK(prepared->fingerprint == make_renderer(reference_device())->prepare(scene)->fingerprint);
   });
 }
 
@@ -117,4 +123,8 @@ TEST_CASE("after a scene was read again, its own materials are edited", "[image]
   edits.lights.assign(again.lights.begin(), again.lights.end());
   edits.materials.emplace(again.materials.find("red")->get(), Material("red", Rgb(0), Rgb(0), Rgb(0), 1));
   CHECK(draw(*renderer, renderer->edit(prepared, edits), again).data() != draw(*renderer, prepared, again).data());
+  // What is prepared after an edited scene has its own materials.
+  auto const after = renderer->prepare(again, {}, renderer->edit(prepared, edits));
+  CHECK(after->fingerprint == prepared->fingerprint);
+  CHECK(draw(*renderer, after, again).data() == draw(*renderer, prepared, again).data());
 }

@@ -6,7 +6,7 @@
 
 #include "compile/light_table.hpp"
 #include "reference.hpp"
-#include "render/drawn_roots.hpp"
+#include "scene/drawn_roots.hpp"
 #include "scene/flatten.hpp"
 #include "scene_arguments.hpp"
 #include "support/catch.hpp"

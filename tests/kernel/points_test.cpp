@@ -2,7 +2,7 @@
 /// through.
 
 #include "reference.hpp"
-#include "render/reference_point.hpp"
+#include "reference/point.hpp"
 #include "scene/flatten.hpp"
 #include "scene_arguments.hpp"
 #include "support/catch.hpp"

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "lichtraum/image_io.hpp"
-#include "render/reference_renderer.hpp"
+#include "reference/renderer.hpp"
 #include "support/catch.hpp"
 
 namespace lichtraum::test {

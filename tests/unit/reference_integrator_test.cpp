@@ -1,4 +1,4 @@
-#include "render/reference_integrator.hpp"
+#include "reference/integrator.hpp"
 
 #include <cmath>
 

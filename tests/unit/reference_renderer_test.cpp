@@ -1,4 +1,4 @@
-#include "render/reference_renderer.hpp"
+#include "reference/renderer.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -206,7 +206,8 @@ TEST_CASE("progress is reported while rendering and can stop it", "[unit][refere
     for (int y = 0; y < 200; ++y) {
       for (int x = 0; x < 300; ++x) {
         bool const is_black = film.value(FilmPlane::radiance, x, y, 0) == 0;
-        REQUIRE((film.value(FilmPlane::radiance, x, y, 2) == 0) == is_black);
+        REQUIRE(
+            (!is_black || film.value(FilmPlane::radiance, x, y, 2) == 0));  // in its shadow, the red ball has no blue
       }
     }
   }

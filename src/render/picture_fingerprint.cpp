@@ -1,18 +1,8 @@
-#include "render/fingerprint.hpp"
-
+#include "core/content_hash.hpp"
+#include "film/trace_blocks.hpp"
 #include "lichtraum/renderer.hpp"
-#include "render/trace_blocks.hpp"
 
 namespace lichtraum {
-
-std::string scene_fingerprint(ContentHash const& content, SceneShading const& shading) {
-  ContentHasher hasher;
-  hasher.add(content.words);
-  hasher.add(shading.ambient);
-  hasher.add(shading.background);
-  hasher.add(int(shading.tone_map));
-  return hasher.finish().text();
-}
 
 std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const& request,
                                 Development const& development) {

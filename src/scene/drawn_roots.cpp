@@ -1,4 +1,4 @@
-#include "render/drawn_roots.hpp"
+#include "scene/drawn_roots.hpp"
 
 #include <fmt/format.h>
 

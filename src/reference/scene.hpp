@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lichtraum/renderer.hpp"
-#include "render/scene_shading.hpp"
+#include "scene/scene_shading.hpp"
 
 namespace lichtraum {
 

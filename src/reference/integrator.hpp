@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lichtraum/renderer.hpp"
-#include "render/reference_scene.hpp"
+#include "reference/scene.hpp"
 
 namespace lichtraum {
 

@@ -3,7 +3,7 @@
 #include <unordered_map>
 
 #include "lichtraum/film.hpp"
-#include "render/reference_scene.hpp"
+#include "reference/scene.hpp"
 #include "scene/object_numbers.hpp"
 
 namespace lichtraum {

@@ -1,4 +1,4 @@
-#include "render/reference_point.hpp"
+#include "reference/point.hpp"
 
 #include <algorithm>
 #include <cmath>

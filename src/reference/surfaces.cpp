@@ -1,10 +1,10 @@
-#include "render/reference_surfaces.hpp"
+#include "reference/surfaces.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "render/reference_integrator.hpp"
-#include "render/reference_point.hpp"
+#include "reference/integrator.hpp"
+#include "reference/point.hpp"
 #include "scene/graph_order.hpp"
 
 namespace lichtraum {

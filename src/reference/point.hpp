@@ -4,7 +4,7 @@
 
 namespace lichtraum {
 
-/// A point of a surface, as seen by the ray that found it: the definition of kernels/shading/shading_point.clh.
+/// A point of a surface, as seen by the ray that found it: the definition of kernels/surface/shading_point.clh.
 struct ReferencePoint {
   Vec3 position{0};
   Vec3 geometric_normal{0};  // unit length, on the viewer's side

@@ -1,4 +1,4 @@
-#include "render/reference_integrator.hpp"
+#include "reference/integrator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/elementary.hpp"
-#include "render/reference_point.hpp"
+#include "reference/point.hpp"
 #include "scene/unit_vector.hpp"
-#include "shared/frame.h"
+#include "shared/ray_weight.h"
 
 namespace lichtraum {
 

@@ -1,6 +1,6 @@
-#include "render/reference_scene.hpp"
+#include "reference/scene.hpp"
 
-#include "render/drawn_roots.hpp"
+#include "scene/drawn_roots.hpp"
 
 namespace lichtraum {
 

@@ -1,4 +1,4 @@
-#include "render/check_request.hpp"
+#include "film/check_request.hpp"
 
 #include <fmt/format.h>
 

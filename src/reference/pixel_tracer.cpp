@@ -1,0 +1,101 @@
+#include "reference/pixel_tracer.hpp"
+
+#include <cmath>
+
+#include "reference/integrator.hpp"
+#include "shared/sampling.h"
+
+namespace lichtraum {
+namespace {
+
+/// Where sample `index` of a pixel lies, from the pixel's top left corner.
+glm::dvec2 sample_offset(RenderRequest const& request, int x, int y, int index) {
+  if (request.sampling.pattern == Sampling::Pattern::grid) {
+    auto const side = static_cast<int>(std::lround(std::sqrt(double(request.sampling.count))));
+    return glm::dvec2(index % side + 0.5, index / side + 0.5) / double(side);
+  }
+  if (request.sampling.count == 1) return glm::dvec2(0.5);
+  auto const offset = device::seeded_pixel_offset(
+      static_cast<device::uint>(x), static_cast<device::uint>(y), static_cast<device::uint>(index),
+      static_cast<device::uint>(request.seed), static_cast<device::uint>(request.seed >> 32));
+  return {offset.x, offset.y};
+}
+
+bool is_finite(Rgb const& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
+
+}  // namespace
+
+/// A pixel of a plane of the film: where its values are.
+class PixelTracer::Pixel {
+ public:
+  Pixel(Film& film, std::size_t pixel) : film_(film), pixel_(pixel) {}
+  void add(FilmPlane plane, Vec3 const& value) {
+    std::size_t const channels = info_of(plane).channels.size();
+    for (std::size_t c = 0; c < channels && film_.planes().has(plane); ++c) {
+      film_.floats(plane)[channels * pixel_ + c] += float(value[int(c)]);
+    }
+  }
+  void set(FilmPlane plane, std::uint32_t number) {
+    if (film_.planes().has(plane)) film_.numbers(plane)[pixel_] = number;
+  }
+
+ private:
+  Film& film_;
+  std::size_t pixel_;
+};
+
+PixelTracer::PixelTracer(ReferenceScene const& scene, ReferenceNumbers const& numbers, RenderRequest const& request,
+                         SampleRange const& samples, Film& film)
+    : scene_(scene), surfaces_(scene, numbers, request.planes), request_(request), samples_(samples), film_(film) {
+  if (request.background) scene_.background = *request.background;
+}
+
+void PixelTracer::trace(int x, int y, RayCounts& counts) const {
+  Region const& region = film_.region();
+  Pixel pixel(film_, std::size_t(y - region.y) * std::size_t(region.width) + std::size_t(x - region.x));
+  if (samples_.first == 0 && film_.planes().has(PlaneRule::center)) trace_center(x, y, pixel, counts);
+  if (film_.planes().has(PlaneRule::mean)) trace_samples(x, y, pixel, counts);
+}
+
+void PixelTracer::trace_center(int x, int y, Pixel& pixel, RayCounts& counts) const {
+  auto const center = surfaces_.center(request_.camera.generate_ray(x + 0.5, y + 0.5, request_.resolution));
+  ++counts.camera;
+  counts.camera_hits += std::isfinite(center.depth);
+  pixel.add(FilmPlane::depth, Vec3(center.depth));
+  pixel.add(FilmPlane::position, center.position);
+  pixel.set(FilmPlane::object, center.object);
+  pixel.set(FilmPlane::instance, center.instance);
+  pixel.set(FilmPlane::material, center.material);
+}
+
+void PixelTracer::trace_samples(int x, int y, Pixel& pixel, RayCounts& counts) const {
+  PlaneSet const& planes = film_.planes();
+  bool const has_surfaces =
+      planes.has(FilmPlane::alpha) || planes.has(FilmPlane::albedo) || planes.has(FilmPlane::normal);
+  for (int i = samples_.first; i < samples_.end; ++i) {
+    auto const offset = sample_offset(request_, x, y, i);
+    Ray const ray = request_.camera.generate_ray(x + offset.x, y + offset.y, request_.resolution);
+    bool is_hit = false;
+    if (has_surfaces) {
+      auto const surface = surfaces_.sample(ray);
+      is_hit = surface.alpha > 0;
+      pixel.add(FilmPlane::alpha, Vec3(surface.alpha));
+      pixel.add(FilmPlane::albedo, surface.albedo);
+      pixel.add(FilmPlane::normal, surface.normal);
+    }
+    if (planes.has(FilmPlane::radiance)) {
+      Rgb const radiance = trace_radiance(scene_, ray, request_.max_depth, counts);
+      if (planes.has(FilmPlane::alpha) && !is_hit) continue;
+      if (is_finite(radiance)) {
+        pixel.add(FilmPlane::radiance, radiance);
+      } else {
+        ++counts.not_finite;
+      }
+    } else {
+      ++counts.camera;
+      counts.camera_hits += is_hit;
+    }
+  }
+}
+
+}  // namespace lichtraum

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/content_hash.hpp"
+#include "lichtraum/scene_edits.hpp"
+#include "scene/flat_scene.hpp"
+#include "scene/scene_shading.hpp"
+
+namespace lichtraum {
+
+/// All that decides what rays see of a scene, as hashes, in the parts that change by themselves. Names do not count.
+struct SceneContent {
+  ContentHash shapes;                  ///< primitives, instances, textures: what edits leave as they are
+  std::vector<ContentHash> materials;  ///< of FlatScene::materials, without their textures
+  ContentHash lights;
+  friend bool operator==(SceneContent const&, SceneContent const&) = default;
+};
+
+/// Of an object's primitives and what lies at their vertices.
+ContentHash content_of(FlatObject const& object);
+/// Takes the objects' own hashes as flatten left them.
+SceneContent content_of(FlatScene const& scene, std::vector<Light> const& lights);
+/// As if the scene had been written so. `materials`: whose hashes those are, as FlatScene lists them.
+SceneContent edit_content(SceneContent content, std::vector<Material const*> const& materials, SceneEdits const& edits);
+
+/// Of PreparedScene.
+std::string scene_fingerprint(SceneContent const& content, SceneShading const& shading);
+
+}  // namespace lichtraum

@@ -26,6 +26,7 @@ struct Sampling {
   };
   Pattern pattern = Pattern::grid;
   int count = 1;  ///< per pixel; a square number for a grid
+  friend bool operator==(Sampling const&, Sampling const&) = default;
 };
 
 /// Which picture of a scene to compute: planes of a region of pixels, of a range of samples.

@@ -78,7 +78,9 @@ Job resolved(Job job, Scene const& scene);
 
 /// What to trace for the job. `scene` is what is drawn, of which the camera is taken: for the picture of a `render`,
 /// the scene as defined up to there. Same exceptions as `resolved`, also Error{usage} for an unknown root.
-RenderRequest request_of(Job const& job, Scene const& scene);
+/// `turn_center`: what the camera is carried around, for those who know it; else center_of_interest finds it, which
+/// takes a walk through the scene.
+RenderRequest request_of(Job const& job, Scene const& scene, std::optional<Vec3> const& turn_center = {});
 
 /// What to look at first when someone wants to look around: the job's camera, in the size of its picture, whole, one
 /// sample a pixel unless the job says otherwise, radiance only, and black where it would be transparent.

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "app/stopwatch.hpp"
+#include "lichtraum/turntable.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -12,13 +13,15 @@ namespace {
 /// Thrown inside the loader when its results are no longer wanted.
 struct Stopped {};
 
-/// `scene`: as it is in the picture.
-RenderRequest make_request(Scene const& scene, PicturePlan const& plan) {
-  if (!scene.cameras.find(plan.job.camera)) {
+/// `scene`: as it is in the picture. `turn_center`: found with the first picture of the scene that is turned.
+RenderRequest make_request(Scene const& scene, PicturePlan const& plan, std::optional<Vec3>& turn_center) {
+  Camera const* const camera = scene.cameras.find(plan.job.camera);
+  if (!camera) {
     throw Error(ErrorKind::usage, fmt::format("{}: the camera '{}' is defined after the picture '{}' is drawn",
                                               plan.job.scene, plan.job.camera, plan.output.shown));
   }
-  return request_of(plan.job, scene);
+  if (plan.job.turn_degrees && !turn_center) turn_center = center_of_interest(scene, plan.job.root, *camera);
+  return request_of(plan.job, scene, turn_center);
 }
 
 bool is_done_already(PicturePlan const& plan, std::string const& fingerprint) {
@@ -38,11 +41,12 @@ class Pictures {
   void send_all_of(Scene const& scene, std::size_t scene_number) {
     double const load_ms = stopwatch_.milliseconds();
     auto const prepared = previous_ = renderer_.prepare(scene, options_.job.root, previous_);
+    std::optional<Vec3> turn_center;
     for (; next_ < opened_.plans.size() && opened_.plans[next_].scene_number == scene_number; ++next_) {
       PicturePlan const& plan = opened_.plans[next_];
       PictureReady picture;
       picture.number = next_;
-      picture.request = make_request(scene, plan);
+      picture.request = make_request(scene, plan, turn_center);
       picture.scene = prepared;
       if (plan.output.format->encode) picture.development = development_of(plan.job, scene);
       picture.fingerprint = fmt::format("{}-{}", picture_fingerprint(*prepared, picture.request, picture.development),

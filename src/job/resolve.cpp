@@ -89,11 +89,12 @@ Job resolved(Job job, Scene const& scene) {
   return job;
 }
 
-RenderRequest request_of(Job const& job, Scene const& scene) {
+RenderRequest request_of(Job const& job, Scene const& scene, std::optional<Vec3> const& turn_center) {
   Job const decided = resolved(job, scene);
   RenderRequest request = request_through(*scene.cameras.find(decided.camera), decided);
   if (job.turn_degrees) {
-    request.camera = orbited(request.camera, center_of_interest(scene, job.root, request.camera), *job.turn_degrees);
+    Vec3 const center = turn_center ? *turn_center : center_of_interest(scene, job.root, request.camera);
+    request.camera = orbited(request.camera, center, *job.turn_degrees);
   }
   return request;
 }

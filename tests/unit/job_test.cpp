@@ -153,6 +153,8 @@ TEST_CASE("a turned job looks from where the orbit leads", "[unit][job]") {
   job.turn_degrees = 90;
   Camera const wanted = orbited(eye, center_of_interest(scene, "", eye), 90);
   CHECK(pose(job) == wanted.world_from_camera().matrix());
+  CHECK(request_of(job, scene, Vec3(1, 2, 3)).camera.world_from_camera().matrix() ==
+        orbited(eye, Vec3(1, 2, 3), 90).world_from_camera().matrix());
   job.root = "nothing";
   CHECK_THROWS_AS(pose(job), Error);
 }

@@ -22,12 +22,17 @@ enum class RotationSense { right, left };
 /// What numbers after a material's m mean.
 enum class MaterialExtra { reflectance, transmittance, opacity, ior, ignore };
 
-struct EsdfOptions {
+/// Which eSDF a file is written in, and how much of it must be right.
+struct EsdfDialect {
   TransformOrder transform_order = TransformOrder::parent;
   RotationSense rotation = RotationSense::right;
   bool strict = false;                         ///< the standard and lichtraum's key=value extensions only, no dialects
   bool keep_going = false;                     ///< leave faulty statements out instead of failing
   std::vector<MaterialExtra> material_extras;  ///< empty: extra numbers are ignored with a warning
+  friend bool operator==(EsdfDialect const&, EsdfDialect const&) = default;
+};
+
+struct EsdfOptions : EsdfDialect {
   std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the scene's that may be read
   std::size_t max_diagnostics = 100;
   FileObserver on_read;                ///< may be empty

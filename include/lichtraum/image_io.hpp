@@ -11,10 +11,15 @@
 
 namespace lichtraum {
 
-struct ImageEncoding {
+/// How values are stored in a picture's file.
+struct ValueEncoding {
   int bits = 8;            ///< per channel; 8 or 16 (16: PNG and PPM only)
   bool ppm_ascii = false;  ///< PPM as text (P3)
   int jpeg_quality = 92;   ///< 1..100
+  friend bool operator==(ValueEncoding const&, ValueEncoding const&) = default;
+};
+
+struct ImageEncoding : ValueEncoding {
   /// Stored beside the picture where the format has room for it: PNG in a tEXt chunk "lichtraum fingerprint", OpenEXR
   /// in a string attribute "lichtraumFingerprint". Empty: nothing is.
   std::string fingerprint;

@@ -16,16 +16,21 @@ namespace lichtraum {
 class ModelCache;
 std::shared_ptr<ModelCache> make_model_cache();
 
-struct ModelOptions {
-  int max_texture = 4096;                            ///< pictures with a longer side are halved until they fit; >= 1
-  std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the model's that may be read
-  std::shared_ptr<Material const> material;          ///< for everything, instead of the model's own; null: these
-  FileObserver on_read;                              ///< may be empty
+/// Which of a model's scenes is wanted, when, and how fine.
+struct ModelChoice {
+  int max_texture = 4096;  ///< pictures with a longer side are halved until they fit; >= 1
 
   // Only glTF models have several scenes and move; for others these have no effect but a warning.
   std::string scene;                   ///< index or name of the scene to import; empty: the file's default one
   std::optional<double> time_seconds;  ///< pose of the animation at that time; nothing: as the nodes stand in the file
   std::string animation;               ///< index or name of the animation that `time_seconds` is for; empty: the first
+  friend bool operator==(ModelChoice const&, ModelChoice const&) = default;
+};
+
+struct ModelOptions : ModelChoice {
+  std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the model's that may be read
+  std::shared_ptr<Material const> material;          ///< for everything, instead of the model's own; null: these
+  FileObserver on_read;                              ///< may be empty
 };
 
 /// What only glTF models have, as far as it is not in the scene.

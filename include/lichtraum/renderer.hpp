@@ -27,6 +27,7 @@ struct Sampling {
   };
   Pattern pattern = Pattern::grid;
   int count = 1;  ///< per pixel; a square number for a grid
+  friend bool operator==(Sampling const&, Sampling const&) = default;
 };
 
 /// How the radiance along the camera's rays is found: kernels/shared/integrators.h says what each is.

@@ -122,23 +122,24 @@ void add_verbosity(CLI::App& parser, Console& console) {
       ->group("General");
 }
 
-void add_language_options(CLI::App& parser, EsdfOptions& options) {
+void add_language_options(CLI::App& parser, SceneReading& reading) {
+  EsdfDialect& dialect = reading.dialect;
   std::string const group = "Scene language";
-  parser.add_flag("--strict", options.strict, "Accept the standard only, no dialects")->group(group);
-  parser.add_flag("--keep-going", options.keep_going, "Leave faulty statements out and go on")->group(group);
-  add_value(parser, "--transform-order", options.transform_order, parse_transform_order, "ORDER",
+  parser.add_flag("--strict", dialect.strict, "Accept the standard only, no dialects")->group(group);
+  parser.add_flag("--keep-going", dialect.keep_going, "Leave faulty statements out and go on")->group(group);
+  add_value(parser, "--transform-order", dialect.transform_order, parse_transform_order, "ORDER",
             "Frame that transforms apply in: parent\n(default) or local", group);
-  add_value(parser, "--rotation", options.rotation, parse_rotation, "SENSE",
+  add_value(parser, "--rotation", dialect.rotation, parse_rotation, "SENSE",
             "Rotations are right- (default) or left-handed:\nright or left", group);
-  add_value(parser, "--material-extras", options.material_extras, parse_material_extras, "WORDS",
+  add_value(parser, "--material-extras", dialect.material_extras, parse_material_extras, "WORDS",
             "What numbers after a material's m mean, such as\nopacity,ior; words: reflectance,\ntransmittance, "
             "opacity, ior, ignore",
             group);
   parser
       .add_option_function<std::vector<std::string>>(
           "--allow-path",
-          [&options](std::vector<std::string> const& folders) {
-            for (std::string const& folder : folders) options.allowed_paths.emplace_back(parse_name(folder));
+          [&reading](std::vector<std::string> const& folders) {
+            for (std::string const& folder : folders) reading.allowed_paths.emplace_back(parse_name(folder));
           },
           "Folder that a scene may read and write besides\nits own (may be repeated)")
       ->type_name("FOLDER")
@@ -146,13 +147,13 @@ void add_language_options(CLI::App& parser, EsdfOptions& options) {
       ->group(group);
 }
 
-void add_model_options(CLI::App& parser, ModelOptions& options) {
+void add_model_options(CLI::App& parser, ModelChoice& choice) {
   std::string const group = "Models";
-  add_value(parser, "--scene", options.scene, parse_name, "NAME", "Scene of the file: name or number", group);
-  add_value(parser, "--time", options.time_seconds, parse_time, "SECONDS", "Show the animation at this time", group);
-  add_value(parser, "--animation", options.animation, parse_name, "NAME",
+  add_value(parser, "--scene", choice.scene, parse_name, "NAME", "Scene of the file: name or number", group);
+  add_value(parser, "--time", choice.time_seconds, parse_time, "SECONDS", "Show the animation at this time", group);
+  add_value(parser, "--animation", choice.animation, parse_name, "NAME",
             "Animation to show: name or number\n(default: the first)", group);
-  add_value(parser, "--max-texture", options.max_texture, parse_texture_size, "N",
+  add_value(parser, "--max-texture", choice.max_texture, parse_texture_size, "N",
             "Shrink textures with a longer side\n(default: 4096)", group);
 }
 

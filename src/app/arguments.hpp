@@ -7,8 +7,7 @@
 
 #include "app/console.hpp"
 #include "lichtraum/error.hpp"
-#include "lichtraum/esdf.hpp"
-#include "lichtraum/model.hpp"
+#include "lichtraum/job.hpp"
 
 /// What the subcommands' command lines have in common.
 
@@ -58,10 +57,10 @@ std::string parse_name(std::string_view text);
 void add_verbosity(CLI::App& parser, Console& console);
 
 /// How eSDF files are read: --strict, --keep-going, --transform-order, --rotation, --material-extras, --allow-path.
-void add_language_options(CLI::App& parser, EsdfOptions& options);
+void add_language_options(CLI::App& parser, SceneReading& reading);
 
 /// How models are read: --scene, --time, --animation, --max-texture.
-void add_model_options(CLI::App& parser, ModelOptions& options);
+void add_model_options(CLI::App& parser, ModelChoice& choice);
 
 /// The known word nearest to a misspelt one; empty when none is near.
 std::string nearest(std::string_view word, std::vector<std::string> const& known);

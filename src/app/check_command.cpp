@@ -42,11 +42,11 @@ std::string summary(std::string const& name, std::vector<Diagnostic> const& diag
 
 int check_command(Arguments const& arguments, Console& console) {
   std::vector<std::string> scenes;
-  LoadOptions load;
+  SceneReading reading;
   auto const parser = make_parser("check", description, examples);
   add_inputs(*parser, scenes, "SCENE...");
-  add_language_options(*parser, load.language);
-  add_model_options(*parser, load.model);
+  add_language_options(*parser, reading);
+  add_model_options(*parser, reading.model);
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return 0;
 
@@ -54,7 +54,7 @@ int check_command(Arguments const& arguments, Console& console) {
   for (std::string const& scene : scenes) {
     std::string line;
     try {
-      LoadedScene const script = SceneSource(scene).load(load);
+      LoadedScene const script = SceneSource(scene).load(reading);
       console.show(script.diagnostics());
       line = summary(scene, script.diagnostics());
     } catch (SceneError const& error) {

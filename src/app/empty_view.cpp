@@ -40,16 +40,16 @@ std::string describe_direction(Camera const& camera, Bounds const& bounds) {
   return fmt::format("the scene is {} the view{}", where, std::abs(right) > 90 ? ", behind the camera" : "");
 }
 
-std::vector<Convention> other_conventions(EsdfOptions const& options) {
-  bool const is_right = options.rotation == RotationSense::right;
-  bool const is_parent = options.transform_order == TransformOrder::parent;
+std::vector<Convention> other_conventions(EsdfDialect const& dialect) {
+  bool const is_right = dialect.rotation == RotationSense::right;
+  bool const is_parent = dialect.transform_order == TransformOrder::parent;
   std::string const rotation = is_right ? "--rotation left" : "--rotation right";
   std::string const order = is_parent ? "--transform-order local" : "--transform-order parent";
-  EsdfOptions rotated = options;
+  EsdfDialect rotated = dialect;
   rotated.rotation = is_right ? RotationSense::left : RotationSense::right;
-  EsdfOptions reordered = options;
+  EsdfDialect reordered = dialect;
   reordered.transform_order = is_parent ? TransformOrder::local : TransformOrder::parent;
-  EsdfOptions both = rotated;
+  EsdfDialect both = rotated;
   both.transform_order = reordered.transform_order;
   return {{rotated, rotation}, {reordered, order}, {both, rotation + " " + order}};
 }

@@ -16,9 +16,9 @@ std::string describe_direction(Camera const& camera, Bounds const& bounds);
 
 /// A reading of the same file under another convention, and the options that choose it: "--rotation left".
 struct Convention {
-  EsdfOptions options;
+  EsdfDialect dialect;
   std::string arguments;
 };
-std::vector<Convention> other_conventions(EsdfOptions const& options);
+std::vector<Convention> other_conventions(EsdfDialect const& dialect);
 
 }  // namespace lichtraum::app

@@ -24,17 +24,17 @@ constexpr char const* examples =
 int info_command(Arguments const& arguments, Console& console) {
   std::string file;
   bool json = false;
-  LoadOptions load;
+  SceneReading reading;
   auto const parser = make_parser("info", description, examples);
   add_inputs(*parser, file, "FILE");
   parser->add_flag("--json", json, "Print JSON")->group("Output");
-  add_language_options(*parser, load.language);
-  add_model_options(*parser, load.model);
+  add_language_options(*parser, reading);
+  add_model_options(*parser, reading.model);
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return 0;
 
   SceneSource const source(file);
-  LoadedScene const script = source.load(load);
+  LoadedScene const script = source.load(reading);
   console.show(script.diagnostics());
   SceneSummary summary = summarise(script.scene());
   summary.contents = script.contents();

@@ -1,20 +1,23 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
 
 #include "lichtraum/esdf.hpp"
 #include "lichtraum/gltf.hpp"
+#include "lichtraum/job.hpp"
 
 namespace lichtraum::app {
 
-/// How scenes and models are read.
+/// What goes beyond one picture when scenes and models are read.
 struct LoadOptions {
-  EsdfOptions language;  ///< its allowed paths and on_read hold for models as well
-  ModelOptions model;
-  std::vector<double> times_seconds;  ///< a picture of a model's animation at each; empty: one, see model.time_seconds
+  FileObserver on_read;                ///< may be empty
+  std::shared_ptr<ModelCache> models;  ///< null: each scene has one for itself
+  std::vector<double>
+      times_seconds;  ///< a picture of a model's animation at each; empty: one, see ModelChoice::time_seconds
   std::optional<double> whole_animation_rate;  ///< a model's whole animation, at that many pictures a second
 };
 

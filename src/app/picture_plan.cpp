@@ -3,17 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <iterator>
 
-#include "app/arguments.hpp"
 #include "core/memory.hpp"
 
 namespace lichtraum::app {
 namespace {
-
-constexpr Resolution default_resolution{640, 480};
-constexpr int default_depth = 5;
 
 std::string human(double bytes) {
   for (char const* const unit : {"bytes", "kB", "MB", "GB", "TB", "PB"}) {
@@ -21,56 +15,6 @@ std::string human(double bytes) {
     bytes /= 1000;
   }
   return fmt::format("{:.3g} EB", bytes);
-}
-
-std::string list_cameras(Scene const& scene) {
-  std::string list;
-  for (Camera const& camera : scene.cameras) list += fmt::format("{}{}", list.empty() ? "" : ", ", camera.name());
-  return list;
-}
-
-Camera const& find_camera(Scene const& scene, SceneSource const& source, RenderOptions const& options,
-                          std::string const& name_in_scene) {
-  if (scene.cameras.empty()) {
-    throw Error(ErrorKind::scene, fmt::format("{}: there is no camera, so nothing can be drawn; 'define camera eye 45' "
-                                              "puts one at the origin that looks along -z",
-                                              source.name()));
-  }
-  std::string const& name = options.camera.empty() ? name_in_scene : options.camera;
-  if (name.empty()) return scene.cameras.front();
-  if (Camera const* const camera = scene.cameras.find(name)) return *camera;
-  std::size_t number = 0;
-  auto const [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  bool const is_number = error == std::errc() && end == name.data() + name.size();
-  if (!options.camera.empty() && is_number && number < scene.cameras.size()) {
-    return *std::next(scene.cameras.begin(), std::ptrdiff_t(number));
-  }
-  throw Error(options.camera.empty() ? ErrorKind::scene : ErrorKind::usage,
-              fmt::format("{}: there is no camera '{}'; there are: {}", source.name(), name, list_cameras(scene)));
-}
-
-Resolution choose_size(Scene const& scene, Camera const& camera, RenderCommand const& command,
-                       RenderOptions const& options) {
-  if (options.size) return *options.size;
-  if (command.resolution) return *command.resolution;
-  if (camera.resolution()) return *camera.resolution();
-  return scene.resolution.value_or(default_resolution);
-}
-
-Sampling choose_sampling(RenderCommand const& command, RenderOptions const& options) {
-  if (options.sampling) return *options.sampling;
-  int const count = command.samples.value_or(1);
-  return {count == 1 ? Sampling::Pattern::grid : Sampling::Pattern::seeded, count};
-}
-
-Region choose_region(Resolution const& size, RenderOptions const& options) {
-  if (!options.region) return whole_picture(size);
-  Region const& r = *options.region;
-  if (r.x > size.width - r.width || r.y > size.height - r.height) {
-    throw Error(ErrorKind::usage, fmt::format("--region: {},{},{},{} does not lie in the picture of {}x{} pixels", r.x,
-                                              r.y, r.width, r.height, size.width, size.height));
-  }
-  return r;
 }
 
 std::string list_planes(PlaneSet const& planes) {
@@ -81,40 +25,37 @@ std::string list_planes(PlaneSet const& planes) {
 
 void check_planes(PicturePlan const& plan) {
   ImageFormat const& format = *plan.output.format;
-  std::size_t const count = plan.planes.list().size();
-  bool const is_with_alpha = plan.planes == PlaneSet{FilmPlane::radiance, FilmPlane::alpha};
+  PlaneSet const planes = traced_planes(plan.job);
+  std::size_t const count = planes.list().size();
+  bool const is_with_alpha = planes == PlaneSet{FilmPlane::radiance, FilmPlane::alpha};
   if (count <= format.max_planes || (is_with_alpha && format.has_alpha && !plan.output.is_film)) return;
   throw Error(ErrorKind::usage,
               is_with_alpha ? fmt::format("'{}' cannot be transparent: .png and .exr pictures can", plan.output.shown)
-                            : fmt::format("--planes {}: '{}' has room for one; .exr has for all",
-                                          list_planes(plan.planes), plan.output.shown));
+                            : fmt::format("--planes {}: '{}' has room for one; .exr has for all", list_planes(planes),
+                                          plan.output.shown));
 }
 
 void check_encoding(PicturePlan const& plan) {
   ImageFormat const& format = *plan.output.format;
-  if (plan.encoding.bits > format.max_bits) {
+  Region const& region = *plan.job.region;
+  if (plan.job.encoding.bits > format.max_bits) {
     throw Error(ErrorKind::usage, fmt::format("--bits {}: '{}' has {} bits per channel; .png and .ppm have 16",
-                                              plan.encoding.bits, plan.output.shown, format.max_bits));
+                                              plan.job.encoding.bits, plan.output.shown, format.max_bits));
   }
-  if (std::max(plan.region.width, plan.region.height) > format.max_side) {
+  if (std::max(region.width, region.height) > format.max_side) {
     throw Error(ErrorKind::usage, fmt::format("'{}': a {} has at most {} pixels per side, not {}x{}", plan.output.shown,
-                                              format.name, format.max_side, plan.region.width, plan.region.height));
+                                              format.name, format.max_side, region.width, region.height));
   }
 }
 
-PicturePlan plan_picture(Scene const& scene, SceneSource const& source, RenderCommand const& command,
-                         RenderOptions const& options, OutputNames& names, bool is_one_of_many) {
-  Camera const& camera = find_camera(scene, source, options, command.camera);
+/// `command`: what the scene says about the picture.
+PicturePlan plan_picture(Scene const& scene, RenderCommand const& command, Job const& job, OutputNames& names,
+                         bool is_one_of_many) {
   PicturePlan plan;
-  plan.camera = camera.name();
-  plan.size = choose_size(scene, camera, command, options);
-  plan.region = choose_region(plan.size, options);
-  plan.sampling = choose_sampling(command, options);
-  plan.planes = options.wanted_planes();
-  check_memory(plan.region, plan.planes, plan.sampling.count, options.size ? ErrorKind::usage : ErrorKind::scene);
-  plan.depth = options.depth.value_or(command.depth.value_or(default_depth));
+  plan.job = resolved(job, scene);
+  check_memory(*plan.job.region, traced_planes(plan.job), plan.job.sampling->count,
+               job.size ? ErrorKind::usage : ErrorKind::scene);
   plan.output = names.next(command.file, is_one_of_many);
-  plan.encoding = options.encoding;
   check_encoding(plan);
   check_planes(plan);
   if (!plan.output.is_standard_output() && !plan.output.is_film) check_writable(plan.output.path);
@@ -122,25 +63,6 @@ PicturePlan plan_picture(Scene const& scene, SceneSource const& source, RenderCo
 }
 
 }  // namespace
-
-RenderRequest first_view(LoadedScene const& loaded, SceneSource const& source, RenderOptions const& options) {
-  Scene const& scene = loaded.scene();
-  RenderCommand const command = scene.renders.empty() ? RenderCommand() : scene.renders.front();
-  RenderRequest request;
-  request.camera = find_camera(scene, source, options, command.camera);
-  request.resolution = choose_size(scene, request.camera, command, options);
-  request.region = whole_picture(request.resolution);
-  request.sampling = options.sampling.value_or(Sampling());
-  request.max_depth = options.depth.value_or(command.depth.value_or(default_depth));
-  request.seed = options.seed;
-  if (options.background) request.background = options.background->color.value_or(Rgb(0));
-  return request;
-}
-
-Development choose_development(Scene const& scene, bool is_model, RenderOptions const& options) {
-  return {options.exposure_ev, options.tone_map == ToneMap::automatic ? scene.tone_map : options.tone_map,
-          options.transfer.value_or(is_model ? Transfer::srgb : Transfer::linear)};
-}
 
 void check_memory(Region const& region, PlaneSet const& planes, int sample_count, ErrorKind kind) {
   double pixel_bytes = 0;
@@ -179,13 +101,17 @@ std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource co
   std::vector<PicturePlan> plans;
   for (std::size_t scene_number = 0; scene_number < scene_count; ++scene_number) {
     RenderCommand const& command = commands[times.empty() ? scene_number : 0];
+    Job job = source.job(options.job);
+    if (times.empty()) {
+      job.picture = int(scene_number);
+    } else {
+      job.reading.model.time_seconds = times[scene_number];
+    }
     for (int turn = 0; turn < turns; ++turn) {
+      if (options.turntable > 0) job.turn_degrees = 360.0 * turn / turns;
       bool const is_one_of_many = turns > 1 || times.size() > 1;
-      PicturePlan plan = plan_picture(scene, source, command, options, names, is_one_of_many);
-      plan.scene_number = scene_number;
-      if (!times.empty()) plan.time_seconds = times[scene_number];
-      plan.turn_degrees = 360.0 * turn / turns;
-      plans.push_back(std::move(plan));
+      plans.push_back(plan_picture(scene, command, job, names, is_one_of_many));
+      plans.back().scene_number = scene_number;
     }
   }
   return plans;

@@ -25,7 +25,7 @@ void PictureWriter::write(Drawn const& drawn, PictureReport& picture) {
     picture.write_ms = stopwatch.milliseconds();
     return;
   }
-  std::string const bytes = encode(drawn, *output.format, picture.plan.encoding);
+  std::string const bytes = encode(drawn, *output.format, {picture.plan.job.encoding, picture.plan.fingerprint});
   if (output.is_standard_output()) {
     write_standard_output(bytes);
     picture.written_to = output.shown;

@@ -43,20 +43,21 @@ std::optional<TerminalGraphics> parse_graphics(std::string_view text) {
 
 bool parse_preview(Arguments const& arguments, PreviewOptions& options, Console& console) {
   RenderOptions& render = options.render;
-  render.sampling = Sampling{Sampling::Pattern::grid, 9};
+  render.job.sampling = Sampling{Sampling::Pattern::grid, 9};
   std::string scene;
   auto const parser = make_parser("preview", description, examples);
   add_inputs(*parser, scene, "SCENE");
   std::string const group = "Picture";
-  add_value(*parser, "--size", render.size, parse_size, "CxR",
+  add_value(*parser, "--size", render.job.size, parse_size, "CxR",
             "Columns and rows of characters at most\n(default: the terminal's)", group);
   add_value(*parser, "--graphics", options.graphics, parse_graphics, "NAME",
             "auto (default: ask the terminal), blocks, kitty\nor sixel", group);
   add_viewpoint_options(*parser, render, group);
-  add_value(*parser, "--samples", render.sampling, parse_samples, "N|NxN", "Samples per pixel (default: 3x3)", group);
+  add_value(*parser, "--samples", render.job.sampling, parse_samples, "N|NxN", "Samples per pixel (default: 3x3)",
+            group);
   add_device_option(*parser, render, group);
-  add_language_options(*parser, render.load.language);
-  add_model_options(*parser, render.load.model);
+  add_language_options(*parser, render.job.reading);
+  add_model_options(*parser, render.job.reading.model);
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return false;
   render.scenes = {scene};
@@ -92,10 +93,10 @@ int preview_command(Arguments const& arguments, Console& console) {
   RenderOptions& render = options.render;
   auto const terminal = terminal_size();
   TerminalSize area = terminal.value_or(TerminalSize());
-  if (render.size) {
-    area.columns = render.size->width;
-    area.rows = render.size->height + 1;
-    render.size.reset();
+  if (render.job.size) {
+    area.columns = render.job.size->width;
+    area.rows = render.job.size->height + 1;
+    render.job.size.reset();
   }
   constexpr int most_characters = 10'000;
   if (area.columns > most_characters || area.rows > most_characters) {
@@ -103,9 +104,10 @@ int preview_command(Arguments const& arguments, Console& console) {
   }
 
   SceneSource const source(render.scenes.front());
-  LoadedScene const loaded = source.load(render.load);
+  LoadedScene const loaded = source.load(render.job.reading);
   console.show(loaded.diagnostics());
-  RenderRequest request = first_view(loaded, source, render);
+  Job const job = source.job(render.job);
+  RenderRequest request = view_of(job, loaded.scene());
 
   // A pipe or a file cannot be asked: blocks are text, and every terminal that it is shown in later knows them.
   TerminalGraphics const graphics = options.graphics ? *options.graphics
@@ -115,9 +117,9 @@ int preview_command(Arguments const& arguments, Console& console) {
   request.resolution = fit(request.resolution, area, graphics);
   request.region = whole_picture(request.resolution);
   auto const renderer = choose_renderer(render.device, std::nullopt, console);
-  renderer->set_scene(loaded.scene(), render.root);
+  renderer->set_scene(loaded.scene(), job.root);
   Image image;
-  render_image(*renderer, request, image, choose_development(loaded.scene(), loaded.is_model(), render));
+  render_image(*renderer, request, image, development_of(job, loaded.scene()));
   write_standard_output(encode(image, graphics));
   return 0;
 }

@@ -51,13 +51,14 @@ void add_output_options(CLI::App& parser, RenderOptions& options) {
     options.has_bits = true;
     return parse_bits(text);
   };
-  add_value(parser, "--bits", options.encoding.bits, bits, "8|16", "Bits per channel, 16 for .png and .ppm", group);
+  add_value(parser, "--bits", options.job.encoding.bits, bits, "8|16", "Bits per channel, 16 for .png and .ppm", group);
   auto const quality = [&options](std::string const& text) {
     options.has_quality = true;
     return parse_quality(text);
   };
-  add_value(parser, "--quality", options.encoding.jpeg_quality, quality, "1-100", "JPEG quality (default: 92)", group);
-  parser.add_flag("--ppm-ascii", options.encoding.ppm_ascii, "Write .ppm as text")->group(group);
+  add_value(parser, "--quality", options.job.encoding.jpeg_quality, quality, "1-100", "JPEG quality (default: 92)",
+            group);
+  parser.add_flag("--ppm-ascii", options.job.encoding.ppm_ascii, "Write .ppm as text")->group(group);
   parser.add_flag("--show", options.show, "Then open a window on the scene")->group(group);
   parser
       .add_flag("--json", options.json, "Print statistics as JSON, to standard output\n(to standard error with -o -)")
@@ -80,11 +81,11 @@ void add_sequence_options(CLI::App& parser, RenderOptions& options) {
 
 void add_picture_options(CLI::App& parser, RenderOptions& options) {
   std::string const group = "Picture";
-  add_value(parser, "--size", options.size, parse_size, "WxH",
+  add_value(parser, "--size", options.job.size, parse_size, "WxH",
             "Pixels, such as 1280x720 (default: the scene's,\nelse 640x480)", group);
-  add_value(parser, "--region", options.region, parse_region, "X,Y,W,H", "Draw and write only this part", group);
+  add_value(parser, "--region", options.job.region, parse_region, "X,Y,W,H", "Draw and write only this part", group);
   add_viewpoint_options(parser, options, group);
-  add_value(parser, "--planes", options.planes, parse_planes, "LIST",
+  add_value(parser, "--planes", options.job.planes, parse_planes, "LIST",
             "What is stored of each pixel, commas between:\nradiance (default), alpha, depth, normal, albedo,\n"
             "position, object, instance, material; .exr takes\nseveral, others show one",
             group);
@@ -98,14 +99,14 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments&
   add_picture_options(*parser, options);
   add_sequence_options(*parser, options);
   add_quality_options(*parser, options, "1, the pixel's centre");
-  add_language_options(*parser, options.load.language);
-  add_model_options(*parser, options.load.model);
+  add_language_options(*parser, options.job.reading);
+  add_model_options(*parser, options.job.reading.model);
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return false;
   if (options.show) window_arguments = arguments_for_view(*parser);
 
-  options.output.allowed_paths = options.load.language.allowed_paths;
-  options.load.language.models = make_model_cache();
+  options.output.allowed_paths = options.job.reading.allowed_paths;
+  options.load.models = make_model_cache();
   if (std::count(options.scenes.begin(), options.scenes.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input (-) is named more than once");
   }
@@ -119,8 +120,8 @@ void check_show(RenderOptions const& options, std::vector<std::string> const& in
   if (inputs.front() == "-") refuse("a window needs a file, not standard input");
   if (names.is_film() || options.frames || options.turntable > 0)
     refuse("a window shows no films, --frames, --turntable");
-  if (options.region) refuse("a window shows whole pictures, not a --region");
-  if (options.planes != PlaneSet{FilmPlane::radiance})
+  if (options.job.region) refuse("a window shows whole pictures, not a --region");
+  if (options.job.planes != PlaneSet{FilmPlane::radiance})
     refuse("a window begins with the picture, not with other --planes");
 }
 
@@ -132,7 +133,7 @@ void combine(RenderOptions& options, std::vector<std::string> const& inputs, Out
                 "such as -o picture-%04d.png, or make a film, -o film.mp4");
   }
   if (options.frames) {
-    if (options.load.model.time_seconds) throw Error(ErrorKind::usage, "--time and --frames cannot be combined");
+    if (options.job.reading.model.time_seconds) throw Error(ErrorKind::usage, "--time and --frames cannot be combined");
     if (options.turntable > 0) throw Error(ErrorKind::usage, "--turntable and --frames cannot be combined");
     if (inputs.size() != 1 || !is_gltf_file(inputs.front())) {
       throw Error(ErrorKind::usage, "--frames is for one animated glTF model");
@@ -143,7 +144,7 @@ void combine(RenderOptions& options, std::vector<std::string> const& inputs, Out
     names.start_at(options.frames->first);
   } else if (options.frames_per_second && !names.is_film()) {
     throw Error(ErrorKind::usage, "--fps is for films (-o film.mp4) and for --frames");
-  } else if (names.is_film() && options.turntable == 0 && !options.load.model.time_seconds) {
+  } else if (names.is_film() && options.turntable == 0 && !options.job.reading.model.time_seconds) {
     options.load.whole_animation_rate = options.frame_rate();
   }
   if (names.is_film()) {
@@ -164,9 +165,9 @@ int render_command(Arguments const& arguments, Console& console) {
   std::vector<std::string> const inputs = expand_patterns(options.scenes);
   combine(options, inputs, names);
   if (options.show) check_show(options, inputs, names);
-  if (options.size) {
-    check_memory(options.region.value_or(whole_picture(*options.size)), options.wanted_planes(),
-                 options.sampling.value_or(Sampling()).count, ErrorKind::usage);
+  if (options.job.size) {
+    check_memory(options.job.region.value_or(whole_picture(*options.job.size)), traced_planes(options.job),
+                 options.job.sampling.value_or(Sampling()).count, ErrorKind::usage);
   }
 
   Stopwatch const stopwatch;

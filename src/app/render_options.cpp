@@ -7,8 +7,9 @@
 namespace lichtraum::app {
 
 void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string const& group) {
-  add_value(parser, "--camera", options.camera, parse_name, "NAME", "Look through this camera: name or number", group);
-  add_value(parser, "--root", options.root, parse_name, "NAME", "Draw only this shape and what is below it", group);
+  add_value(parser, "--camera", options.job.camera, parse_name, "NAME", "Look through this camera: name or number",
+            group);
+  add_value(parser, "--root", options.job.root, parse_name, "NAME", "Draw only this shape and what is below it", group);
 }
 
 void add_device_option(CLI::App& parser, RenderOptions& options, std::string const& group) {
@@ -18,19 +19,19 @@ void add_device_option(CLI::App& parser, RenderOptions& options, std::string con
 
 void add_quality_options(CLI::App& parser, RenderOptions& options, std::string const& default_samples) {
   std::string const group = "Quality";
-  add_value(parser, "--samples", options.sampling, parse_samples, "N|NxN",
+  add_value(parser, "--samples", options.job.sampling, parse_samples, "N|NxN",
             "Samples per pixel: 16 random ones, or a grid such\nas 4x4 (default: " + default_samples + ")", group);
-  add_value(parser, "--depth", options.depth, parse_depth, "N",
+  add_value(parser, "--depth", options.job.max_depth, parse_depth, "N",
             "Maximum depth of reflection and refraction\n(default: 5)", group);
-  add_value(parser, "--seed", options.seed, parse_seed, "N", "Seed of the random samples (default: 0)", group);
-  auto const background = [](std::string const& text) { return RenderOptions::Background{parse_background(text)}; };
-  add_value(parser, "--background", options.background, background, "R,G,B|none",
+  add_value(parser, "--seed", options.job.seed, parse_seed, "N", "Seed of the random samples (default: 0)", group);
+  add_value(parser, "--background", options.job.background, parse_background, "R,G,B|none",
             "Radiance where nothing is hit; none: transparent\n(default: the scene's)", group);
   auto const exposure = [&options](std::string const& text) {
     options.has_development = true;
     return parse_exposure(text);
   };
-  add_value(parser, "--exposure", options.exposure_ev, exposure, "EV", "Stops brighter, or darker (default: 0)", group);
+  add_value(parser, "--exposure", options.job.exposure_ev, exposure, "EV", "Stops brighter, or darker (default: 0)",
+            group);
   auto const tone_map = [&options](std::string const& text) {
     options.has_development = true;
     return parse_tone_map(text);
@@ -39,9 +40,9 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
     options.has_development = true;
     return parse_transfer(text);
   };
-  add_value(parser, "--tonemap", options.tone_map, tone_map, "NAME",
+  add_value(parser, "--tonemap", options.job.tone_map, tone_map, "NAME",
             "auto (default: what the scene's lights need),\nnone or reinhard", group);
-  add_value(parser, "--transfer", options.transfer, transfer, "NAME",
+  add_value(parser, "--transfer", options.job.transfer, transfer, "NAME",
             "linear (default for scenes) or srgb (for models)", group);
   add_device_option(parser, options, group);
   add_value(parser, "--traversal", options.traversal, parse_traversal, "NAME",

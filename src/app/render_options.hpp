@@ -12,33 +12,17 @@
 
 namespace lichtraum::app {
 
-/// What `lichtraum render` is asked for. What is not given comes from the scene.
+/// What `lichtraum render` is asked for: what its pictures have in common, and what concerns the program alone.
 struct RenderOptions {
   std::vector<std::string> scenes;
+  Job job;  // without its scene
   LoadOptions load;
 
   OutputOptions output;
-  ImageEncoding encoding;
   bool has_bits = false;  // given on the command line, not the default
   bool has_quality = false;
   bool has_development = false;  // --exposure, --tonemap or --transfer
 
-  std::optional<Resolution> size;
-  std::optional<Region> region;
-  std::string camera;
-  std::string root;
-  PlaneSet planes{FilmPlane::radiance};
-  struct Background {
-    std::optional<Rgb> color;  // nothing: transparent
-  };
-  std::optional<Background> background;  // else the scene's
-
-  std::optional<Sampling> sampling;
-  std::optional<int> depth;
-  std::uint64_t seed = 0;
-  double exposure_ev = 0;
-  ToneMap tone_map = ToneMap::automatic;
-  std::optional<Transfer> transfer;  // nothing: srgb for models, linear for scenes
   std::string device;
   std::optional<Traversal> traversal;
 
@@ -50,12 +34,6 @@ struct RenderOptions {
   bool show = false;  // in a window, afterwards
   bool json = false;
 
-  /// What is asked for, and what --background none needs besides.
-  PlaneSet wanted_planes() const {
-    PlaneSet wanted = planes;
-    if (background && !background->color && planes.has(FilmPlane::radiance)) wanted.add(FilmPlane::alpha);
-    return wanted;
-  }
   double frame_rate() const { return frames_per_second.value_or(default_frame_rate); }
   static constexpr double default_frame_rate = 25;
 };

@@ -13,19 +13,20 @@ using Json = nlohmann::ordered_json;
 
 Json picture_json(PictureReport const& report) {
   RayCounts const& rays = report.render.rays;
-  Region const& region = report.plan.region;
+  Job const& job = report.plan.job;
+  Region const& region = *job.region;
   return {{"output", report.written_to.empty() ? Json() : Json(report.written_to)},
           {"complete", report.is_complete},
           {"skipped", report.is_skipped},
           {"format", report.plan.output.is_film ? "film" : report.plan.output.format->name},
-          {"time_seconds", report.plan.time_seconds ? Json(*report.plan.time_seconds) : Json()},
-          {"turn_degrees", report.plan.turn_degrees},
-          {"camera", report.plan.camera},
-          {"width", report.plan.size.width},
-          {"height", report.plan.size.height},
+          {"time_seconds", job.reading.model.time_seconds ? Json(*job.reading.model.time_seconds) : Json()},
+          {"turn_degrees", job.turn_degrees.value_or(0)},
+          {"camera", job.camera},
+          {"width", job.size->width},
+          {"height", job.size->height},
           {"region", {region.x, region.y, region.width, region.height}},
-          {"samples", report.plan.sampling.count},
-          {"depth", report.plan.depth},
+          {"samples", job.sampling->count},
+          {"depth", *job.max_depth},
           {"triangles", report.scene.triangles},
           {"spheres", report.scene.spheres},
           {"boxes", report.scene.boxes},
@@ -74,8 +75,8 @@ std::string to_json(RunReport const& report) {
 }
 
 std::string summary(PictureReport const& report) {
-  return fmt::format("{}: {}x{}, {:.1f} ms, {:.1f} Mrays/s", report.written_to, report.plan.region.width,
-                     report.plan.region.height, report.render.trace_ms, report.mrays_per_second());
+  return fmt::format("{}: {}x{}, {:.1f} ms, {:.1f} Mrays/s", report.written_to, report.plan.job.region->width,
+                     report.plan.job.region->height, report.render.trace_ms, report.mrays_per_second());
 }
 
 std::string details(PictureReport const& report) {

@@ -13,23 +13,15 @@ namespace {
 /// Thrown inside the loader when its results are no longer wanted.
 struct Stopped {};
 
-RenderRequest make_request(Scene const& scene, std::string const& source, PicturePlan const& plan,
-                           RenderOptions const& options) {
-  Camera const* const camera = scene.cameras.find(plan.camera);
+/// `scene`: as it is in the picture. `turn_center`: found with the first picture of the scene that is turned.
+RenderRequest make_request(Scene const& scene, PicturePlan const& plan, std::optional<Vec3>& turn_center) {
+  Camera const* const camera = scene.cameras.find(plan.job.camera);
   if (!camera) {
-    throw Error(ErrorKind::usage, fmt::format("{}: the camera '{}' is defined after the picture '{}' is drawn", source,
-                                              plan.camera, plan.output.shown));
+    throw Error(ErrorKind::usage, fmt::format("{}: the camera '{}' is defined after the picture '{}' is drawn",
+                                              plan.job.scene, plan.job.camera, plan.output.shown));
   }
-  RenderRequest request;
-  request.camera = *camera;
-  request.resolution = plan.size;
-  request.region = plan.region;
-  request.sampling = plan.sampling;
-  request.max_depth = plan.depth;
-  request.seed = options.seed;
-  request.planes = plan.planes;
-  if (options.background) request.background = options.background->color;
-  return request;
+  if (plan.job.turn_degrees && !turn_center) turn_center = center_of_interest(scene, plan.job.root, *camera);
+  return request_of(plan.job, scene, turn_center);
 }
 
 bool is_done_already(PicturePlan const& plan, std::string const& fingerprint) {
@@ -48,21 +40,17 @@ class Pictures {
 
   void send_all_of(Scene const& scene, std::size_t scene_number) {
     double const load_ms = stopwatch_.milliseconds();
-    auto const prepared = previous_ = renderer_.prepare(scene, options_.root, previous_);
-    std::optional<Vec3> center;
+    auto const prepared = previous_ = renderer_.prepare(scene, options_.job.root, previous_);
+    std::optional<Vec3> turn_center;
     for (; next_ < opened_.plans.size() && opened_.plans[next_].scene_number == scene_number; ++next_) {
       PicturePlan const& plan = opened_.plans[next_];
       PictureReady picture;
       picture.number = next_;
-      picture.request = make_request(scene, opened_.source->name(), plan, options_);
-      if (options_.turntable > 0) {
-        if (!center) center = center_of_interest(scene, options_.root, picture.request.camera);
-        picture.request.camera = orbited(picture.request.camera, *center, plan.turn_degrees);
-      }
+      picture.request = make_request(scene, plan, turn_center);
       picture.scene = prepared;
-      if (plan.output.format->encode) picture.development = choose_development(scene, opened_.is_model, options_);
+      if (plan.output.format->encode) picture.development = development_of(plan.job, scene);
       picture.fingerprint = fmt::format("{}-{}", picture_fingerprint(*prepared, picture.request, picture.development),
-                                        plan.encoding.bits);
+                                        plan.job.encoding.bits);
       picture.is_done = options_.resume && is_done_already(plan, picture.fingerprint);
       picture.load_ms = load_ms;
       if (!channel_.send(std::move(picture))) throw Stopped();
@@ -106,7 +94,7 @@ void SceneLoader::load(std::string const& input) {
   Stopwatch const stopwatch;
   SceneOpened opened;
   opened.source = std::make_shared<SceneSource>(input);
-  LoadedScene script = opened.source->load(options_.load);
+  LoadedScene script = opened.source->load(options_.job.reading, options_.load);
   opened.load_ms = stopwatch.milliseconds();
   opened.is_model = script.is_model();
   opened.diagnostics = script.diagnostics();

@@ -50,12 +50,13 @@ SceneSource::SceneSource(std::string argument) : name_(std::move(argument)) {
 
 std::string SceneSource::stem() const { return text_ ? "stdin" : std::filesystem::path(name_).stem().string(); }
 
-LoadedScene SceneSource::load(LoadOptions const& options) const {
-  if (text_) return LoadedScene(EsdfScript::from_text(*text_, name_, options.language));
-  if (!is_model_file(name_)) return LoadedScene(EsdfScript::from_file(name_, options.language));
-  ModelOptions model = options.model;
-  model.allowed_paths = options.language.allowed_paths;
-  model.on_read = options.language.on_read;
+LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& options) const {
+  if (text_ || !is_model_file(name_)) {
+    EsdfOptions const esdf{reading.dialect, reading.allowed_paths, EsdfOptions().max_diagnostics, options.on_read,
+                           options.models};
+    return LoadedScene(text_ ? EsdfScript::from_text(*text_, name_, esdf) : EsdfScript::from_file(name_, esdf));
+  }
+  ModelOptions model{reading.model, reading.allowed_paths, nullptr, options.on_read};
   bool const is_sequence = !options.times_seconds.empty() || options.whole_animation_rate;
   if (is_sequence && !is_gltf_file(name_)) model.time_seconds = 0;  // for the warning that it has no effect
   if (!is_sequence || !is_gltf_file(name_)) return LoadedScene(import_model(name_, model));

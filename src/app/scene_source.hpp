@@ -19,8 +19,14 @@ class SceneSource {
   /// The file's name without folder and extension, or "stdin": what a picture is called when nothing else says.
   std::string stem() const;
 
+  /// The job for this scene: `common` with its name. The text of standard input stays here.
+  Job job(Job common) const {
+    common.scene = name_;
+    return common;
+  }
+
   /// Same exceptions as EsdfScript::from_file and import_model.
-  LoadedScene load(LoadOptions const& options) const;
+  LoadedScene load(SceneReading const& reading, LoadOptions const& options = {}) const;
 
  private:
   std::string name_;

@@ -124,22 +124,22 @@ class Sequence {
       bool const is_film = plan.output.is_film;
       has_no_effect(options_.has_bits, format.encode && format.max_bits > 8 && !is_film, "--bits");
       has_no_effect(options_.has_quality, format.name == "jpg", "--quality");
-      has_no_effect(options_.encoding.ppm_ascii, format.name == "ppm" && !is_film, "--ppm-ascii");
-      bool const has_radiance = plan.planes.has(FilmPlane::radiance);
+      has_no_effect(options_.job.encoding.ppm_ascii, format.name == "ppm" && !is_film, "--ppm-ascii");
+      bool const has_radiance = traced_planes(plan.job).has(FilmPlane::radiance);
       has_no_effect(options_.has_development, format.encode && has_radiance, "--exposure, --tonemap or --transfer");
-      has_no_effect(options_.background.has_value(), has_radiance, "--background");
-      has_no_effect(options_.sampling.has_value(), plan.planes.has(PlaneRule::mean), "--samples");
-      has_no_effect(options_.depth.has_value(), has_radiance, "--depth");
+      has_no_effect(options_.job.background.has_value(), has_radiance, "--background");
+      has_no_effect(options_.job.sampling.has_value(), traced_planes(plan.job).has(PlaneRule::mean), "--samples");
+      has_no_effect(options_.job.max_depth.has_value(), has_radiance, "--depth");
       has_no_effect(options_.resume, format.read_fingerprint != nullptr, "--resume");
     }
   }
 
   void check_film_size() {
     for (PicturePlan const& plan : scene_.plans) {
-      Resolution const size{plan.region.width, plan.region.height};
+      Resolution const size{plan.job.region->width, plan.job.region->height};
       if (!film_size_) film_size_ = size;
       if (size == *film_size_) continue;
-      throw Error(options_.size ? ErrorKind::usage : ErrorKind::scene,
+      throw Error(options_.job.size ? ErrorKind::usage : ErrorKind::scene,
                   fmt::format("{}: the pictures of a film have one size, and this one has {}x{} where the first has "
                               "{}x{}: --size chooses one for all",
                               scene_.source->name(), size.width, size.height, film_size_->width, film_size_->height));
@@ -187,7 +187,7 @@ class Sequence {
     rays_ += result.statistics.rays.total();
     picture.is_complete = result.complete;
     picture.render = result.statistics;
-    picture.plan.encoding.fingerprint = result.complete ? ready.fingerprint : "";
+    picture.plan.fingerprint = result.complete ? ready.fingerprint : "";
     finish_writing();
     if (result.statistics.rays.not_finite > 0) {
       bar_.clear();
@@ -206,7 +206,7 @@ class Sequence {
                                               ? "interrupted: nothing was written"
                                               : fmt::format("interrupted: what is done is in '{}'", written_to));
     }
-    if (result.statistics.rays.camera > 0 && result.statistics.rays.camera_hits == 0 && !options_.region) {
+    if (result.statistics.rays.camera > 0 && result.statistics.rays.camera_hits == 0 && !options_.job.region) {
       finish_writing();
       explain_empty_view(*ready.scene, ready.request, picture.plan);
     }
@@ -268,8 +268,8 @@ class Sequence {
     has_explained_ = true;
     std::string message = fmt::format("{}: the camera '{}' sees nothing: {}", scene_.source->name(),
                                       request.camera.name(), describe_direction(request.camera, scene.bounds));
-    for (Convention const& convention : other_conventions(options_.load.language)) {
-      if (scene_.is_model || !shows_something(convention.options, request, plan.scene_number)) continue;
+    for (Convention const& convention : other_conventions(options_.job.reading.dialect)) {
+      if (scene_.is_model || !shows_something(convention.dialect, request, plan.scene_number)) continue;
       message += fmt::format("; with {} it is in view", convention.arguments);
       break;
     }
@@ -278,7 +278,7 @@ class Sequence {
   }
 
   /// Draws the picture again, small, from the file read under other options.
-  bool shows_something(EsdfOptions const& language, RenderRequest request, std::size_t wanted) {
+  bool shows_something(EsdfDialect const& dialect, RenderRequest request, std::size_t wanted) {
     constexpr int probe_width = 64;
     int const height = std::max(1, int(double(request.resolution.height) * probe_width / request.resolution.width));
     request.resolution = {probe_width, std::min(height, 4 * probe_width)};
@@ -286,14 +286,14 @@ class Sequence {
     request.sampling = {};
     request.planes = {FilmPlane::depth};
     bool is_seen = false;
-    LoadOptions load = options_.load;
-    load.language = language;
-    LoadedScene script = scene_.source->load(load);
+    SceneReading reading = options_.job.reading;
+    reading.dialect = dialect;
+    LoadedScene script = scene_.source->load(reading, options_.load);
     script.play([&](Scene const& scene, std::size_t index) {
       Camera const* const camera = scene.cameras.find(request.camera.name());
       if (index != wanted || !camera) return true;
       request.camera = *camera;
-      renderer_.set_scene(scene, options_.root);
+      renderer_.set_scene(scene, options_.job.root);
       Film film;
       is_seen = renderer_.render(request, film).statistics.rays.camera_hits > 0;
       return false;

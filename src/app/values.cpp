@@ -9,6 +9,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "lichtraum/words.hpp"
+
 namespace lichtraum::app {
 namespace {
 
@@ -40,20 +42,11 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-template <class Value>
-struct Word {
-  std::string_view word;
-  Value value;
-};
-
 template <class Value, std::size_t count>
-Value word(std::string_view text, Word<Value> const (&words)[count]) {
-  std::string expected;
-  for (Word<Value> const& entry : words) {
-    if (entry.word == text) return entry.value;
-    expected += fmt::format("{}{}", expected.empty() ? "" : &entry == &words[count - 1] ? " or " : ", ", entry.word);
-  }
-  throw std::invalid_argument("expected " + expected);
+Value word(std::string_view text, std::array<Word<Value>, count> const& words) {
+  std::span<Word<Value> const> const known(words);
+  if (Value const* const value = find_value(known, text)) return *value;
+  throw std::invalid_argument("expected " + list_of(known));
 }
 
 }  // namespace
@@ -83,20 +76,20 @@ Region parse_region(std::string_view text) {
 }
 
 Sampling parse_samples(std::string_view text) {
-  constexpr int max_side = 1024;
+  using job_limits::grid_side;
   auto const parts = split(text, 'x');
   auto const first = number<int>(parts[0]);
-  if (parts.size() == 1 && first && *first >= 1 && *first <= max_side * max_side) {
+  if (parts.size() == 1 && first && *first >= 1 && *first <= job_limits::samples) {
     return {*first == 1 ? Sampling::Pattern::grid : Sampling::Pattern::seeded, *first};
   }
-  if (parts.size() == 2 && parts[0] == parts[1] && first && *first >= 1 && *first <= max_side) {
+  if (parts.size() == 2 && parts[0] == parts[1] && first && *first >= 1 && *first <= grid_side) {
     return {Sampling::Pattern::grid, *first * *first};
   }
   throw std::invalid_argument(fmt::format(
-      "expected a number of samples per pixel from 1 to {}, or a square grid such as 4x4", max_side * max_side));
+      "expected a number of samples per pixel from 1 to {}, or a square grid such as 4x4", job_limits::samples));
 }
 
-int parse_depth(std::string_view text) { return number_in_range(text, 0, 1000); }
+int parse_depth(std::string_view text) { return number_in_range(text, 0, job_limits::depth); }
 
 std::uint64_t parse_seed(std::string_view text) {
   return number_in_range(text, std::uint64_t(0), std::numeric_limits<std::uint64_t>::max());
@@ -126,32 +119,26 @@ double parse_frame_rate(std::string_view text) {
 
 int parse_turntable(std::string_view text) { return number_in_range(text, 1, 100'000); }
 
-int parse_texture_size(std::string_view text) { return number_in_range(text, 1, 65536); }
+int parse_texture_size(std::string_view text) { return number_in_range(text, 1, job_limits::texture_side); }
 
-int parse_bits(std::string_view text) { return word<int>(text, {{"8", 8}, {"16", 16}}); }
+int parse_bits(std::string_view text) { return word(text, std::to_array<Word<int>>({{"8", 8}, {"16", 16}})); }
 
-int parse_quality(std::string_view text) { return number_in_range(text, 1, 100); }
+int parse_quality(std::string_view text) { return number_in_range(text, 1, job_limits::jpeg_quality); }
 
 PlaneSet parse_planes(std::string_view text) {
+  auto const words = plane_words();
+  std::span<Word<FilmPlane> const> const known(words);
   PlaneSet planes;
   for (std::string_view const part : split(text, ',')) {
-    std::string expected = "expected names with commas between, of:";
-    bool is_known = false;
-    for (std::size_t i = 0; i < plane_count; ++i) {
-      auto const plane = FilmPlane(i);
-      std::string_view const name = info_of(plane).name;
-      expected += fmt::format("{} {}", i == 0 ? "" : ",", name);
-      if (part != name) continue;
-      planes.add(plane);
-      is_known = true;
-    }
-    if (!is_known) throw std::invalid_argument(expected);
+    FilmPlane const* const plane = find_value(known, part);
+    if (!plane) throw std::invalid_argument("expected names with commas between, of: " + list_of(known));
+    planes.add(*plane);
   }
   return planes;
 }
 
-std::optional<Rgb> parse_background(std::string_view text) {
-  if (text == "none") return std::nullopt;
+JobBackground parse_background(std::string_view text) {
+  if (text == "none") return {};
   auto const parts = split(text, ',');
   Rgb color(0);
   bool is_good = parts.size() == 3;
@@ -161,46 +148,37 @@ std::optional<Rgb> parse_background(std::string_view text) {
     if (is_good) color[i] = *value;
   }
   if (!is_good) throw std::invalid_argument("expected none, or red, green and blue, such as 0.2,0.3,0.5");
-  return color;
+  return {color};
 }
 
 double parse_exposure(std::string_view text) {
   auto const stops = number<double>(text);
-  if (!stops || !(std::abs(*stops) <= 100)) throw std::invalid_argument("expected stops from -100 to 100, such as 1.5");
+  constexpr double most = job_limits::exposure_ev;
+  if (!stops || !(std::abs(*stops) <= most)) {
+    throw std::invalid_argument(fmt::format("expected stops from {} to {}, such as 1.5", -most, most));
+  }
   return *stops;
 }
 
 std::optional<Traversal> parse_traversal(std::string_view text) {
-  return word<std::optional<Traversal>>(text, {{"auto", std::nullopt},
-                                               {"scalar", Traversal::scalar},
-                                               {"wide", Traversal::wide},
-                                               {"packet", Traversal::packet}});
+  return word(text, std::to_array<Word<std::optional<Traversal>>>({{"auto", std::nullopt},
+                                                                   {"scalar", Traversal::scalar},
+                                                                   {"wide", Traversal::wide},
+                                                                   {"packet", Traversal::packet}}));
 }
 
-ToneMap parse_tone_map(std::string_view text) {
-  return word<ToneMap>(text, {{"auto", ToneMap::automatic}, {"none", ToneMap::none}, {"reinhard", ToneMap::reinhard}});
-}
+ToneMap parse_tone_map(std::string_view text) { return word(text, tone_map_words); }
 
-Transfer parse_transfer(std::string_view text) {
-  return word<Transfer>(text, {{"linear", Transfer::linear}, {"srgb", Transfer::srgb}});
-}
+Transfer parse_transfer(std::string_view text) { return word(text, transfer_words); }
 
-TransformOrder parse_transform_order(std::string_view text) {
-  return word<TransformOrder>(text, {{"parent", TransformOrder::parent}, {"local", TransformOrder::local}});
-}
+TransformOrder parse_transform_order(std::string_view text) { return word(text, transform_order_words); }
 
-RotationSense parse_rotation(std::string_view text) {
-  return word<RotationSense>(text, {{"right", RotationSense::right}, {"left", RotationSense::left}});
-}
+RotationSense parse_rotation(std::string_view text) { return word(text, rotation_words); }
 
 std::vector<MaterialExtra> parse_material_extras(std::string_view text) {
   std::vector<MaterialExtra> extras;
   for (std::string_view const part : split(text, ',')) {
-    extras.push_back(word<MaterialExtra>(part, {{"reflectance", MaterialExtra::reflectance},
-                                                {"transmittance", MaterialExtra::transmittance},
-                                                {"opacity", MaterialExtra::opacity},
-                                                {"ior", MaterialExtra::ior},
-                                                {"ignore", MaterialExtra::ignore}}));
+    extras.push_back(word(part, material_extra_words));
   }
   return extras;
 }

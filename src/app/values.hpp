@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lichtraum/esdf.hpp"
-#include "lichtraum/renderer.hpp"
+#include "lichtraum/job.hpp"
 
 namespace lichtraum::app {
 
@@ -36,7 +35,7 @@ int parse_texture_size(std::string_view text);                            ///< 1
 int parse_bits(std::string_view text);                                    ///< 8 or 16
 int parse_quality(std::string_view text);                                 ///< 1..100
 PlaneSet parse_planes(std::string_view text);                             ///< names of planes, commas between
-std::optional<Rgb> parse_background(std::string_view text);               ///< none (nothing), or three numbers
+JobBackground parse_background(std::string_view text);                    ///< none, or three numbers
 double parse_exposure(std::string_view text);                             ///< stops: -100..100
 std::optional<Traversal> parse_traversal(std::string_view text);          ///< auto (nothing), scalar, wide, packet
 ToneMap parse_tone_map(std::string_view text);                            ///< auto, none, reinhard

@@ -34,12 +34,12 @@ std::unique_ptr<CLI::App> view_parser(ViewOptions& options, Console& console) {
   std::string const group = "Window";
   parser->add_flag("--watch", options.watch, "Read the scene again when its file, or one that it\nincludes, is saved")
       ->group(group);
-  add_value(*parser, "--size", render.size, parse_size, "WxH", "Size of the window in pixels (default: the\nscene's)",
-            group);
+  add_value(*parser, "--size", render.job.size, parse_size, "WxH",
+            "Size of the window in pixels (default: the\nscene's)", group);
   add_viewpoint_options(*parser, render, group);
   add_quality_options(*parser, render, "256");
-  add_language_options(*parser, render.load.language);
-  add_model_options(*parser, render.load.model);
+  add_language_options(*parser, render.job.reading);
+  add_model_options(*parser, render.job.reading.model);
   add_verbosity(*parser, console);
   return parser;
 }

@@ -17,9 +17,10 @@ constexpr auto time_between_looks = std::chrono::milliseconds(50);
 /// of them a second.
 constexpr double moving_pass_seconds = 0.028;
 
-app::LoadOptions observed(app::LoadOptions options, FileWatch& files) {
-  options.language.on_read = [&files](std::filesystem::path const& file) { files.add(file); };
-  options.language.models = make_model_cache();
+app::LoadOptions observed_by(FileWatch& files) {
+  app::LoadOptions options;
+  options.on_read = [&files](std::filesystem::path const& file) { files.add(file); };
+  options.models = make_model_cache();
   return options;
 }
 
@@ -29,10 +30,11 @@ Worker::Worker(app::SceneSource const& source, app::RenderOptions const& options
                app::Console const& console, std::function<void()> wake)
     : source_(source),
       options_(options),
+      job_(source.job(options.job)),
       is_watching_(is_watching),
       console_(console),
       wake_(std::move(wake)),
-      load_options_(observed(options.load, files_)),
+      load_options_(observed_by(files_)),
       thread_([this](std::stop_token const& stop) { work(stop); }) {}
 
 Worker::~Worker() {
@@ -83,7 +85,7 @@ void Worker::restart_refinement() {
                              ? Refinement::first_side_for(view_->resolution, *seconds_per_pixel_, moving_pass_seconds)
                              : side_when_unknown;
   bool const is_picture = !view_ || view_->planes.has(FilmPlane::radiance);
-  refinement_.restart(first_side, is_picture ? options_.sampling.value_or(Refinement::finest_by_default) : Sampling());
+  refinement_.restart(first_side, is_picture ? job_.sampling.value_or(Refinement::finest_by_default) : Sampling());
 }
 
 Worker::News Worker::news() {
@@ -133,18 +135,18 @@ void Worker::load(Renderer& renderer) {
   files_.begin();
   try {
     app::Stopwatch const stopwatch;
-    auto const loaded_scene = std::make_shared<app::LoadedScene const>(source_.load(load_options_));
+    auto const loaded_scene = std::make_shared<app::LoadedScene const>(source_.load(job_.reading, load_options_));
     app::LoadedScene const& loaded = *loaded_scene;
     SceneView scene;
     scene.loaded = loaded_scene;
-    scene.objects = std::make_shared<DrawnObjects const>(loaded.scene(), options_.root);
+    scene.objects = std::make_shared<DrawnObjects const>(loaded.scene(), job_.root);
     scene.values = SceneValues(loaded.scene(), *scene.objects);
     scene.number = ++scene_number_;
-    scene.request = app::first_view(loaded, source_, options_);
-    development_ = app::choose_development(loaded.scene(), loaded.is_model(), options_);
+    scene.request = view_of(job_, loaded.scene());
+    development_ = development_of(job_, loaded.scene());
     scene.cameras.assign(loaded.scene().cameras.begin(), loaded.scene().cameras.end());
-    scene.center = center_of_interest(loaded.scene(), options_.root, scene.request.camera);
-    prepared_ = renderer.prepare(loaded.scene(), options_.root, prepared_);
+    scene.center = center_of_interest(loaded.scene(), job_.root, scene.request.camera);
+    prepared_ = renderer.prepare(loaded.scene(), job_.root, prepared_);
     scene_statistics_ = renderer.set_scene(prepared_);
     scene.bounds = prepared_->bounds;
     console_.show(loaded.diagnostics());

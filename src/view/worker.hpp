@@ -99,6 +99,7 @@ class Worker {
 
   app::SceneSource const& source_;
   app::RenderOptions const& options_;
+  Job job_;
   bool is_watching_;
   app::Console const& console_;
   std::function<void()> wake_;

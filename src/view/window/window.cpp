@@ -27,7 +27,7 @@ constexpr ImGuiWindowFlags overlay = ImGuiWindowFlags_NoDecoration | ImGuiWindow
 Window::Window(app::SceneSource const& source, app::ViewOptions const& options, app::Console const& console)
     : source_(source), options_(options), console_(console) {
   graphics_ = std::make_unique<Graphics>();
-  graphics_->open("lichtraum - " + source.name(), options.render.size.value_or(default_size));
+  graphics_->open("lichtraum - " + source.name(), options.render.job.size.value_or(default_size));
   // Not before the window is there: Mesa and PoCL may share one LLVM, which does not start in two threads at once.
   worker_ = std::make_unique<Worker>(source, options.render, options.watch, console, glfwPostEmptyEvent);
 }
@@ -67,7 +67,7 @@ bool Window::take_news() {
   if (news.scene) {
     bool const is_first = !camera_;
     scene_ = std::move(*news.scene);
-    if (is_first && !options_.render.size) {
+    if (is_first && !options_.render.job.size) {
       glfwSetWindowSize(graphics_->window, scene_.request.resolution.width, scene_.request.resolution.height);
     }
     panel_.set_scene(scene_);

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lichtraum/esdf.hpp"
+#include "lichtraum/image_io.hpp"
+#include "lichtraum/model.hpp"
+#include "lichtraum/renderer.hpp"
+
+namespace lichtraum {
+
+/// How a scene or a model is read, as far as that decides its pictures.
+struct SceneReading {
+  EsdfDialect dialect;
+  ModelChoice model;
+  std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the file's that may be read
+  friend bool operator==(SceneReading const&, SceneReading const&) = default;
+};
+
+/// What rays see that hit nothing.
+struct JobBackground {
+  std::optional<Rgb> color;  ///< linear; nothing: the picture is transparent there
+  friend bool operator==(JobBackground const&, JobBackground const&) = default;
+};
+
+/// One picture: all that decides its bytes, but for the format of its file, which the file's name tells, and the
+/// device. What is left open comes from the scene. A value: it can be compared, written as JSON and read back.
+struct Job {
+  std::string scene;                ///< path of a scene or a model; with `text`, what messages call that
+  std::optional<std::string> text;  ///< an eSDF scene, instead of the file
+  SceneReading reading;
+  int picture = 0;  ///< of those that the scene asks for (eSDF `render`), from 0
+
+  std::string camera;                  ///< name, or else number from 0
+  std::string root;                    ///< the shape that is drawn, with all below it; empty: everything
+  std::optional<double> turn_degrees;  ///< the camera is carried around what is looked at, see `orbited`
+  std::optional<Resolution> size;
+  std::optional<Region> region;  ///< else the whole picture
+  std::optional<Sampling> sampling;
+  std::optional<SampleRange> samples;  ///< of those of `sampling`; else all
+  std::optional<int> max_depth;        ///< how often a ray may be mirrored or refracted
+  std::uint64_t seed = 0;              ///< of the random samples
+  PlaneSet planes{FilmPlane::radiance};
+  std::optional<JobBackground> background;
+
+  double exposure_ev = 0;
+  ToneMap tone_map = ToneMap::automatic;
+  std::optional<Transfer> transfer;  ///< else srgb for models, linear for scenes
+  ValueEncoding encoding;
+
+  friend bool operator==(Job const&, Job const&) = default;
+};
+
+/// What a job's numbers may be, on command lines as in JSON.
+namespace job_limits {
+inline constexpr int grid_side = 1024;
+inline constexpr int samples = grid_side * grid_side;
+inline constexpr int depth = 1000;
+inline constexpr double exposure_ev = 100;  ///< darker, too
+inline constexpr int texture_side = 65536;
+inline constexpr int jpeg_quality = 100;
+}  // namespace job_limits
+
+/// The planes that the job asks for, and alpha, which a transparent background needs besides.
+PlaneSet traced_planes(Job const& job);
+
+/// The job with camera (by its name), size, region, sampling and depth decided: by the job itself, else by the scene's
+/// `render` statement number `picture`, else by the camera, else by the scene's defaults, else 640x480, one sample a
+/// pixel, depth 5. `scene` is that at the end of its file. A job that is decided stays as it is.
+/// Throws Error{usage} for what the job asks for and cannot have, Error{scene} for a scene without cameras, or with a
+/// `render` that names an unknown one.
+Job resolved(Job job, Scene const& scene);
+
+/// What to trace for the job. `scene` is what is drawn, of which the camera is taken: for the picture of a `render`,
+/// the scene as defined up to there. Same exceptions as `resolved`, also Error{usage} for an unknown root.
+/// `turn_center`: what the camera is carried around, for those who know it; else center_of_interest finds it, which
+/// takes a walk through the scene.
+RenderRequest request_of(Job const& job, Scene const& scene, std::optional<Vec3> const& turn_center = {});
+
+/// What to look at first when someone wants to look around: the job's camera, in the size of its picture, whole, one
+/// sample a pixel unless the job says otherwise, radiance only, and black where it would be transparent.
+/// Same exceptions as request_of.
+RenderRequest view_of(Job job, Scene const& scene);
+
+/// How radiance becomes the job's picture.
+Development development_of(Job const& job, Scene const& scene);
+
+/// A JSON object with a key for each member that is not left open; docs/JOB.md lists them. Throws Error{usage} when a
+/// text in it is not UTF-8, as JSON must be.
+std::string to_json(Job const& job);
+
+/// The job that such text holds. Throws Error{usage} for text that is not JSON (with line and column), and for unknown
+/// keys, values of a wrong type or out of range, with their place as a JSON pointer (RFC 6901): "/region/2: expected a
+/// whole number from 1 to 2147483647". May be given text that nobody trusts. Whether the values suit the scene is found
+/// out by `resolved`.
+Job job_from_json(std::string_view text);
+
+}  // namespace lichtraum

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lichtraum/esdf.hpp"
+#include "lichtraum/renderer.hpp"
+#include "lichtraum/tone_map.hpp"
+
+/// The words that stand for values, on command lines as in JSON.
+
+namespace lichtraum {
+
+template <class Value>
+struct Word {
+  std::string_view word;
+  Value value;
+};
+
+inline constexpr auto tone_map_words = std::to_array<Word<ToneMap>>(
+    {{"auto", ToneMap::automatic}, {"none", ToneMap::none}, {"reinhard", ToneMap::reinhard}});
+inline constexpr auto transfer_words =
+    std::to_array<Word<Transfer>>({{"linear", Transfer::linear}, {"srgb", Transfer::srgb}});
+inline constexpr auto transform_order_words =
+    std::to_array<Word<TransformOrder>>({{"parent", TransformOrder::parent}, {"local", TransformOrder::local}});
+inline constexpr auto rotation_words =
+    std::to_array<Word<RotationSense>>({{"right", RotationSense::right}, {"left", RotationSense::left}});
+inline constexpr auto material_extra_words =
+    std::to_array<Word<MaterialExtra>>({{"reflectance", MaterialExtra::reflectance},
+                                        {"transmittance", MaterialExtra::transmittance},
+                                        {"opacity", MaterialExtra::opacity},
+                                        {"ior", MaterialExtra::ior},
+                                        {"ignore", MaterialExtra::ignore}});
+inline constexpr auto pattern_words =
+    std::to_array<Word<Sampling::Pattern>>({{"grid", Sampling::Pattern::grid}, {"seeded", Sampling::Pattern::seeded}});
+
+/// Names of planes.
+inline std::vector<Word<FilmPlane>> plane_words() {
+  std::vector<Word<FilmPlane>> words;
+  for (std::size_t i = 0; i < plane_count; ++i) words.push_back({info_of(FilmPlane(i)).name, FilmPlane(i)});
+  return words;
+}
+
+/// Null for an unknown word.
+template <class Value>
+Value const* find_value(std::span<Word<Value> const> words, std::string_view text) {
+  for (Word<Value> const& entry : words) {
+    if (entry.word == text) return &entry.value;
+  }
+  return nullptr;
+}
+
+/// "auto, none or reinhard".
+template <class Value>
+std::string list_of(std::span<Word<Value> const> words) {
+  std::string list;
+  for (Word<Value> const& entry : words) {
+    list += list.empty() ? "" : &entry == &words.back() ? " or " : ", ";
+    list += entry.word;
+  }
+  return list;
+}
+
+}  // namespace lichtraum

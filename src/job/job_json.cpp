@@ -1,0 +1,159 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "job/json_values.hpp"
+#include "lichtraum/job.hpp"
+#include "lichtraum/words.hpp"
+
+namespace lichtraum {
+namespace {
+
+using namespace json_values;
+
+constexpr char const* version_key = "lichtraum_job";
+constexpr int version = 1;
+
+/// An array of whole numbers that are the members of a struct.
+template <class Struct>
+struct Members {
+  std::vector<std::pair<int Struct::*, Whole<int>>> members;
+
+  Json write(Struct const& value) const {
+    Json array = Json::array();
+    for (auto const& [member, range] : members) array.push_back(value.*member);
+    return array;
+  }
+  Struct read(Json const& json, Pointer const& at) const {
+    at.expect(json.is_array() && json.size() == members.size(), fmt::format("an array of {} numbers", members.size()));
+    Struct value;
+    for (std::size_t i = 0; i < members.size(); ++i) value.*members[i].first = members[i].second.read(json[i], at / i);
+    return value;
+  }
+};
+
+struct PlaneNames {
+  static Json write(PlaneSet const& planes) { return ListOf{OneOf<FilmPlane>{plane_words()}}.write(planes.list()); }
+  static PlaneSet read(Json const& json, Pointer const& at) {
+    PlaneSet planes;
+    for (FilmPlane const plane : ListOf{OneOf<FilmPlane>{plane_words()}}.read(json, at)) planes.add(plane);
+    at.expect(!planes.is_empty(), "at least one plane");
+    return planes;
+  }
+};
+
+struct Background {
+  static Json write(JobBackground const& background) {
+    if (!background.color) return "none";
+    Rgb const& color = *background.color;
+    return {color.r, color.g, color.b};
+  }
+  static JobBackground read(Json const& json, Pointer const& at) {
+    if (json == "none") return {};
+    at.expect(json.is_array() && json.size() == 3, "\"none\", or an array of red, green and blue");
+    Number const channel{0, std::numeric_limits<double>::max(), "a number of at least 0"};
+    return {Rgb(channel.read(json[0], at / 0), channel.read(json[1], at / 1), channel.read(json[2], at / 2))};
+  }
+};
+
+struct SamplesPerPixel {
+  static constexpr auto fields = [](auto& sampling, auto&& field) {
+    field("pattern", sampling.pattern, one_of(pattern_words));
+    field("count", sampling.count, Whole{1, job_limits::samples});
+  };
+  static Json write(Sampling const& sampling) { return Object{fields}.write(sampling); }
+  static Sampling read(Json const& json, Pointer const& at) {
+    auto const sampling = Object{fields}.template read<Sampling>(json, at);
+    auto const side = int(std::lround(std::sqrt(double(sampling.count))));
+    (at / "count")
+        .expect(sampling.pattern != Sampling::Pattern::grid || side * side == sampling.count,
+                "a square number, as the samples are a grid");
+    return sampling;
+  }
+};
+
+constexpr auto dialect_fields = [](auto& dialect, auto&& field) {
+  field("transform_order", dialect.transform_order, one_of(transform_order_words));
+  field("rotation", dialect.rotation, one_of(rotation_words));
+  field("strict", dialect.strict, Flag{});
+  field("keep_going", dialect.keep_going, Flag{});
+  field("material_extras", dialect.material_extras, ListOf{one_of(material_extra_words)});
+};
+
+Number any_number() { return {std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max(), "a number"}; }
+Number stops_up_to(double most) { return {-most, most, fmt::format("stops from {} to {}", -most, most)}; }
+constexpr int most = std::numeric_limits<int>::max();
+
+constexpr auto model_fields = [](auto& model, auto&& field) {
+  field("scene", model.scene, Text{});
+  field("animation", model.animation, Text{});
+  field("time_seconds", model.time_seconds, any_number());
+  field("max_texture_pixels", model.max_texture, Whole{1, job_limits::texture_side});
+};
+
+constexpr auto encoding_fields = [](auto& encoding, auto&& field) {
+  field("bits_per_channel", encoding.bits, Choice{{8, 16}});
+  field("jpeg_quality", encoding.jpeg_quality, Whole{1, job_limits::jpeg_quality});
+  field("ppm_ascii", encoding.ppm_ascii, Flag{});
+};
+
+/// Every member of a job: what it is called, and what it may be.
+constexpr auto job_fields = [](auto& job, auto&& field) {
+  field("scene", job.scene, Name{});
+  field("text", job.text, Text{});
+  field("esdf", job.reading.dialect, Object{dialect_fields});
+  field("model", job.reading.model, Object{model_fields});
+  field("allowed_paths", job.reading.allowed_paths, ListOf{Path{}});
+  field("picture", job.picture, Whole{0, most});
+
+  field("camera", job.camera, Text{});
+  field("root", job.root, Text{});
+  field("turn_degrees", job.turn_degrees, any_number());
+  field("size", job.size, Members<Resolution>{{{&Resolution::width, {1, most}}, {&Resolution::height, {1, most}}}});
+  field("region", job.region,
+        Members<Region>{{{&Region::x, {0, most}},
+                         {&Region::y, {0, most}},
+                         {&Region::width, {1, most}},
+                         {&Region::height, {1, most}}}});
+  field("sampling", job.sampling, SamplesPerPixel{});
+  field("sample_range", job.samples,
+        Members<SampleRange>{{{&SampleRange::first, {0, most}}, {&SampleRange::end, {1, most}}}});
+  field("max_depth", job.max_depth, Whole{0, job_limits::depth});
+  field("seed", job.seed, Whole{std::uint64_t(0), std::numeric_limits<std::uint64_t>::max()});
+  field("planes", job.planes, PlaneNames{});
+  field("background", job.background, Background{});
+
+  field("exposure_ev", job.exposure_ev, stops_up_to(job_limits::exposure_ev));
+  field("tone_map", job.tone_map, one_of(tone_map_words));
+  field("transfer", job.transfer, one_of(transfer_words));
+  field("encoding", job.encoding, Object{encoding_fields});
+};
+
+}  // namespace
+
+std::string to_json(Job const& job) {
+  Json json{{version_key, version}};
+  json.update(Object{job_fields}.write(job));
+  try {
+    return json.dump(2) + "\n";
+  } catch (Json::type_error const&) {
+    throw Error(ErrorKind::usage, fmt::format("{}: JSON cannot hold the job: a name in it is not UTF-8", job.scene));
+  }
+}
+
+Job job_from_json(std::string_view text) {
+  Json json = parse(text);
+  Pointer const root;
+  root.expect(json.is_object(), "a JSON object");
+  auto const found = json.find(version_key);
+  Pointer const at = root / version_key;
+  at.expect(found != json.end(), "it, as only that tells that this is a job");
+  at.expect(*found == version, fmt::format("{}: jobs of another version cannot be read", version));
+  json.erase(found);
+  root.expect(json.contains("scene"), "a key \"scene\"");
+  return Object{job_fields}.read<Job>(json, root);
+}
+
+}  // namespace lichtraum

@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <iterator>
+
+#include "film/check_request.hpp"
+#include "lichtraum/error.hpp"
+#include "lichtraum/job.hpp"
+#include "lichtraum/turntable.hpp"
+
+namespace lichtraum {
+namespace {
+
+constexpr Resolution default_size{640, 480};
+constexpr int default_depth = 5;
+
+/// What the scene says about the job's picture.
+RenderCommand command_of(Job const& job, Scene const& scene) {
+  std::size_t const count = std::max<std::size_t>(1, scene.renders.size());
+  if (job.picture < 0 || std::size_t(job.picture) >= count) {
+    throw Error(ErrorKind::usage, fmt::format("{}: there is no picture {}: the scene has {}, counted from 0", job.scene,
+                                              job.picture, count));
+  }
+  return scene.renders.empty() ? RenderCommand() : scene.renders[std::size_t(job.picture)];
+}
+
+std::string list_cameras(Scene const& scene) {
+  std::string list;
+  for (Camera const& camera : scene.cameras) list += fmt::format("{}{}", list.empty() ? "" : ", ", camera.name());
+  return list;
+}
+
+Camera const& find_camera(Job const& job, Scene const& scene, std::string const& name_in_scene) {
+  if (scene.cameras.empty()) {
+    throw Error(ErrorKind::scene, fmt::format("{}: there is no camera, so nothing can be drawn; 'define camera eye 45' "
+                                              "puts one at the origin that looks along -z",
+                                              job.scene));
+  }
+  std::string const& name = job.camera.empty() ? name_in_scene : job.camera;
+  if (name.empty()) return scene.cameras.front();
+  if (Camera const* const camera = scene.cameras.find(name)) return *camera;
+  std::size_t number = 0;
+  auto const [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  bool const is_number = error == std::errc() && end == name.data() + name.size();
+  if (!job.camera.empty() && is_number && number < scene.cameras.size()) {
+    return *std::next(scene.cameras.begin(), std::ptrdiff_t(number));
+  }
+  throw Error(job.camera.empty() ? ErrorKind::scene : ErrorKind::usage,
+              fmt::format("{}: there is no camera '{}'; there are: {}", job.scene, name, list_cameras(scene)));
+}
+
+Sampling sampling_of(int count) { return {count == 1 ? Sampling::Pattern::grid : Sampling::Pattern::seeded, count}; }
+
+/// Of a job that is decided.
+RenderRequest request_through(Camera const& camera, Job const& job) {
+  RenderRequest request;
+  request.camera = camera;
+  request.resolution = *job.size;
+  request.region = *job.region;
+  request.sampling = *job.sampling;
+  request.samples = job.samples;
+  request.max_depth = *job.max_depth;
+  request.seed = job.seed;
+  request.planes = traced_planes(job);
+  if (job.background) request.background = job.background->color;
+  return request;
+}
+
+}  // namespace
+
+PlaneSet traced_planes(Job const& job) {
+  PlaneSet planes = job.planes;
+  bool const is_transparent = job.background && !job.background->color;
+  if (is_transparent && planes.has(FilmPlane::radiance)) planes.add(FilmPlane::alpha);
+  return planes;
+}
+
+Job resolved(Job job, Scene const& scene) {
+  RenderCommand const command = command_of(job, scene);
+  Camera const& camera = find_camera(job, scene, command.camera);
+  job.camera = camera.name();
+  if (!job.size) job.size = command.resolution;
+  if (!job.size) job.size = camera.resolution();
+  if (!job.size) job.size = scene.resolution.value_or(default_size);
+  if (!job.region) job.region = whole_picture(*job.size);
+  if (!job.sampling) job.sampling = sampling_of(command.samples.value_or(1));
+  if (!job.max_depth) job.max_depth = command.depth.value_or(default_depth);
+  check_request(request_through(camera, job));
+  return job;
+}
+
+RenderRequest request_of(Job const& job, Scene const& scene, std::optional<Vec3> const& turn_center) {
+  Job const decided = resolved(job, scene);
+  RenderRequest request = request_through(*scene.cameras.find(decided.camera), decided);
+  if (job.turn_degrees) {
+    Vec3 const center = turn_center ? *turn_center : center_of_interest(scene, job.root, request.camera);
+    request.camera = orbited(request.camera, center, *job.turn_degrees);
+  }
+  return request;
+}
+
+RenderRequest view_of(Job job, Scene const& scene) {
+  job.region.reset();
+  job.samples.reset();
+  job.planes = {FilmPlane::radiance};
+  if (!job.sampling) job.sampling = Sampling();
+  if (job.background && !job.background->color) job.background->color = Rgb(0);
+  return request_of(job, scene);
+}
+
+Development development_of(Job const& job, Scene const& scene) {
+  bool const is_model = !job.text && is_model_file(job.scene);
+  return {job.exposure_ev, job.tone_map == ToneMap::automatic ? scene.tone_map : job.tone_map,
+          job.transfer.value_or(is_model ? Transfer::srgb : Transfer::linear)};
+}
+
+}  // namespace lichtraum

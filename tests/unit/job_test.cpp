@@ -1,0 +1,193 @@
+#include "lichtraum/job.hpp"
+
+#include "lichtraum/turntable.hpp"
+#include "support/catch.hpp"
+#include "support/esdf.hpp"
+
+// What a job asks for, against what a scene says: which wins, and what cannot be.
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+namespace {
+
+/// Two cameras, two pictures; the second says all that a `render` can.
+Scene two_pictures() {
+  Scene scene = scene_of(red +
+                         "define camera eye 45\ndefine camera side 60\ndefine shape sphere ball 0 0 -5 1 red\n"
+                         "render eye first.png 32 24\nrender side second.png 48 36\n");
+  scene.renders[1].samples = 9;
+  scene.renders[1].depth = 2;
+  return scene;
+}
+
+Job job_of(int picture = 0) {
+  Job job;
+  job.scene = "s.sdf";
+  job.picture = picture;
+  return job;
+}
+
+/// What resolving throws.
+std::pair<ErrorKind, std::string> refusal(Job const& job, Scene const& scene) {
+  try {
+    resolved(job, scene);
+  } catch (Error const& error) {
+    return {error.kind(), error.what()};
+  }
+  FAIL("nothing is wrong");
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("what a job leaves open comes from the scene's render", "[unit][job]") {
+  Job const first = resolved(job_of(), two_pictures());
+  CHECK(first.camera == "eye");
+  CHECK(first.size == Resolution{32, 24});
+  CHECK(first.region == Region{0, 0, 32, 24});
+  CHECK(first.sampling == Sampling{Sampling::Pattern::grid, 1});
+  CHECK(first.max_depth == 5);
+  Job const second = resolved(job_of(1), two_pictures());
+  CHECK(second.camera == "side");
+  CHECK(second.size == Resolution{48, 36});
+  CHECK(second.sampling == Sampling{Sampling::Pattern::seeded, 9});
+  CHECK(second.max_depth == 2);
+}
+
+TEST_CASE("what a job says wins over the scene", "[unit][job]") {
+  Job job = job_of(1);
+  job.camera = "eye";
+  job.size = Resolution{10, 8};
+  job.region = Region{1, 2, 3, 4};
+  job.sampling = Sampling{Sampling::Pattern::grid, 4};
+  job.max_depth = 0;
+  CHECK(resolved(job, two_pictures()) == job);
+  RenderRequest const request = request_of(job, two_pictures());
+  CHECK(request.camera.name() == "eye");
+  CHECK(request.resolution == *job.size);
+  CHECK(request.region == *job.region);
+  CHECK(request.sampling == *job.sampling);
+  CHECK(request.max_depth == 0);
+}
+
+TEST_CASE("a size comes from the job, the render, the camera, the scene, or is 640x480", "[unit][job]") {
+  Scene scene = two_pictures();
+  scene.cameras = {};
+  scene.cameras.insert(Camera("eye", 45, {}, Resolution{7, 5}));
+  scene.resolution = Resolution{6, 4};
+  Job job = job_of();
+  job.size = Resolution{9, 9};
+  CHECK(resolved(job, scene).size == Resolution{9, 9});
+  job.size.reset();
+  CHECK(resolved(job, scene).size == Resolution{32, 24});
+  scene.renders.clear();
+  CHECK(resolved(job, scene).size == Resolution{7, 5});
+  scene.cameras = {};
+  scene.cameras.insert(Camera("eye", 45));
+  CHECK(resolved(job, scene).size == Resolution{6, 4});
+  scene.resolution.reset();
+  CHECK(resolved(job, scene).size == Resolution{640, 480});
+}
+
+TEST_CASE("a decided job stays as it is, and asks for the same", "[unit][job]") {
+  for (int picture : {0, 1}) {
+    Job job = job_of(picture);
+    job.camera = "1";  // by its number
+    Job const decided = resolved(job, two_pictures());
+    CHECK(decided.camera == "side");
+    CHECK(resolved(decided, two_pictures()) == decided);
+  }
+}
+
+TEST_CASE("a camera of which nothing is said is the first", "[unit][job]") {
+  Scene const scene = scene_of(red + "define camera one 45\ndefine camera two 45\n");
+  CHECK(resolved(job_of(), scene).camera == "one");
+}
+
+TEST_CASE("what a job cannot have", "[unit][job]") {
+  auto const expect = [](auto change, std::string const& what) {
+    Job job = job_of();
+    change(job);
+    auto const [kind, message] = refusal(job, two_pictures());
+    INFO(message);
+    CHECK(kind == ErrorKind::usage);
+    CHECK(message.find(what) != std::string::npos);
+  };
+  expect([](Job& job) { job.camera = "nose"; }, "s.sdf: there is no camera 'nose'; there are: eye, side");
+  expect([](Job& job) { job.camera = "2"; }, "there is no camera '2'");
+  expect([](Job& job) { job.picture = 2; }, "s.sdf: there is no picture 2: the scene has 2, counted from 0");
+  expect([](Job& job) { job.picture = -1; }, "there is no picture -1");
+  expect([](Job& job) { job.region = Region{30, 0, 3, 5}; }, "does not lie in the picture of 32x24");
+  expect([](Job& job) { job.samples = SampleRange{0, 16}; }, "are not among the 1 of each pixel");
+  expect([](Job& job) { job.planes = {}; }, "no plane");
+  expect([](Job& job) { job.sampling = Sampling{Sampling::Pattern::grid, 5}; }, "not square");
+}
+
+TEST_CASE("what a scene lacks is the scene's fault", "[unit][job]") {
+  CHECK(refusal(job_of(), Scene()).first == ErrorKind::scene);
+  Scene scene = two_pictures();
+  scene.renders[0].camera = "nose";
+  CHECK(refusal(job_of(), scene).first == ErrorKind::scene);
+}
+
+TEST_CASE("a transparent background needs alpha, but without radiance", "[unit][job]") {
+  Job job = job_of();
+  CHECK(request_of(job, two_pictures()).planes == PlaneSet{FilmPlane::radiance});
+  job.background = JobBackground{Rgb(0.5)};
+  CHECK(request_of(job, two_pictures()).planes == PlaneSet{FilmPlane::radiance});
+  CHECK(request_of(job, two_pictures()).background == Rgb(0.5));
+  job.background = JobBackground{};
+  CHECK(request_of(job, two_pictures()).planes == PlaneSet{FilmPlane::radiance, FilmPlane::alpha});
+  CHECK(!request_of(job, two_pictures()).background);
+  job.planes = {FilmPlane::depth};
+  CHECK(request_of(job, two_pictures()).planes == PlaneSet{FilmPlane::depth});
+}
+
+TEST_CASE("a turned job looks from where the orbit leads", "[unit][job]") {
+  Scene const scene = two_pictures();
+  Camera const& eye = *scene.cameras.find("eye");
+  auto const pose = [&](Job const& job) { return request_of(job, scene).camera.world_from_camera().matrix(); };
+  Job job = job_of();
+  CHECK(pose(job) == eye.world_from_camera().matrix());
+  job.turn_degrees = 90;
+  Camera const wanted = orbited(eye, center_of_interest(scene, "", eye), 90);
+  CHECK(pose(job) == wanted.world_from_camera().matrix());
+  CHECK(request_of(job, scene, Vec3(1, 2, 3)).camera.world_from_camera().matrix() ==
+        orbited(eye, Vec3(1, 2, 3), 90).world_from_camera().matrix());
+  job.root = "nothing";
+  CHECK_THROWS_AS(pose(job), Error);
+}
+
+TEST_CASE("a view is a whole picture of radiance", "[unit][job]") {
+  Job job = job_of(1);
+  job.region = Region{1, 2, 3, 4};
+  job.planes = {FilmPlane::depth, FilmPlane::normal};
+  job.background = JobBackground{};
+  RenderRequest request = view_of(job, two_pictures());
+  CHECK(request.camera.name() == "side");
+  CHECK(request.region == Region{0, 0, 48, 36});
+  CHECK(request.sampling == Sampling());
+  CHECK(request.planes == PlaneSet{FilmPlane::radiance});
+  CHECK(request.background == Rgb(0));
+  job.sampling = Sampling{Sampling::Pattern::seeded, 64};
+  CHECK(view_of(job, two_pictures()).sampling == *job.sampling);
+}
+
+TEST_CASE("how a job is developed", "[unit][job]") {
+  Scene scene = two_pictures();
+  scene.tone_map = ToneMap::reinhard;
+  Job job = job_of();
+  job.exposure_ev = 1.5;
+  CHECK(development_of(job, scene).exposure_ev == 1.5);
+  CHECK(development_of(job, scene).tone_map == ToneMap::reinhard);
+  CHECK(development_of(job, scene).transfer == Transfer::linear);
+  job.scene = "chess.GLB";
+  CHECK(development_of(job, scene).transfer == Transfer::srgb);
+  job.text = "define camera eye 45";  // only called like a model
+  CHECK(development_of(job, scene).transfer == Transfer::linear);
+  job.transfer = Transfer::srgb;
+  job.tone_map = ToneMap::none;
+  CHECK(development_of(job, scene).transfer == Transfer::srgb);
+  CHECK(development_of(job, scene).tone_map == ToneMap::none);
+}

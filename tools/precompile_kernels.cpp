@@ -52,9 +52,12 @@ std::vector<unsigned char> compile_develop(cl::Device const& device) {
     kernel.setArg(0, device::DevelopParameters());
     kernel.setArg(1, cl_ulong(0));
     for (cl_uint i = 2; i < (has_alpha ? 4u : 3u); ++i) kernel.setArg(i, anything);
-    cl::NDRange const one_group(DevelopProgram::work_group_size);
-    queue.enqueueNDRangeKernel(kernel, cl::NullRange, one_group, one_group);
-    queue.finish();
+    // PoCL makes code of its own for grids of fewer than 2^16 work-items.
+    for (std::size_t const work_items : {std::size_t(64), std::size_t(1) << 17}) {
+      queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(work_items),
+                                 cl::NDRange(DevelopProgram::work_group_size));
+      queue.finish();
+    }
   }
   return program.getInfo<CL_PROGRAM_BINARIES>().at(0);
 }

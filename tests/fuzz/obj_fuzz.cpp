@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     lichtraum::Diagnostics diagnostics("fuzz.mtl", 100);
     lichtraum::normalise_line_breaks(text);
     for (auto const& material : lichtraum::obj::read_mtl(text, diagnostics)) {
-      lichtraum::obj::material_from_mtl(material, {});
+      for (bool const has_colors : {false, true}) lichtraum::obj::material_from_mtl(material, {}, has_colors);
     }
     lichtraum::flatten(lichtraum::import_obj_text(text, "fuzz.obj", "/nonexistent").scene.roots());
   } catch (lichtraum::Error const&) {  // what a faulty model must end in; anything else is a finding

@@ -139,7 +139,7 @@ TEST_CASE("pictures in sRGB have the same bytes for each class of processors", "
 }
 
 TEST_CASE("depth has the same bytes for each class of processors", "[app][long]") {
-  check_classes("--traversal scalar --aov depth", ".png");
+  check_classes("--traversal scalar --planes depth", ".png");
 }
 
 TEST_CASE("this processor stands for every class", "[app][long]") {

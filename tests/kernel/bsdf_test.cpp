@@ -168,7 +168,8 @@ TEST_CASE("Phong's BSDF is Lambert's and GGX's formula", "[kernel][bsdf]") {
   }
 }
 
-TEST_CASE("the densities of Phong's BSDF integrate to 1, and it keeps no more light than arrives", "[kernel][bsdf]") {
+TEST_CASE("the densities of Phong's BSDF integrate to 1, and it keeps no more light than arrives",
+          "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
   ProbeProgram const program = program_with(1);
   for (Model const& model : models) {
@@ -185,7 +186,7 @@ TEST_CASE("the densities of Phong's BSDF integrate to 1, and it keeps no more li
 }
 
 // 1 % in all for the 30 cases: 0.0335 % each (Sidak), which is 3.4 standard deviations of the normal distribution.
-TEST_CASE("the samples of Phong's BSDF have the density that it says (chi-square)", "[kernel][bsdf]") {
+TEST_CASE("the samples of Phong's BSDF have the density that it says (chi-square)", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
   Random random(91);
   ProbeProgram const program = program_with(1);

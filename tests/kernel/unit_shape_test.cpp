@@ -53,7 +53,7 @@ void check_solid(std::string const& probe, std::uint64_t seed, Body const& body)
       if (near_end > slack && is_first != (expected.t_enter > 0) && least < -4 * slack) FAIL("the wrong end");
     }
   }
-  CHECK(hits > count / 5);
+  if (count >= 1000) CHECK(hits > count / 5);
   CHECK(unclear <= 1 + count / 20);
 }
 

@@ -274,7 +274,7 @@ TEST_CASE("the weights of Phong's samples are f cos / pdf, and shares for mirror
 }
 
 TEST_CASE("sixteen samples of Phong's BSDF at once are those of one by one, at the edges too",
-          "[kernel][bsdf][lanes]") {
+          "[kernel][bsdf][layouts][lanes]") {
   NEEDS_OPENCL_DEVICE();
   Random random(93);
   ProbeProgram const one = program_with(1), sixteen = program_with(16);

@@ -104,7 +104,8 @@ TEST_CASE("sixteen points at once are shaded as one by one, to the last bit", "[
   for (device::uint const kind : {PRIMITIVE_TRIANGLE, PRIMITIVE_SPHERE, PRIMITIVE_ELLIPSOID, PRIMITIVE_BOX,
                                   PRIMITIVE_CYLINDER, PRIMITIVE_CONE, PRIMITIVE_PLANE}) {
     CAPTURE(kind);
-    CHECK(met[int(kind)] > rays / 50);
+    CHECK(met[int(kind)] > 0);
+    if (rays >= 10000) CHECK(met[int(kind)] > rays / 50);  // few rays are too few for a share
     CHECK(lit[int(kind)] > met[int(kind)] / 20);
     CHECK(lit[int(kind)] < met[int(kind)]);
   }

@@ -4,7 +4,7 @@
  * Samples are added one by one in their order. So a film has the same bytes however pixels and samples are cut into
  * tiles, as long as each pixel's samples are launched in order; a tile has samples of one block (shared/film.h) only.
  *
- * `rays` says how many rays this launch traced: one entry a work-item, row by row. program.clh has what can be chosen
+ * `traced` says how many rays this launch traced: one entry a work-item, row by row. program.clh has what can be chosen
  * when this is compiled. */
 #include "camera/generate_rays.clh"
 #include "film/film.clh"
@@ -13,7 +13,7 @@
 #include "program.clh"
 
 __kernel void render_tile(SCENE_PARAMETERS, FILM_PARAMETERS, __global FrameParameters const* frame, Tile const tile,
-                          __global WorkItemRays* rays) {
+                          __global WorkItemRays* traced) {
   Scene const scene = SCENE_FROM_PARAMETERS;
   Film const film = FILM_FROM_PARAMETERS;
   WorkItemRays counts = {0u, 0u, 0u, 0u};
@@ -24,10 +24,10 @@ __kernel void render_tile(SCENE_PARAMETERS, FILM_PARAMETERS, __global FrameParam
   if (is_empty(&square)) {
     return;
   }
-  Wave wave;
+  RayBatch rays;
   if (wants(&film, CENTER_PLANES) && tile.first_sample == 0u) {
-    generate_center_rays(frame, &tile, square.corner_x, square.corner_y, &wave.rays);
-    write_centers(&scene, frame, &film, &square, &wave.rays, &counts);
+    generate_center_rays(frame, &tile, square.corner_x, square.corner_y, &rays);
+    write_centers(&scene, frame, &film, &square, &rays, &counts);
   }
   Samples sums;
   Samples samples;
@@ -37,10 +37,10 @@ __kernel void render_tile(SCENE_PARAMETERS, FILM_PARAMETERS, __global FrameParam
   }
   uint const sample_count = wants(&film, MEAN_PLANES) ? tile.sample_count : 0u;
   for (uint i = 0u; i < sample_count; ++i) {
-    generate_camera_rays(frame, &tile, square.corner_x, square.corner_y, tile.first_sample + i, &wave.rays);
-    INTEGRATE(&scene, frame, &film, &wave, &samples, &counts);
-    add_samples(&film, &wave.rays, &samples, &sums, &counts);
+    generate_camera_rays(frame, &tile, square.corner_x, square.corner_y, tile.first_sample + i, &rays);
+    INTEGRATE(&scene, frame, &film, &square, tile.first_sample + i, &rays, &samples, &counts);
+    add_samples(&film, &rays, &samples, &sums, &counts);
   }
   store_samples(frame, &film, &square, &sums);
-  rays[(size_t)row * work_items_a_row + column] = counts;
+  traced[(size_t)row * work_items_a_row + column] = counts;
 }

@@ -1,6 +1,7 @@
 /* What is computed for LANES rays at once. With -D LAYOUT_WIDE, and LANES=1 or 16. */
 #include "bsdf/phong.clh"
 #include "lights/punctual_light.clh"
+#include "materials/phong_at.clh"
 #include "surface/shading_point.clh"
 
 #define VALUES 40u /* a ray */
@@ -31,9 +32,11 @@ __kernel void probe_points(SCENE_PARAMETERS, __global float4 const* origins, __g
   for (uint group = 0u; group < BATCH_GROUPS; ++group) {
     ShadingPoint point;
     find_shading_points(&scene, &rays, &hits, group * LANES, &point);
+    Phong phong;
+    find_phong(&scene, point.exists, &point.material, point.attributes, &phong);
     LightSample sample = sample_light(&light, point.position);
-    Real3 reflected = multiply3(sample.arriving, reflect_light(&point, sample.to_light));
-    Real3 unshadowed = unshadowed_radiance(&point, (float3)(0.3f, 0.2f, 0.1f));
+    Real3 reflected = multiply3(sample.arriving, reflect_light(&point, &phong, sample.to_light));
+    Real3 unshadowed = unshadowed_radiance(&phong, (float3)(0.3f, 0.2f, 0.1f));
     Real terminator = terminator_share(&point, sample.to_light);
     for (uint lane = 0u; lane < LANES; ++lane) {
       __global float* values = out + (first + group * LANES + lane) * VALUES;
@@ -49,17 +52,17 @@ __kernel void probe_points(SCENE_PARAMETERS, __global float4 const* origins, __g
       *values++ = LANE_MASK(point.from_outside, lane) != 0 ? 1.f : 0.f;
       *values++ = LANE_MASK(point.has_shading_normal, lane) != 0 ? 1.f : 0.f;
       *values++ = LANE_FLOAT(point.offset, lane);
-      *values++ = LANE_FLOAT(point.phong.m, lane);
-      *values++ = LANE_FLOAT(point.phong.reflect, lane);
-      *values++ = LANE_FLOAT(point.phong.transmit, lane);
-      *values++ = LANE_FLOAT(point.phong.ior, lane);
+      *values++ = LANE_FLOAT(phong.m, lane);
+      *values++ = LANE_FLOAT(phong.reflect, lane);
+      *values++ = LANE_FLOAT(phong.transmit, lane);
+      *values++ = LANE_FLOAT(phong.ior, lane);
       *values++ = LANE_FLOAT(terminator, lane);
       put3(&point.position, lane, &values);
       put3(&point.geometric_normal, lane, &values);
       put3(&point.normal, lane, &values);
       put3(&point.to_viewer, lane, &values);
-      put3(&point.phong.kd, lane, &values);
-      put3(&point.phong.ks, lane, &values);
+      put3(&phong.kd, lane, &values);
+      put3(&phong.ks, lane, &values);
       put3(&unshadowed, lane, &values);
       put3(&sample.to_light, lane, &values);
       put3(&sample.arriving, lane, &values);

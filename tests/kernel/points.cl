@@ -1,3 +1,4 @@
+#include "materials/phong_at.clh"
 #include "one_ray.clh"
 
 /* What shading sees of the point that each ray hits first; `coefficients`: ka and m, kd and reflect, ks and transmit,
@@ -22,14 +23,15 @@ __kernel void probe_points(SCENE_PARAMETERS, __global float4 const* origins, __g
   }
   ShadingPoint point;
   find_shading_points(&scene, &batch, &hits, 0u, &point);
-  Phong* phong = &point.phong;
+  Phong phong;
+  find_phong(&scene, point.exists, &point.material, point.attributes, &phong);
   positions[i] = (float4)(lane_of3(&point.position, 0u), hits.t[0]);
   normals[i] = (float4)(lane_of3(&point.geometric_normal, 0u), LANE_MASK(point.from_outside, 0u) != 0 ? 1.f : 0.f);
   shading_normals[i] = (float4)(lane_of3(&point.normal, 0u), LANE_MASK(point.has_shading_normal, 0u) != 0 ? 1.f : 0.f);
-  coefficients[4u * i] = (float4)(lane_of3(&phong->ka, 0u), LANE_FLOAT(phong->m, 0u));
-  coefficients[4u * i + 1u] = (float4)(lane_of3(&phong->kd, 0u), LANE_FLOAT(phong->reflect, 0u));
-  coefficients[4u * i + 2u] = (float4)(lane_of3(&phong->ks, 0u), LANE_FLOAT(phong->transmit, 0u));
-  coefficients[4u * i + 3u] = (float4)(lane_of3(&phong->emission, 0u), LANE_FLOAT(phong->ior, 0u));
+  coefficients[4u * i] = (float4)(lane_of3(&phong.ka, 0u), LANE_FLOAT(phong.m, 0u));
+  coefficients[4u * i + 1u] = (float4)(lane_of3(&phong.kd, 0u), LANE_FLOAT(phong.reflect, 0u));
+  coefficients[4u * i + 2u] = (float4)(lane_of3(&phong.ks, 0u), LANE_FLOAT(phong.transmit, 0u));
+  coefficients[4u * i + 3u] = (float4)(lane_of3(&phong.emission, 0u), LANE_FLOAT(phong.ior, 0u));
 }
 
 /* How much light gets through to t = 1. */

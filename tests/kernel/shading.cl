@@ -8,10 +8,11 @@ __kernel void probe_reflect_light(__global PhongMaterial const* materials, __glo
                                   __global float4* reflected) {
   size_t const i = get_global_id(0);
   ShadingPoint point;
-  set_phong(&point.phong, lane_mask(true), materials + i);
+  Phong phong;
+  set_phong(&phong, lane_mask(true), materials + i);
   point.normal = normals[i].xyz;
   point.to_viewer = to_viewers[i].xyz;
-  reflected[i] = (float4)(reflect_light(&point, to_lights[i].xyz), 0.f);
+  reflected[i] = (float4)(reflect_light(&point, &phong, to_lights[i].xyz), 0.f);
 }
 
 /* w of the result: whether there is a refracted ray. */

@@ -9,6 +9,7 @@
 #include "camera/generate_rays.clh"
 #include "film/film.clh"
 #include "integrators/first_surface.clh"
+#include "integrators/path.clh"
 #include "integrators/whitted.clh"
 #include "program.clh"
 

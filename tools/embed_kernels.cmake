@@ -53,7 +53,7 @@ foreach(program IN LISTS PROGRAMS)
   # Compilers limit the length of one string literal, not of what adjacent ones add up to.
   string(REGEX REPLACE "(\n#line )" ")kernel\"\nR\"kernel(\\1" text "${text}")
   string(APPEND cpp "constexpr char ${name}_source[] = R\"kernel(${text})kernel\";\n")
-  string(APPEND table "    {\"${name}\", ${name}_source},\n")
+  string(APPEND table "    {\"${name}\", {${name}_source, sizeof ${name}_source - 1}},\n")
 endforeach()
 string(APPEND cpp "constexpr EmbeddedKernel table[] = {\n${table}};\n}  // namespace\n\n"
   "std::span<EmbeddedKernel const> embedded_kernels() { return table; }\n\n}  // namespace lichtraum\n")

@@ -40,10 +40,11 @@ struct Job {
   std::string root;                    ///< the shape that is drawn, with all below it; empty: everything
   std::optional<double> turn_degrees;  ///< the camera is carried around what is looked at, see `orbited`
   std::optional<Resolution> size;
-  std::optional<Region> region;  ///< else the whole picture
+  std::optional<Region> region;          ///< else the whole picture
+  std::optional<Integrator> integrator;  ///< else whitted
   std::optional<Sampling> sampling;
   std::optional<SampleRange> samples;  ///< of those of `sampling`; else all
-  std::optional<int> max_depth;        ///< how often a ray may be mirrored or refracted
+  std::optional<int> max_depth;        ///< see RenderRequest::max_depth
   std::uint64_t seed = 0;              ///< of the random samples
   PlaneSet planes{FilmPlane::radiance};
   std::optional<JobBackground> background;
@@ -70,10 +71,10 @@ inline constexpr int jpeg_quality = 100;
 PlaneSet traced_planes(Job const& job);
 
 /// The job with camera (by its name), size, region, sampling and depth decided: by the job itself, else by the scene's
-/// `render` statement number `picture`, else by the camera, else by the scene's defaults, else 640x480, one sample a
-/// pixel, depth 5. `scene` is that at the end of its file. A job that is decided stays as it is.
-/// Throws Error{usage} for what the job asks for and cannot have, Error{scene} for a scene without cameras, or with a
-/// `render` that names an unknown one.
+/// `render` statement number `picture`, else by the camera, else by the scene's defaults, else 640x480; whitted: one
+/// sample a pixel, depth 5; path: 64 samples, depth 16. `scene` is that at the end of its file. A job that is decided
+/// stays as it is. Throws Error{usage} for what the job asks for and cannot have, Error{scene} for a scene without
+/// cameras, or with a `render` that names an unknown one.
 Job resolved(Job job, Scene const& scene);
 
 /// What to trace for the job. `scene` is what is drawn, of which the camera is taken: for the picture of a `render`,

@@ -45,7 +45,7 @@ struct RenderRequest {
   Sampling sampling;
   std::optional<SampleRange> samples;  ///< of those of `sampling`; nothing: all. Begins with a block of the film
   Integrator integrator = Integrator::whitted;
-  int max_depth = 5;  ///< how often a ray may be mirrored or refracted; 0: not at all
+  int max_depth = 5;  ///< how often a ray may be mirrored or refracted, a path scattered; 0: not at all
   std::uint64_t seed = 0;
   PlaneSet planes{FilmPlane::radiance};
   std::optional<Rgb> background;  ///< instead of the scene's

@@ -34,6 +34,9 @@ inline constexpr auto material_extra_words =
                                         {"opacity", MaterialExtra::opacity},
                                         {"ior", MaterialExtra::ior},
                                         {"ignore", MaterialExtra::ignore}});
+#define LICHTRAUM_INTEGRATOR_WORD(name) {#name, Integrator::name},
+inline constexpr auto integrator_words = std::to_array<Word<Integrator>>({INTEGRATORS(LICHTRAUM_INTEGRATOR_WORD)});
+#undef LICHTRAUM_INTEGRATOR_WORD
 inline constexpr auto pattern_words =
     std::to_array<Word<Sampling::Pattern>>({{"grid", Sampling::Pattern::grid}, {"seeded", Sampling::Pattern::seeded}});
 

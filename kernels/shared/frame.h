@@ -17,6 +17,7 @@ DEVICE_STRUCT_SIZE(PinholeCamera, 64);
 
 #define SAMPLING_GRID 0u
 #define SAMPLING_SEEDED 1u
+#define SAMPLING_SOBOL 2u
 
 /* Everything about the picture that is the same for each of its pixels. */
 typedef struct {

@@ -16,42 +16,42 @@
  * one word of it with something else, has code of its own in the loader. */
 
 /* What kernels read. */
-#define PBR_DEVICE_FIELDS(COLOR, SHARE, NUMBER, TEXTURE, MODE)                                  \
-  COLOR(base_color, 1, "", "") /* also times the vertex colour */                               \
-  SHARE(alpha, 1, "", "")      /* the same, of the base colour */                               \
-  TEXTURE(base_color_texture, "", "")                                                           \
-  SHARE(metallic, 1, "", "")  /* times the texture's blue */                                    \
-  SHARE(roughness, 1, "", "") /* times the texture's green */                                   \
-  TEXTURE(metallic_roughness_texture, "", "")                                                   \
-  TEXTURE(normal_texture, "", "")                                                               \
-  NUMBER(normal_scale, 1, 0, 4, "", "")                                                         \
-  TEXTURE(occlusion_texture, "", "") /* red */                                                  \
-  SHARE(occlusion_strength, 1, "", "")                                                          \
-  COLOR(emissive, 0, "", "") /* with KHR_materials_emissive_strength multiplied in */           \
-  TEXTURE(emissive_texture, "", "")                                                             \
-  MODE(AlphaMode, alpha_mode, AlphaMode::opaque)                                                \
-  NUMBER(alpha_cutoff, 0.5, 0, 1, "", "")                                                       \
-  MODE(bool, unlit, false) /* KHR_materials_unlit: shows its base colour, whatever the light */ \
-  NUMBER(ior, 1.5, 1, 3, "ior", "ior")                                                          \
-  SHARE(specular, 1, "specular", "specularFactor")                                              \
-  TEXTURE(specular_texture, "specular", "specularTexture") /* alpha */                          \
-  COLOR(specular_color, 1, "specular", "specularColorFactor")                                   \
-  TEXTURE(specular_color_texture, "specular", "specularColorTexture")                           \
-  SHARE(transmission, 0, "transmission", "transmissionFactor")                                  \
-  TEXTURE(transmission_texture, "transmission", "transmissionTexture") /* red */                \
-  NUMBER(thickness, 0, 0, 1, "volume", "thicknessFactor")              /* 0 is a thin wall, all else a solid body */
+#define PBR_DEVICE_FIELDS(COLOR, SHARE, NUMBER, TEXTURE, MODE)                                                       \
+  COLOR(base_color, 1, "", "") /* also times the vertex colour */                                                    \
+  SHARE(alpha, 1, "", "")      /* the same, of the base colour */                                                    \
+  TEXTURE(base_color_texture, "", "")                                                                                \
+  SHARE(metallic, 1, "", "")  /* times the texture's blue */                                                         \
+  SHARE(roughness, 1, "", "") /* times the texture's green */                                                        \
+  TEXTURE(metallic_roughness_texture, "", "")                                                                        \
+  TEXTURE(normal_texture, "", "")                                                                                    \
+  NUMBER(normal_scale, 1, 0, 4, "", "")                                                                              \
+  TEXTURE(occlusion_texture, "", "") /* red */                                                                       \
+  SHARE(occlusion_strength, 1, "", "")                                                                               \
+  COLOR(emissive, 0, "", "") /* with KHR_materials_emissive_strength multiplied in */                                \
+  TEXTURE(emissive_texture, "", "")                                                                                  \
+  MODE(AlphaMode, alpha_mode, AlphaMode::opaque)                                                                     \
+  NUMBER(alpha_cutoff, 0.5, 0, 1, "", "")                                                                            \
+  MODE(bool, unlit, false) /* KHR_materials_unlit: shows its base colour, whatever the light */                      \
+  NUMBER(ior, 1.5, 1, 3, "ior", "ior")                                                                               \
+  SHARE(specular, 1, "specular", "specularFactor")                                                                   \
+  TEXTURE(specular_texture, "specular", "specularTexture") /* alpha */                                               \
+  COLOR(specular_color, 1, "specular", "specularColorFactor")                                                        \
+  TEXTURE(specular_color_texture, "specular", "specularColorTexture")                                                \
+  SHARE(transmission, 0, "transmission", "transmissionFactor")                                                       \
+  TEXTURE(transmission_texture, "transmission", "transmissionTexture") /* red */                                     \
+  NUMBER(thickness, 0, 0, 1, "volume", "thicknessFactor")              /* 0 is a thin wall, all else a solid body */ \
+  MODE(bool, double_sided, false)                                                                                    \
+  NUMBER(attenuation_distance, INFINITY, 0, 10, "volume", "attenuationDistance") /* > 0; infinite: clear */          \
+  COLOR(attenuation_color, 1, "volume", "attenuationColor")                                                          \
+  SHARE(clearcoat, 0, "clearcoat", "clearcoatFactor")                                                                \
+  TEXTURE(clearcoat_texture, "clearcoat", "clearcoatTexture") /* red */                                              \
+  SHARE(clearcoat_roughness, 0, "clearcoat", "clearcoatRoughnessFactor")                                             \
+  TEXTURE(clearcoat_roughness_texture, "clearcoat", "clearcoatRoughnessTexture") /* green */
 
 /* What none of them reads yet. */
 #define PBR_HOST_FIELDS(COLOR, SHARE, NUMBER, TEXTURE, MODE)                                                 \
-  MODE(bool, double_sided, false)                                                                            \
-  NUMBER(dispersion, 0, 0, 1, "dispersion", "dispersion")                        /* 20 / Abbe number */      \
-  TEXTURE(thickness_texture, "volume", "thicknessTexture")                       /* green */                 \
-  NUMBER(attenuation_distance, INFINITY, 0, 10, "volume", "attenuationDistance") /* > 0; infinite: clear */  \
-  COLOR(attenuation_color, 1, "volume", "attenuationColor")                                                  \
-  SHARE(clearcoat, 0, "clearcoat", "clearcoatFactor")                                                        \
-  TEXTURE(clearcoat_texture, "clearcoat", "clearcoatTexture") /* red */                                      \
-  SHARE(clearcoat_roughness, 0, "clearcoat", "clearcoatRoughnessFactor")                                     \
-  TEXTURE(clearcoat_roughness_texture, "clearcoat", "clearcoatRoughnessTexture") /* green */                 \
+  NUMBER(dispersion, 0, 0, 1, "dispersion", "dispersion")  /* 20 / Abbe number */                            \
+  TEXTURE(thickness_texture, "volume", "thicknessTexture") /* green */                                       \
   TEXTURE(clearcoat_normal_texture, "clearcoat", "clearcoatNormalTexture")                                   \
   COLOR(sheen_color, 0, "sheen", "sheenColorFactor")                                                         \
   TEXTURE(sheen_color_texture, "sheen", "sheenColorTexture")                                                 \

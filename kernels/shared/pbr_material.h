@@ -32,7 +32,7 @@ typedef struct {
 #undef PBR_TEXTURE
 #undef PBR_MODE
 } PbrMaterial;
-DEVICE_STRUCT_SIZE(PbrMaterial, 344);
+DEVICE_STRUCT_SIZE(PbrMaterial, 436);
 
 DEVICE_NAMESPACE_END
 

@@ -18,6 +18,8 @@ static inline Whole bits_of_real(Real x) { return as_int(x); }
 static inline Real real_of_bits(Whole bits) { return as_float(bits); }
 static inline Real real_of_whole(Whole n) { return (float)n; }
 static inline Whole whole_of_real(Real x) { return (int)x; }
+static inline Whole whole_of_word(Word bits) { return (int)bits; }
+static inline Word word_of_real(Real x) { return (uint)x; }
 #else
 typedef float16 Real;
 typedef int16 Whole;
@@ -27,6 +29,8 @@ static inline Whole bits_of_real(Real x) { return as_int16(x); }
 static inline Real real_of_bits(Whole bits) { return as_float16(bits); }
 static inline Real real_of_whole(Whole n) { return convert_float16(n); }
 static inline Whole whole_of_real(Real x) { return convert_int16(x); }
+static inline Whole whole_of_word(Word bits) { return as_int16(bits); }
+static inline Word word_of_real(Real x) { return convert_uint16(x); }
 #endif
 
 #else
@@ -38,11 +42,13 @@ namespace lichtraum::device {
 using std::copysign, std::fabs, std::floor, std::fma, std::sqrt;
 using Real = float;
 using Whole = std::int32_t;
+using Word = std::uint32_t;
 using Mask = bool;
 inline Whole bits_of_real(Real x) { return std::bit_cast<Whole>(x); }
 inline Real real_of_bits(Whole bits) { return std::bit_cast<Real>(bits); }
 inline Real real_of_whole(Whole n) { return static_cast<Real>(n); }
 inline Whole whole_of_real(Real x) { return static_cast<Whole>(x); }
+inline Whole whole_of_word(Word bits) { return static_cast<Whole>(bits); }
 }  // namespace lichtraum::device
 
 #endif

@@ -19,10 +19,12 @@ void add_device_option(CLI::App& parser, RenderOptions& options, std::string con
 
 void add_quality_options(CLI::App& parser, RenderOptions& options, std::string const& default_samples) {
   std::string const group = "Quality";
+  add_value(parser, "--integrator", options.job.integrator, parse_integrator, "NAME",
+            "whitted (default): direct light, mirrors and\nglass; path: all light", group);
   add_value(parser, "--samples", options.job.sampling, parse_samples, "N|NxN",
             "Samples per pixel: 16 random ones, or a grid such\nas 4x4 (default: " + default_samples + ")", group);
   add_value(parser, "--depth", options.job.max_depth, parse_depth, "N",
-            "Maximum depth of reflection and refraction\n(default: 5)", group);
+            "Maximum depth of reflection and refraction\n(default: 5; path: 16)", group);
   add_value(parser, "--seed", options.job.seed, parse_seed, "N", "Seed of the random samples (default: 0)", group);
   add_value(parser, "--background", options.job.background, parse_background, "R,G,B|none",
             "Radiance where nothing is hit; none: transparent\n(default: the scene's)", group);

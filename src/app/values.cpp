@@ -160,6 +160,8 @@ double parse_exposure(std::string_view text) {
   return *stops;
 }
 
+Integrator parse_integrator(std::string_view text) { return word(text, integrator_words); }
+
 std::optional<Traversal> parse_traversal(std::string_view text) {
   return word(text, std::to_array<Word<std::optional<Traversal>>>({{"auto", std::nullopt},
                                                                    {"scalar", Traversal::scalar},

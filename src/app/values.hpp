@@ -37,6 +37,7 @@ int parse_quality(std::string_view text);                                 ///< 1
 PlaneSet parse_planes(std::string_view text);                             ///< names of planes, commas between
 JobBackground parse_background(std::string_view text);                    ///< none, or three numbers
 double parse_exposure(std::string_view text);                             ///< stops: -100..100
+Integrator parse_integrator(std::string_view text);                       ///< whitted, path
 std::optional<Traversal> parse_traversal(std::string_view text);          ///< auto (nothing), scalar, wide, packet
 ToneMap parse_tone_map(std::string_view text);                            ///< auto, none, reinhard
 Transfer parse_transfer(std::string_view text);                           ///< linear, srgb

@@ -122,8 +122,12 @@ struct TileTracer::State {
 
   KnownKernel& kernel_for(device::FrameParameters const& parameters, Integrator integrator, PlaneSet const& wanted) {
     RenderProgram const program{
-        grouping,   wanted != PlaneSet{FilmPlane::radiance}, (tables->features & ~SCENE_WITHOUT_MODELS) == 0,
-        integrator, ray_stack_size(parameters.max_depth),    traversal_stack_size(scene->stack_size)};
+        grouping,
+        wanted != PlaneSet{FilmPlane::radiance},
+        (tables->features & ~SCENE_WITHOUT_MODELS) == 0,
+        integrator,
+        integrator == Integrator::whitted ? ray_stack_size(parameters.max_depth) : ray_stack_size(0),
+        traversal_stack_size(scene->stack_size)};
     auto const options = program.options();
     auto found = kernels.find(options);
     if (found == kernels.end()) {

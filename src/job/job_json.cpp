@@ -117,6 +117,7 @@ constexpr auto job_fields = [](auto& job, auto&& field) {
                          {&Region::y, {0, most}},
                          {&Region::width, {1, most}},
                          {&Region::height, {1, most}}}});
+  field("integrator", job.integrator, one_of(integrator_words));
   field("sampling", job.sampling, SamplesPerPixel{});
   field("sample_range", job.samples,
         Members<SampleRange>{{{&SampleRange::first, {0, most}}, {&SampleRange::end, {1, most}}}});

@@ -12,7 +12,21 @@ namespace lichtraum {
 namespace {
 
 constexpr Resolution default_size{640, 480};
-constexpr int default_depth = 5;
+
+/// What an integrator draws with unless asked otherwise.
+struct Effort {
+  int samples;
+  int max_depth;
+};
+Effort usual_effort(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::whitted:
+      return {1, 5};
+    case Integrator::path:
+      return {64, 16};
+  }
+  return {};
+}
 
 /// What the scene says about the job's picture.
 RenderCommand command_of(Job const& job, Scene const& scene) {
@@ -49,6 +63,7 @@ Camera const& find_camera(Job const& job, Scene const& scene, std::string const&
               fmt::format("{}: there is no camera '{}'; there are: {}", job.scene, name, list_cameras(scene)));
 }
 
+/// In a grid, one sample is the middle of its pixel.
 Sampling sampling_of(int count) { return {count == 1 ? Sampling::Pattern::grid : Sampling::Pattern::seeded, count}; }
 
 /// Of a job that is decided.
@@ -57,6 +72,7 @@ RenderRequest request_through(Camera const& camera, Job const& job) {
   request.camera = camera;
   request.resolution = *job.size;
   request.region = *job.region;
+  request.integrator = *job.integrator;
   request.sampling = *job.sampling;
   request.samples = job.samples;
   request.max_depth = *job.max_depth;
@@ -83,8 +99,10 @@ Job resolved(Job job, Scene const& scene) {
   if (!job.size) job.size = camera.resolution();
   if (!job.size) job.size = scene.resolution.value_or(default_size);
   if (!job.region) job.region = whole_picture(*job.size);
-  if (!job.sampling) job.sampling = sampling_of(command.samples.value_or(1));
-  if (!job.max_depth) job.max_depth = command.depth.value_or(default_depth);
+  if (!job.integrator) job.integrator = Integrator::whitted;
+  Effort const usual = usual_effort(*job.integrator);
+  if (!job.sampling) job.sampling = sampling_of(command.samples.value_or(usual.samples));
+  if (!job.max_depth) job.max_depth = command.depth.value_or(usual.max_depth);
   check_request(request_through(camera, job));
   return job;
 }

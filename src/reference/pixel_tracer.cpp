@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lichtraum/error.hpp"
 #include "reference/integrator.hpp"
 #include "shared/sampling.h"
 
@@ -47,6 +48,9 @@ class PixelTracer::Pixel {
 PixelTracer::PixelTracer(ReferenceScene const& scene, ReferenceNumbers const& numbers, RenderRequest const& request,
                          SampleRange const& samples, Film& film)
     : scene_(scene), surfaces_(scene, numbers, request.planes), request_(request), samples_(samples), film_(film) {
+  if (request.integrator != Integrator::whitted) {
+    throw Error(ErrorKind::usage, "the reference tracer has no integrator 'path' yet: try another --device");
+  }
   if (request.background) scene_.background = *request.background;
 }
 

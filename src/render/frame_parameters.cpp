@@ -19,6 +19,12 @@ device::PinholeCamera pinhole_camera(Camera const& camera, Resolution const& siz
           device_float4(world_from_camera.vector({0, -2 * half_height / size.height, 0}))};
 }
 
+/// Paths need samples that are even in all of their dimensions.
+device::uint sampling_of(RenderRequest const& request) {
+  if (request.sampling.pattern == Sampling::Pattern::grid) return SAMPLING_GRID;
+  return request.integrator == Integrator::path ? SAMPLING_SOBOL : SAMPLING_SEEDED;
+}
+
 }  // namespace
 
 device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene) {
@@ -31,7 +37,7 @@ device::FrameParameters frame_parameters(RenderRequest const& request, SceneShad
   frame.region_y = device::uint(request.region.y);
   frame.region_width = device::uint(request.region.width);
   frame.region_height = device::uint(request.region.height);
-  frame.sampling = request.sampling.pattern == Sampling::Pattern::grid ? SAMPLING_GRID : SAMPLING_SEEDED;
+  frame.sampling = sampling_of(request);
   frame.sample_count = device::uint(request.sampling.count);
   frame.seed_low = device::uint(request.seed);
   frame.seed_high = device::uint(request.seed >> 32);

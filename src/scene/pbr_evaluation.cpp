@@ -22,7 +22,8 @@ double unit(double x) { return std::clamp(x, 0.0, 1.0); }
 
 bool varies(PbrModel const& m) {
   return m.base_color_texture || m.metallic_roughness_texture || m.occlusion_texture || m.emissive_texture ||
-         m.transmission_texture || m.specular_texture || m.specular_color_texture;
+         m.transmission_texture || m.specular_texture || m.specular_color_texture || m.clearcoat_texture ||
+         m.clearcoat_roughness_texture;
 }
 
 bool has_cutouts(PbrModel const& m) { return m.alpha_mode != AlphaMode::opaque; }

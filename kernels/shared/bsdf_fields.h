@@ -1,0 +1,23 @@
+#ifndef LICHTRAUM_SHARED_BSDF_FIELDS_H
+#define LICHTRAUM_SHARED_BSDF_FIELDS_H
+
+/* What a point of a surface does with light, whatever its material's model: the parameters of bsdf/bsdf.clh, written
+ * down once: COLOR(name), NUMBER(name). */
+#define BSDF_FIELDS(COLOR, NUMBER)                                                                                   \
+  COLOR(emission)                                                                                                    \
+  NUMBER(opacity)                      /* the share of rays that meet the surface; the others go straight on */      \
+  COLOR(diffuse)                       /* reflectance of the matt lobe */                                            \
+  COLOR(f0)                            /* Fresnel's factor of the glossy lobe, seen head-on ... */                   \
+  COLOR(f90)                           /* ... and at grazing angles */                                               \
+  NUMBER(alpha)                        /* its roughness */                                                           \
+  NUMBER(is_layered)                   /* 1: what it reflects is lost to the lobes below it, and it loses nothing */ \
+  COLOR(transmitted)                   /* what gets through of the light that the glossy lobe leaves */              \
+  NUMBER(ior)                          /* that refracts it; 1: a thin wall */                                        \
+  COLOR(attenuation_color)             /* of white light in a solid body ... */                                      \
+  NUMBER(inverse_attenuation_distance) /* ... after 1 / this, in world units */                                      \
+  NUMBER(mirror)                       /* shares of perfect mirror and glass */                                      \
+  NUMBER(glass)                                                                                                      \
+  NUMBER(coat) /* share of a clear coat above all of this, of index 1.5 */                                           \
+  NUMBER(coat_alpha)
+
+#endif

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lichtraum/camera.hpp"
+#include "lichtraum/environment.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/light.hpp"
 #include "lichtraum/material.hpp"
@@ -31,6 +32,7 @@ struct Scene {
   Registry<std::shared_ptr<Shape>> shapes;
   Registry<Light> lights;
   Registry<Camera> cameras;
+  std::optional<EnvironmentLight> environment;
   Rgb background{0};                     ///< what a ray sees that hits nothing
   ToneMap tone_map = ToneMap::none;      ///< what `automatic` means for this scene
   std::optional<Resolution> resolution;  ///< for cameras and renders that give none

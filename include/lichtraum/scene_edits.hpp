@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "lichtraum/environment.hpp"
 #include "lichtraum/light.hpp"
 #include "lichtraum/material.hpp"
 
@@ -13,6 +15,8 @@ struct SceneEdits {
   std::vector<Light> lights;  ///< instead of all of the scene's
   /// Instead of some of those that its shapes have. Textures, and which of them, stay the material's own.
   std::unordered_map<Material const*, Material> materials;
+  /// Instead of the scene's. With the scene's own map only numbers change; another one takes the time to compile it.
+  std::optional<EnvironmentLight> environment{};
 };
 
 }  // namespace lichtraum

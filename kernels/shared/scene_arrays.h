@@ -1,6 +1,7 @@
 #ifndef LICHTRAUM_SHARED_SCENE_ARRAYS_H
 #define LICHTRAUM_SHARED_SCENE_ARRAYS_H
 
+#include "shared/alias_table.h"
 #include "shared/bvh.h"
 #include "shared/geometry.h"
 #include "shared/light.h"
@@ -62,6 +63,13 @@
   ARRAY(PbrMaterial, pbr_materials) /* as many as materials, or none */ \
   ARRAY(PunctualLight, lights)
 
+/* What arrives from infinitely far away (lights/environment.clh); none of them has elements where nothing does. */
+#define ENVIRONMENT_ARRAYS(ARRAY)                                                     \
+  ARRAY(float, environment_texels)       /* rgb, row by row from the top: radiance */ \
+  ARRAY(AliasEntry, environment_rows)    /* choose a row ... */                       \
+  ARRAY(AliasEntry, environment_columns) /* ... and in it a column; one a texel */    \
+  ARRAY(float, environment_densities)    /* one a texel: what environment_pdf says of it */
+
 DEVICE_NAMESPACE_BEGIN
 
 /* What kernels know of a scene besides its arrays. */
@@ -70,8 +78,17 @@ typedef struct {
   uint light_count;
   uint features;     /* SCENE_... */
   float ray_epsilon; /* how far, relative to its coordinates, a computed hit point may lie off its surface */
+  /* The environment; all 0 where there is none. */
+  uint environment_width; /* texels */
+  uint environment_height;
+  float environment_cosine; /* of the angle by which it is turned about y, counter-clockwise seen from above */
+  float environment_sine;
+  float environment_brightness;    /* what its radiance is multiplied by */
+  float environment_power;         /* the mean luminance of that, over the sphere, times 4 pi; 0: black */
+  float environment_sampled_power; /* what of it environment_sample draws from; 0: it draws nothing */
+  float environment_poles[6];      /* rgb at the top, and at the bottom: the mean of the first row, and of the last */
 } SceneConstants;
-DEVICE_STRUCT_SIZE(SceneConstants, 16);
+DEVICE_STRUCT_SIZE(SceneConstants, 68);
 
 /* For SceneConstants.ray_epsilon: 16 rounding units of float, several times what the device code can be off. */
 #define DEFAULT_RAY_EPSILON 9.5367431640625e-7f
@@ -83,6 +100,7 @@ DEVICE_STRUCT_SIZE(SceneConstants, 16);
 #define SCENE_PBR 8u          /* a material is derived from a physically based one */
 #define SCENE_LIGHT_KINDS 16u /* a light is not LIGHT_CONSTANT */
 #define SCENE_RARE_SHAPES 32u /* a shape is of a kind from FIRST_RARE_SHAPE on */
+#define SCENE_ENVIRONMENT 64u /* light arrives from infinitely far away */
 /* What remains where no model and no rare shape is: what eSDF's usual shapes, materials and lights can have. */
 #define SCENE_WITHOUT_MODELS SCENE_TRANSPARENCY
 

@@ -68,7 +68,7 @@ struct TileTracer::State {
   std::shared_ptr<ShadingTables const> tables = std::make_shared<ShadingTables>();
   bool is_uploaded = false;
   std::uint64_t device_bytes = 0;
-  std::vector<cl::Buffer> geometry, shading;  // in the order of the kernel's parameters
+  std::vector<cl::Buffer> geometry, shading, environment;  // in the order of the kernel's parameters
 
   std::vector<device::FrameParameters> frame;
   cl::Buffer frame_buffer;
@@ -171,6 +171,7 @@ void TileTracer::upload(std::shared_ptr<SceneBuffers const> scene, std::shared_p
   bool const has_scene = state_->is_uploaded && scene == state_->scene;
   if (has_scene && tables == state_->tables) return;
   state_->is_uploaded = false;
+  bool const has_environment = has_scene && tables->environment_table == state_->tables->environment_table;
   state_->scene = std::move(scene);
   state_->tables.swap(tables);  // the old ones go when no buffer uses them any longer
   state_->check_size();
@@ -180,7 +181,9 @@ void TileTracer::upload(std::shared_ptr<SceneBuffers const> scene, std::shared_p
       return [&](auto const& data) { buffers.push_back(buffer_over(state_->context, CL_MEM_READ_ONLY, data)); };
     };
     if (!has_scene) for_each_array(*state_->scene, add_to(state_->geometry));
-    for_each_array(*state_->tables, add_to(state_->shading));
+    device::for_each_array(static_cast<device::ShadingArrays const&>(*state_->tables), add_to(state_->shading));
+    auto const& environment = *state_->tables->environment_table;
+    if (!has_environment) device::for_each_array(environment, add_to(state_->environment));
   });
   state_->is_uploaded = true;
 }
@@ -196,7 +199,7 @@ void TileTracer::begin_frame(device::FrameParameters const& frame, Integrator in
     state.kernel = known.kernel;
     state.frame_buffer = buffer_over(state.context, CL_MEM_READ_ONLY, state.frame);
     cl_uint argument = 0;
-    for (auto const* const buffers : {&state.geometry, &state.shading}) {
+    for (auto const* const buffers : {&state.geometry, &state.shading, &state.environment}) {
       for (cl::Buffer const& buffer : *buffers) state.kernel.setArg(argument++, buffer);
     }
     auto constants = scene_constants(*state.scene, *state.tables);

@@ -19,6 +19,10 @@ struct ShadingArrays {
   SHADING_ARRAYS(LICHTRAUM_VECTOR)
 };
 
+struct EnvironmentArrays {
+  ENVIRONMENT_ARRAYS(LICHTRAUM_VECTOR)
+};
+
 #undef LICHTRAUM_VECTOR
 
 /// Calls f(array) for each array that kernels of the layout take, in the order of their parameters: these first ...
@@ -33,10 +37,15 @@ void for_each_array(GeometryArrays const& arrays, bool is_binary, F const& f) {
   SHAPE_ARRAYS(LICHTRAUM_VISIT)
   TEXTURE_ARRAYS(LICHTRAUM_VISIT)
 }
-/// ... then these.
+/// ... then these ...
 template <class F>
 void for_each_array(ShadingArrays const& arrays, F const& f) {
   SHADING_ARRAYS(LICHTRAUM_VISIT)
+}
+/// ... and these.
+template <class F>
+void for_each_array(EnvironmentArrays const& arrays, F const& f) {
+  ENVIRONMENT_ARRAYS(LICHTRAUM_VISIT)
 #undef LICHTRAUM_VISIT
 }
 

@@ -37,6 +37,21 @@ device::uint features_of(BigVector<device::PunctualLight> const& lights) {
   return std::all_of(lights.begin(), lights.end(), is_constant) ? 0 : SCENE_LIGHT_KINDS;
 }
 
+/// `known`: tables whose environment's may serve, as it is of the same map.
+void set_environment(ShadingTables& tables, std::optional<EnvironmentLight> const& environment,
+                     ShadingTables const* known) {
+  tables.features &= ~SCENE_ENVIRONMENT;
+  tables.environment = environment;
+  if (!environment) {
+    tables.environment_table = std::make_shared<EnvironmentTable>();
+    return;
+  }
+  tables.features |= SCENE_ENVIRONMENT;
+  tables.environment_table = known && known->environment_table->map == environment->map
+                                 ? known->environment_table
+                                 : std::make_shared<EnvironmentTable>(make_environment_table(environment->map));
+}
+
 class Compiler {
  public:
   Compiler(TreeLayout layout, SceneBuffers const* previous) : previous_(previous) { buffers_.layout = layout; }
@@ -287,7 +302,7 @@ class Compiler {
 }  // namespace
 
 SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, TreeLayout layout,
-                           SceneBuffers const* previous) {
+                           SceneBuffers const* previous, std::optional<EnvironmentLight> const& environment) {
   Compiler compiler(layout, previous);
   auto world = compiler.take(std::move(scene.objects[0]));
   std::vector<CompiledObject> objects(1);  // the world's comes last: it needs the others' bounds
@@ -320,12 +335,19 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tre
   shading.pbr_materials = std::move(table.pbr);
   shading.lights = make_light_table({lights.begin(), lights.end()}, buffers.world_bounds);
   shading.features |= table.features | features_of(shading.lights);
+  set_environment(shading, environment, previous ? &previous->shading : nullptr);
   buffers.unrepresentable += scene.unrepresentable;
   return std::move(buffers);
 }
 
 device::SceneConstants scene_constants(SceneBuffers const& scene, ShadingTables const& shading) {
-  return {scene.root_node, device::uint(shading.lights.size()), shading.features, DEFAULT_RAY_EPSILON};
+  device::SceneConstants constants{};
+  constants.root_node = scene.root_node;
+  constants.light_count = device::uint(shading.lights.size());
+  constants.features = shading.features;
+  constants.ray_epsilon = DEFAULT_RAY_EPSILON;
+  if (shading.environment) set_environment(constants, *shading.environment_table, *shading.environment);
+  return constants;
 }
 
 ShadingTables edit_tables(SceneBuffers const& scene, std::vector<Material const*> const& materials,
@@ -342,6 +364,7 @@ ShadingTables edit_tables(SceneBuffers const& scene, std::vector<Material const*
   }
   tables.lights = make_light_table(edits.lights, scene.world_bounds);
   tables.features |= features_of(tables.lights);
+  set_environment(tables, edits.environment, &scene.shading);
   return tables;
 }
 

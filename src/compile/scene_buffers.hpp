@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
+#include "compile/environment_table.hpp"
 #include "compile/scene_arrays.hpp"
 #include "core/content_hash.hpp"
 #include "lichtraum/renderer.hpp"
@@ -30,6 +33,9 @@ struct CompiledObject {
 /// What surfaces and lights are like: all of a scene that can change without a look at its shapes.
 struct ShadingTables : device::ShadingArrays {
   device::uint features = 0;  ///< SCENE_...
+  std::optional<EnvironmentLight> environment;
+  std::shared_ptr<EnvironmentTable const> environment_table =  ///< of its map; without elements where there is none
+      std::make_shared<EnvironmentTable>();
 };
 
 /// A scene as the kernels read it: plain arrays, the hierarchies of all objects in one.
@@ -54,13 +60,22 @@ void for_each_array(SceneBuffers const& scene, F const& f) {
   device::for_each_array(scene, scene.layout == TreeLayout::binary, f);
 }
 
+/// Those of the shading, which come next.
+template <class F>
+void for_each_array(ShadingTables const& tables, F const& f) {
+  device::for_each_array(static_cast<device::ShadingArrays const&>(tables), f);
+  device::for_each_array(static_cast<device::EnvironmentArrays const&>(*tables.environment_table), f);
+}
+
 /// What kernels take after them.
 device::SceneConstants scene_constants(SceneBuffers const& scene, ShadingTables const& shading);
 
 /// Builds a hierarchy per object and puts everything into the device's arrays. Objects that are
-/// the same in `previous` (a scene compiled for the same layout; null: none) get theirs from there.
+/// the same in `previous` (a scene compiled for the same layout; null: none) get theirs from there, and so does the
+/// same map.
 SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, TreeLayout layout,
-                           SceneBuffers const* previous = nullptr);
+                           SceneBuffers const* previous = nullptr,
+                           std::optional<EnvironmentLight> const& environment = {});
 
 /// The tables of a compiled scene after edits. `materials`: whose entries its materials are, as FlatScene lists them.
 ShadingTables edit_tables(SceneBuffers const& scene, std::vector<Material const*> const& materials,

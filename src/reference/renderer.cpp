@@ -58,7 +58,7 @@ class ReferenceRenderer final : public Renderer {
     }
     auto const copies = copy_graph(drawn.roots);
     drawn.roots.assign(copies.begin(), copies.end());
-    identify(*prepared, {scene.lights.begin(), scene.lights.end()});
+    identify(*prepared, {scene.lights.begin(), scene.lights.end()}, scene.environment);
     prepared->statistics.triangles = summary.defined[ShapeKind::triangle] + summary.defined.mesh_triangles;
     prepared->statistics.spheres = summary.defined[ShapeKind::sphere];
     prepared->statistics.boxes = summary.defined[ShapeKind::box];
@@ -76,7 +76,7 @@ class ReferenceRenderer final : public Renderer {
     edited->graph.lights = casting_shadows(edits.lights);
     auto const copies = copy_graph(graph->graph.roots, edits.materials);
     edited->graph.roots.assign(copies.begin(), copies.end());
-    identify(*edited, edits.lights);
+    identify(*edited, edits.lights, edits.environment);
     return edited;
   }
 
@@ -120,7 +120,8 @@ class ReferenceRenderer final : public Renderer {
 
  private:
   /// The numbers and the fingerprint of what it draws.
-  static void identify(PreparedGraph& prepared, std::vector<Light> const& lights) {
+  static void identify(PreparedGraph& prepared, std::vector<Light> const& lights,
+                       std::optional<EnvironmentLight> const& environment) {
     FlatScene const flat = flatten(prepared.graph.roots);
     auto& materials = prepared.numbers.materials;
     materials.clear();
@@ -128,7 +129,7 @@ class ReferenceRenderer final : public Renderer {
       materials.emplace(flat.materials[i].get(), std::uint32_t(i + 1));
     }
     prepared.numbers.objects = ObjectNumbers(flat);
-    prepared.fingerprint = scene_fingerprint(content_of(flat, lights), prepared.graph);
+    prepared.fingerprint = scene_fingerprint(content_of(flat, lights, environment), prepared.graph);
   }
 
   /// Whether all rows are there: not where `goes_on` has said no.

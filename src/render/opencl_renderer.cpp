@@ -104,7 +104,7 @@ class OpenClRenderer final : public Renderer {
     FlatScene flat = flatten(drawn_roots(scene, root));
     for (auto const& material : flat.materials) prepared->materials.push_back(material.get());
     prepared->numbers = ObjectNumbers(flat);
-    prepared->content = content_of(flat, {scene.lights.begin(), scene.lights.end()});
+    prepared->content = content_of(flat, {scene.lights.begin(), scene.lights.end()}, scene.environment);
     prepared->fingerprint = scene_fingerprint(prepared->content, prepared->shading);
     statistics.flatten_ms = 1e3 * seconds_since(start);
 
@@ -112,8 +112,8 @@ class OpenClRenderer final : public Renderer {
     if (old && old->content == prepared->content) {
       prepared->buffers = old->buffers;
     } else {
-      prepared->buffers = std::make_shared<SceneBuffers>(
-          compile_scene(std::move(flat), scene.lights, traversal_.layout, old ? old->buffers.get() : nullptr));
+      prepared->buffers = std::make_shared<SceneBuffers>(compile_scene(
+          std::move(flat), scene.lights, traversal_.layout, old ? old->buffers.get() : nullptr, scene.environment));
     }
     prepared->tables = {prepared->buffers, &prepared->buffers->shading};
     SceneBuffers const& buffers = *prepared->buffers;
@@ -133,7 +133,9 @@ class OpenClRenderer final : public Renderer {
     auto const edited = std::make_shared<CompiledScene>(compiled(prepared));
     auto const tables = std::make_shared<ShadingTables>(edit_tables(*edited->buffers, edited->materials, edits));
     edited->shading.ambient = ambient(edits.lights);
-    edited->fingerprint = scene_fingerprint(edit_content(edited->content, edited->materials, edits), edited->shading);
+    EnvironmentMap const* const map = edited->buffers->shading.environment_table->map.get();
+    SceneContent const content = edit_content(edited->content, edited->materials, map, edits);
+    edited->fingerprint = scene_fingerprint(content, edited->shading);
     edited->tables = tables;
     return edited;
   }

@@ -86,6 +86,25 @@ ContentHash content_of(std::vector<Light> const& lights) {
   return hasher.finish();
 }
 
+ContentHash content_of(EnvironmentMap const& map) {
+  ContentHasher hasher;
+  hasher.add(map.width);
+  hasher.add(map.height);
+  hasher.add(map.radiance);
+  return hasher.finish();
+}
+
+/// All but the map.
+ContentHash content_of(std::optional<EnvironmentLight> const& environment) {
+  ContentHasher hasher;
+  hasher.add(environment.has_value());
+  if (environment) {
+    hasher.add(environment->rotation_degrees);
+    hasher.add(environment->brightness);
+  }
+  return hasher.finish();
+}
+
 ContentHash content_of_shapes(FlatScene const& scene) {
   ContentHasher hasher;
   for (FlatObject const& object : scene.objects) {
@@ -118,8 +137,10 @@ ContentHash content_of(FlatObject const& object) {
   return hasher.finish();
 }
 
-SceneContent content_of(FlatScene const& scene, std::vector<Light> const& lights) {
-  SceneContent content{content_of_shapes(scene), {}, content_of(lights)};
+SceneContent content_of(FlatScene const& scene, std::vector<Light> const& lights,
+                        std::optional<EnvironmentLight> const& environment) {
+  SceneContent content{content_of_shapes(scene), {}, content_of(lights), {}, content_of(environment)};
+  if (environment) content.environment_map = content_of(*environment->map);
   for (auto const& material : scene.materials) {
     content.materials.push_back(content_of(material ? *material : Material()));
   }
@@ -127,12 +148,15 @@ SceneContent content_of(FlatScene const& scene, std::vector<Light> const& lights
 }
 
 SceneContent edit_content(SceneContent content, std::vector<Material const*> const& materials,
-                          SceneEdits const& edits) {
+                          EnvironmentMap const* map, SceneEdits const& edits) {
   for (std::size_t i = 0; i < materials.size(); ++i) {
     auto const found = edits.materials.find(materials[i]);
     if (found != edits.materials.end()) content.materials[i] = content_of(found->second);
   }
   content.lights = content_of(edits.lights);
+  content.environment = content_of(edits.environment);
+  EnvironmentMap const* const edited_map = edits.environment ? edits.environment->map.get() : nullptr;
+  if (edited_map != map) content.environment_map = edited_map ? content_of(*edited_map) : ContentHash{};
   return content;
 }
 
@@ -141,6 +165,8 @@ std::string scene_fingerprint(SceneContent const& content, SceneShading const& s
   hasher.add(content.shapes);
   hasher.add(content.materials);
   hasher.add(content.lights);
+  hasher.add(content.environment_map);
+  hasher.add(content.environment);
   hasher.add(shading.ambient);
   hasher.add(shading.background);
   hasher.add(shading.tone_map);

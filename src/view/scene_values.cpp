@@ -6,7 +6,10 @@
 namespace lichtraum::view {
 
 SceneValues::SceneValues(Scene const& scene, DrawnObjects const& objects)
-    : lights(scene.lights.begin(), scene.lights.end()), original_lights_(lights) {
+    : lights(scene.lights.begin(), scene.lights.end()),
+      environment(scene.environment),
+      original_lights_(lights),
+      original_environment_(environment) {
   std::unordered_set<Shape const*> seen;
   std::vector<Shape const*> pending;
   for (auto const& root : objects.roots()) pending.push_back(root.get());
@@ -27,12 +30,14 @@ SceneValues::SceneValues(Scene const& scene, DrawnObjects const& objects)
 
 void SceneValues::reset() {
   lights = original_lights_;
+  environment = original_environment_;
   for (std::size_t i = 0; i < materials.size(); ++i) reset_material(i);
 }
 
 SceneEdits SceneValues::edits() const {
   SceneEdits edits;
   edits.lights = lights;
+  edits.environment = environment;
   for (EditableMaterial const& material : materials) {
     if (material.is_edited) edits.materials.emplace(material.original, material.value);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "lichtraum/drawn_objects.hpp"
@@ -8,7 +9,7 @@
 
 namespace lichtraum::view {
 
-/// A scene's lights and materials as values to change: what sliders stand for. The scene stays as it is.
+/// A scene's lights, environment and materials as values to change: what sliders stand for. The scene stays as it is.
 class SceneValues {
  public:
   SceneValues() = default;
@@ -21,6 +22,7 @@ class SceneValues {
     bool is_edited = false;
   };
   std::vector<Light> lights;
+  std::optional<EnvironmentLight> environment;
   std::vector<EditableMaterial> materials;  ///< by name
 
   Light const& original_light(std::size_t number) const { return original_lights_[number]; }
@@ -37,6 +39,7 @@ class SceneValues {
 
  private:
   std::vector<Light> original_lights_;
+  std::optional<EnvironmentLight> original_environment_;
   std::unordered_map<Material const*, std::size_t> places_;
 };
 

@@ -20,8 +20,9 @@ struct ProbeHit {
 inline constexpr device::uint none = 0xffffffffu;
 
 /// A scene for a probe, put together by hand: primitives are added to the open object, close_object makes its tree.
-struct SceneArrays : device::GeometryArrays, device::ShadingArrays {
-  device::uint root_node = 0;  ///< of the object closed last: the world
+struct SceneArrays : device::GeometryArrays, device::ShadingArrays, device::EnvironmentArrays {
+  device::uint root_node = 0;          ///< of the object closed last: the world
+  device::SceneConstants constants{};  ///< what the environment adds to them
 
   void add(device::TrianglePrimitive const& p) { add(triangles, p); }
   void add(device::SpherePrimitive const& p) { add(spheres, p); }
@@ -64,10 +65,14 @@ struct SceneArrays : device::GeometryArrays, device::ShadingArrays {
     std::vector<ProbeArgument> all;
     auto const add_array = [&](auto const& array) { all.push_back(in(array)); };
     device::for_each_array(*this, true, add_array);
-    device::for_each_array(*this, add_array);
-    all.push_back(
-        value(device::SceneConstants{root_node, device::uint(lights.size()),
-                                     SCENE_TRANSPARENCY | SCENE_LIGHT_KINDS | SCENE_RARE_SHAPES, DEFAULT_RAY_EPSILON}));
+    device::for_each_array(static_cast<device::ShadingArrays const&>(*this), add_array);
+    device::for_each_array(static_cast<device::EnvironmentArrays const&>(*this), add_array);
+    device::SceneConstants all_constants = constants;
+    all_constants.root_node = root_node;
+    all_constants.light_count = device::uint(lights.size());
+    all_constants.features |= SCENE_TRANSPARENCY | SCENE_LIGHT_KINDS | SCENE_RARE_SHAPES;
+    all_constants.ray_epsilon = DEFAULT_RAY_EPSILON;
+    all.push_back(value(all_constants));
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }

@@ -34,6 +34,8 @@ struct Draft {
   Texture texture;
 
   std::vector<Light::Model> lights{AmbientLight{}, PointLight{}, SpotLight{}, DirectionalLight{}};
+  EnvironmentMap sky{2, 1, {1, 1, 1, 2, 2, 2}};
+  std::optional<EnvironmentLight> environment{{"sky", nullptr, 0, 1}};
   Rgb background{0};
   ToneMap tone_map = ToneMap::none;
 
@@ -84,6 +86,10 @@ struct Draft {
 
     for (std::size_t i = 0; i < lights.size(); ++i) {
       made.lights.insert(Light(named("light " + std::to_string(i)), lights[i]));
+    }
+    if (environment) {
+      made.environment = environment;
+      made.environment->map = std::make_shared<EnvironmentMap>(sky);
     }
     made.background = background;
     made.tone_map = tone_map;
@@ -183,6 +189,11 @@ std::vector<Change> light_changes() {
            }},
           {"another kind", [](Draft& d) { d.lights[3] = SpotLight{}; }},
           {"one more", [](Draft& d) { d.lights.push_back(PointLight{}); }},
+          {"no environment", [](Draft& d) { d.environment.reset(); }},
+          {"environment's texel", [](Draft& d) { d.sky.radiance[5] = 3; }},
+          {"environment's shape", [](Draft& d) { std::swap(d.sky.width, d.sky.height); }},
+          {"environment's rotation", [](Draft& d) { d.environment->rotation_degrees = 90; }},
+          {"environment's brightness", [](Draft& d) { d.environment->brightness = 2; }},
           {"background", [](Draft& d) { d.background.r = 0.5; }},
           {"tone map", [](Draft& d) { d.tone_map = ToneMap::reinhard; }}};
 }

@@ -1,0 +1,157 @@
+#include "compile/environment_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "compile/alias_table.hpp"
+#include "core/elementary.hpp"
+#include "core/parallel_ranges.hpp"
+
+namespace lichtraum {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double luminance(float const* rgb) {
+  return 0.2126 * double(rgb[0]) + 0.7152 * double(rgb[1]) + 0.0722 * double(rgb[2]);
+}
+
+/// What of the sphere a texel of the row covers.
+double solid_angle(EnvironmentMap const& map, std::size_t row) {
+  auto const edge = [&](std::size_t number) { return cos_of(pi * double(number) / map.height); };
+  return 2 * pi / map.width * (edge(row) - edge(row + 1));
+}
+
+/// The mean luminance over each texel, as the kernels interpolate it: above 0 wherever anything arrives.
+class InterpolatedLuminance {
+ public:
+  explicit InterpolatedLuminance(EnvironmentMap const& map) : map_(map), width_(std::size_t(map.width)) {}
+
+  void row(std::size_t number, std::span<double> out) {
+    std::size_t const last = std::size_t(map_.height) - 1;
+    for (std::vector<double>& row : rows_) row.resize(width_);
+    along_row(number, rows_[1]);
+    number > 0 ? along_row(number - 1, rows_[0]) : pole(rows_[1], rows_[0]);
+    number < last ? along_row(number + 1, rows_[2]) : pole(rows_[1], rows_[2]);
+    // A pole is half as far away as the next row's middle.
+    double const above = number > 0 ? 0.125 : 0.25, below = number < last ? 0.125 : 0.25;
+    for (std::size_t i = 0; i < width_; ++i) {
+      out[i] = above * rows_[0][i] + (1 - above - below) * rows_[1][i] + below * rows_[2][i];
+    }
+  }
+
+ private:
+  void along_row(std::size_t number, std::vector<double>& out) {
+    plain_.resize(width_);
+    float const* const texels = &map_.radiance[3 * width_ * number];
+    for (std::size_t i = 0; i < width_; ++i) plain_[i] = luminance(texels + 3 * i);
+    for (std::size_t i = 0; i < width_; ++i) {
+      double const left = plain_[i == 0 ? width_ - 1 : i - 1], right = plain_[i + 1 == width_ ? 0 : i + 1];
+      out[i] = 0.75 * plain_[i] + 0.125 * (left + right);
+    }
+  }
+  static void pole(std::vector<double> const& row, std::vector<double>& out) {
+    double sum = 0;
+    for (double const value : row) sum += value;
+    std::fill(out.begin(), out.end(), sum / double(row.size()));
+  }
+
+  EnvironmentMap const& map_;
+  std::size_t width_;
+  std::vector<double> plain_, rows_[3];
+};
+
+std::array<float, 3> mean_of_row(EnvironmentMap const& map, std::size_t row) {
+  double sum[3] = {};
+  auto const width = std::size_t(map.width);
+  for (std::size_t i = 0; i < 3 * width; ++i) sum[i % 3] += double(map.radiance[3 * width * row + i]);
+  return {float(sum[0] / map.width), float(sum[1] / map.width), float(sum[2] / map.width)};
+}
+
+/// Calls work(row) for all rows, on every core.
+template <class Work>
+void for_rows(EnvironmentMap const& map, Work const& make_work) {
+  std::size_t const rows_a_thread = 1 + (std::size_t(1) << 14) / std::size_t(map.width);
+  for_parallel_ranges(std::size_t(map.height), rows_a_thread, [&](std::size_t begin, std::size_t end) {
+    auto work = make_work();
+    for (std::size_t row = begin; row < end; ++row) work(row);
+  });
+}
+
+float to_float(double value) { return float(std::min(value, double(std::numeric_limits<float>::max()))); }
+
+}  // namespace
+
+EnvironmentTable make_environment_table(std::shared_ptr<EnvironmentMap const> shared_map, bool is_compensated) {
+  EnvironmentTable table;
+  table.map = std::move(shared_map);
+  EnvironmentMap const& map = *table.map;
+  auto const width = std::size_t(map.width), height = std::size_t(map.height), last = height - 1;
+  table.environment_texels.resize(3 * width * height);
+  table.environment_rows.resize(height);
+  table.environment_columns.resize(width * height);
+  table.environment_densities.resize(width * height);
+  std::ranges::copy(mean_of_row(map, 0), table.poles.begin());
+  std::ranges::copy(mean_of_row(map, last), table.poles.begin() + 3);
+
+  std::vector<double> row_means(height);
+  for_rows(map, [&] {
+    return [&, light = InterpolatedLuminance(map), means = std::vector<double>(width)](std::size_t row) mutable {
+      std::copy_n(&map.radiance[3 * width * row], 3 * width, &table.environment_texels[3 * width * row]);
+      light.row(row, means);
+      for (double const mean : means) row_means[row] += mean / map.width;
+    };
+  });
+  std::vector<double> row_solid_angles(height);
+  for (std::size_t row = 0; row < height; ++row) {
+    row_solid_angles[row] = map.width * solid_angle(map, row);
+    table.mean_luminance += row_means[row] * row_solid_angles[row] / (4 * pi);
+  }
+
+  // What is above the mean by a rounding only is none.
+  double const threshold = is_compensated ? table.mean_luminance * (1 + 1e-6) : 0;
+  std::vector<double> row_weights(height);
+  for_rows(map, [&] {
+    return [&, light = InterpolatedLuminance(map), weights = std::vector<double>(width),
+            aliases = AliasTableMaker()](std::size_t row) mutable {
+      light.row(row, weights);
+      double sum = 0;
+      for (std::size_t i = 0; i < width; ++i) sum += weights[i] = std::max(weights[i] - threshold, 0.0);
+      row_weights[row] = sum / map.width * row_solid_angles[row];
+      aliases.fill(weights, std::span(table.environment_columns).subspan(width * row, width));
+      // Until the sum of all is known: relative to what is sampled on the average.
+      for (std::size_t i = 0; i < width; ++i) table.environment_densities[width * row + i] = to_float(weights[i]);
+    };
+  });
+  double sum = 0;
+  for (double const weight : row_weights) sum += weight;
+  table.sampled_mean_luminance = sum / (4 * pi);
+  AliasTableMaker().fill(row_weights, table.environment_rows);
+  double const scale = sum > 0 ? 1 / sum : 0;
+  for_parallel_ranges(width * height, 1 << 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      table.environment_densities[i] = float(double(table.environment_densities[i]) * scale);
+    }
+  });
+  return table;
+}
+
+void set_environment(device::SceneConstants& constants, EnvironmentTable const& table, EnvironmentLight const& light) {
+  constants.environment_width = device::uint(table.map->width);
+  constants.environment_height = device::uint(table.map->height);
+  // Whole turns are taken off first, so that large angles keep their digits.
+  double const turns = light.rotation_degrees / 360;
+  double const angle = 2 * pi * (turns - std::floor(turns));
+  constants.environment_cosine = float(cos_of(angle));
+  constants.environment_sine = float(sin_of(angle));
+  constants.environment_brightness = to_float(light.brightness);
+  constants.environment_power = to_float(4 * pi * light.brightness * table.mean_luminance);
+  constants.environment_sampled_power = to_float(4 * pi * light.brightness * table.sampled_mean_luminance);
+  std::ranges::copy(table.poles, constants.environment_poles);
+}
+
+}  // namespace lichtraum

@@ -22,6 +22,15 @@ typedef struct {
 } PunctualLight;
 DEVICE_STRUCT_SIZE(PunctualLight, 56);
 
+/* A triangle that shines, once for each instance of it: corner + u * edges[0] + v * edges[1]. */
+typedef struct {
+  float corner[3];   /* world */
+  float edges[2][3]; /* world */
+  uint triangle;     /* among all, for what its vertices have */
+  uint material;
+} EmissiveTriangle;
+DEVICE_STRUCT_SIZE(EmissiveTriangle, 44);
+
 DEVICE_NAMESPACE_END
 
 #endif

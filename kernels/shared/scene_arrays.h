@@ -51,17 +51,21 @@
   SINGLE_PRIMITIVE_ARRAYS(ARRAY)                                                                          \
   ARRAY(Instance, instances)                                                                              \
   ARRAY(TriangleAttributes, triangle_attributes) /* one a triangle, as the layout counts them; or none */ \
-  ARRAY(float, vertex_data)
+  ARRAY(float, vertex_data)                                                                               \
+  ARRAY(EmissiveTriangle, emissive_triangles)
 
 #define TEXTURE_ARRAYS(ARRAY) \
   ARRAY(Texture, textures)    \
   ARRAY(uint, texels)
 
 /* What surfaces and lights are like: all that can change without a look at shapes and textures. */
-#define SHADING_ARRAYS(ARRAY)                                           \
-  ARRAY(PhongMaterial, materials)                                       \
-  ARRAY(PbrMaterial, pbr_materials) /* as many as materials, or none */ \
-  ARRAY(PunctualLight, lights)
+#define SHADING_ARRAYS(ARRAY)                                                                               \
+  ARRAY(PhongMaterial, materials)                                                                           \
+  ARRAY(PbrMaterial, pbr_materials) /* as many as materials, or none */                                     \
+  ARRAY(PunctualLight, lights)                                                                              \
+  ARRAY(AliasEntry, light_choices)  /* of what lights the scene: lights, environment, emissive triangles */ \
+  ARRAY(float, light_probabilities) /* with which each is chosen */                                         \
+  ARRAY(float, emission_densities)  /* of materials: of their triangles' points to be chosen, per world area */
 
 /* What arrives from infinitely far away (lights/environment.clh); none of them has elements where nothing does. */
 #define ENVIRONMENT_ARRAYS(ARRAY)                                                     \
@@ -76,7 +80,9 @@ DEVICE_NAMESPACE_BEGIN
 typedef struct {
   uint root_node; /* of the world's hierarchy */
   uint light_count;
-  uint features;     /* SCENE_... */
+  uint light_choice_count;
+  float environment_probability; /* to be chosen of the lights */
+  uint features;                 /* SCENE_... */
   float ray_epsilon; /* how far, relative to its coordinates, a computed hit point may lie off its surface */
   /* The environment; all 0 where there is none. */
   uint environment_width; /* texels */
@@ -88,7 +94,7 @@ typedef struct {
   float environment_sampled_power; /* what of it environment_sample draws from; 0: it draws nothing */
   float environment_poles[6];      /* rgb at the top, and at the bottom: the mean of the first row, and of the last */
 } SceneConstants;
-DEVICE_STRUCT_SIZE(SceneConstants, 68);
+DEVICE_STRUCT_SIZE(SceneConstants, 76);
 
 /* For SceneConstants.ray_epsilon: 16 rounding units of float, several times what the device code can be off. */
 #define DEFAULT_RAY_EPSILON 9.5367431640625e-7f

@@ -9,6 +9,7 @@
 #include "accel/bvh.hpp"
 #include "accel/primitive_bounds.hpp"
 #include "accel/wide_layout.hpp"
+#include "compile/light_choice.hpp"
 #include "compile/light_table.hpp"
 #include "compile/material_table.hpp"
 #include "core/parallel_ranges.hpp"
@@ -299,6 +300,50 @@ class Compiler {
   BigVector<device::TriangleAttributes> attributes_;  // of the triangles taken so far, as those are counted
 };
 
+/// More are found by chance only: they would take more memory than the scene.
+constexpr std::size_t most_emissive_triangles = std::size_t(1) << 20;
+
+/// Calls f(index, corners, material) for each triangle of an object, with its index among all.
+template <class F>
+void for_each_triangle(SceneBuffers const& scene, CompiledObject const& object, F const& f) {
+  if (scene.layout == TreeLayout::binary) {
+    for (auto const& reference : std::span(scene.references).subspan(object.first_leaf, object.leaf_count)) {
+      if (reference.kind != PRIMITIVE_TRIANGLE) continue;
+      auto const& [vertices, tag] = scene.triangles[reference.index];
+      f(
+          reference.index, [&v = vertices](int corner) { return Vec3(v[corner][0], v[corner][1], v[corner][2]); },
+          tag.material);
+    }
+    return;
+  }
+  std::size_t const end = BLOCK_LANES * (std::size_t(object.first_leaf) + object.leaf_count);
+  for (std::size_t i = BLOCK_LANES * std::size_t(object.first_leaf); i < end; ++i) {
+    auto const& v = scene.triangle_blocks[i / BLOCK_LANES].vertices;
+    std::size_t const lane = i % BLOCK_LANES;
+    if (!(v[0][0][lane] == v[0][0][lane])) continue;  // there is none
+    f(
+        device::uint(i), [&](int corner) { return Vec3(v[corner][0][lane], v[corner][1][lane], v[corner][2][lane]); },
+        scene.triangle_tags[i].material);
+  }
+}
+
+/// Adds the object's triangles that shine.
+void add_emissive_triangles(SceneBuffers& scene, CompiledObject const& object, std::vector<bool> const& shine,
+                            Transform const& world_from_object) {
+  for_each_triangle(scene, object, [&](device::uint index, auto const& corner, device::uint material) {
+    if (!shine[material] || scene.emissive_triangles.size() > most_emissive_triangles) return;
+    Vec3 const a = world_from_object.point(corner(0));
+    device::EmissiveTriangle emissive{};
+    store(a, emissive.corner);
+    for (int edge = 0; edge < 2; ++edge) {
+      store(world_from_object.point(corner(edge + 1)) - a, emissive.edges[edge]);
+    }
+    emissive.triangle = index;
+    emissive.material = material;
+    scene.emissive_triangles.push_back(emissive);
+  });
+}
+
 }  // namespace
 
 SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, TreeLayout layout,
@@ -336,6 +381,15 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tre
   shading.lights = make_light_table({lights.begin(), lights.end()}, buffers.world_bounds);
   shading.features |= table.features | features_of(shading.lights);
   set_environment(shading, environment, previous ? &previous->shading : nullptr);
+  std::vector<bool> const shine = emissive_materials(shading);
+  if (std::ranges::find(shine, true) != shine.end()) {
+    add_emissive_triangles(buffers, built, shine, Transform());
+    for (FlatInstance const& instance : scene.instances) {
+      add_emissive_triangles(buffers, objects[instance.object], shine, instance.world_from_object);
+    }
+    if (buffers.emissive_triangles.size() > most_emissive_triangles) buffers.emissive_triangles = {};
+  }
+  set_light_choices(shading, buffers);
   buffers.unrepresentable += scene.unrepresentable;
   return std::move(buffers);
 }
@@ -346,6 +400,10 @@ device::SceneConstants scene_constants(SceneBuffers const& scene, ShadingTables 
   constants.light_count = device::uint(shading.lights.size());
   constants.features = shading.features;
   constants.ray_epsilon = DEFAULT_RAY_EPSILON;
+  constants.light_choice_count = device::uint(shading.light_choices.size());
+  if (!shading.light_choices.empty()) {
+    constants.environment_probability = shading.light_probabilities[shading.lights.size()];
+  }
   if (shading.environment) set_environment(constants, *shading.environment_table, *shading.environment);
   return constants;
 }
@@ -365,6 +423,7 @@ ShadingTables edit_tables(SceneBuffers const& scene, std::vector<Material const*
   tables.lights = make_light_table(edits.lights, scene.world_bounds);
   tables.features |= features_of(tables.lights);
   set_environment(tables, edits.environment, &scene.shading);
+  set_light_choices(tables, scene);
   return tables;
 }
 

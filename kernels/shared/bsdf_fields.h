@@ -6,6 +6,7 @@
 #define BSDF_FIELDS(COLOR, NUMBER)                                                                                   \
   COLOR(emission)                                                                                                    \
   NUMBER(opacity)                      /* the share of rays that meet the surface; the others go straight on */      \
+  NUMBER(shows_back)                   /* 0: to the camera, what is seen from behind is not there */                 \
   COLOR(diffuse)                       /* reflectance of the matt lobe */                                            \
   COLOR(f0)                            /* Fresnel's factor of the glossy lobe, seen head-on ... */                   \
   COLOR(f90)                           /* ... and at grazing angles */                                               \

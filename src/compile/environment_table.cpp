@@ -33,36 +33,47 @@ class InterpolatedLuminance {
 
   void row(std::size_t number, std::span<double> out) {
     std::size_t const last = std::size_t(map_.height) - 1;
-    for (std::vector<double>& row : rows_) row.resize(width_);
-    along_row(number, rows_[1]);
-    number > 0 ? along_row(number - 1, rows_[0]) : pole(rows_[1], rows_[0]);
-    number < last ? along_row(number + 1, rows_[2]) : pole(rows_[1], rows_[2]);
+    auto const& middle = along_row(number);
+    auto const& above = number > 0 ? along_row(number - 1) : pole(middle);
+    auto const& below = number < last ? along_row(number + 1) : pole(middle);
     // A pole is half as far away as the next row's middle.
-    double const above = number > 0 ? 0.125 : 0.25, below = number < last ? 0.125 : 0.25;
+    double const above_share = number > 0 ? 0.125 : 0.25, below_share = number < last ? 0.125 : 0.25;
     for (std::size_t i = 0; i < width_; ++i) {
-      out[i] = above * rows_[0][i] + (1 - above - below) * rows_[1][i] + below * rows_[2][i];
+      out[i] = above_share * above[i] + (1 - above_share - below_share) * middle[i] + below_share * below[i];
     }
   }
 
  private:
-  void along_row(std::size_t number, std::vector<double>& out) {
+  /// Interpolated along the row only. The last three stay.
+  std::vector<double> const& along_row(std::size_t number) {
+    Row& row = rows_[number % 3];
+    if (row.number == number) return row.values;
+    row.number = number;
+    row.values.resize(width_);
     plain_.resize(width_);
     float const* const texels = &map_.radiance[3 * width_ * number];
     for (std::size_t i = 0; i < width_; ++i) plain_[i] = luminance(texels + 3 * i);
     for (std::size_t i = 0; i < width_; ++i) {
       double const left = plain_[i == 0 ? width_ - 1 : i - 1], right = plain_[i + 1 == width_ ? 0 : i + 1];
-      out[i] = 0.75 * plain_[i] + 0.125 * (left + right);
+      row.values[i] = 0.75 * plain_[i] + 0.125 * (left + right);
     }
+    return row.values;
   }
-  static void pole(std::vector<double> const& row, std::vector<double>& out) {
+  std::vector<double> const& pole(std::vector<double> const& row) {
     double sum = 0;
     for (double const value : row) sum += value;
-    std::fill(out.begin(), out.end(), sum / double(row.size()));
+    pole_.assign(row.size(), sum / double(row.size()));
+    return pole_;
   }
 
+  struct Row {
+    std::size_t number = std::numeric_limits<std::size_t>::max();
+    std::vector<double> values;
+  };
   EnvironmentMap const& map_;
   std::size_t width_;
-  std::vector<double> plain_, rows_[3];
+  Row rows_[3];
+  std::vector<double> plain_, pole_;
 };
 
 std::array<float, 3> mean_of_row(EnvironmentMap const& map, std::size_t row) {
@@ -98,12 +109,17 @@ EnvironmentTable make_environment_table(std::shared_ptr<EnvironmentMap const> sh
   std::ranges::copy(mean_of_row(map, 0), table.poles.begin());
   std::ranges::copy(mean_of_row(map, last), table.poles.begin() + 3);
 
+  // At first the densities are mean luminances, then what of these is above the threshold.
+  auto const densities_of = [&](std::size_t row) {
+    return std::span(table.environment_densities).subspan(width * row, width);
+  };
   std::vector<double> row_means(height);
   for_rows(map, [&] {
     return [&, light = InterpolatedLuminance(map), means = std::vector<double>(width)](std::size_t row) mutable {
       std::copy_n(&map.radiance[3 * width * row], 3 * width, &table.environment_texels[3 * width * row]);
       light.row(row, means);
       for (double const mean : means) row_means[row] += mean / map.width;
+      std::ranges::transform(means, densities_of(row).begin(), to_float);
     };
   });
   std::vector<double> row_solid_angles(height);
@@ -116,15 +132,16 @@ EnvironmentTable make_environment_table(std::shared_ptr<EnvironmentMap const> sh
   double const threshold = is_compensated ? table.mean_luminance * (1 + 1e-6) : 0;
   std::vector<double> row_weights(height);
   for_rows(map, [&] {
-    return [&, light = InterpolatedLuminance(map), weights = std::vector<double>(width),
-            aliases = AliasTableMaker()](std::size_t row) mutable {
-      light.row(row, weights);
+    return [&, weights = std::vector<double>(width), aliases = AliasTableMaker()](std::size_t row) mutable {
+      auto const densities = densities_of(row);
       double sum = 0;
-      for (std::size_t i = 0; i < width; ++i) sum += weights[i] = std::max(weights[i] - threshold, 0.0);
+      for (std::size_t i = 0; i < width; ++i) {
+        weights[i] = std::max(double(densities[i]) - threshold, 0.0);
+        sum += weights[i];
+      }
       row_weights[row] = sum / map.width * row_solid_angles[row];
       aliases.fill(weights, std::span(table.environment_columns).subspan(width * row, width));
-      // Until the sum of all is known: relative to what is sampled on the average.
-      for (std::size_t i = 0; i < width; ++i) table.environment_densities[width * row + i] = to_float(weights[i]);
+      std::ranges::transform(weights, densities.begin(), to_float);
     };
   });
   double sum = 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +17,15 @@ struct EnvironmentMap {
   int height = 0;
   std::vector<float> radiance;  ///< height x width x 3, first row at the top; linear Rec. 709, finite and not negative
 };
+
+/// The most that a map's file may have: 16384 x 8192.
+inline constexpr std::int64_t max_environment_pixels = std::int64_t(1) << 27;
+
+/// Reads a map from a picture in latitude and longitude: Radiance (.hdr; RGBE, whichever run lengths), OpenEXR (.exr;
+/// R, G and B, or Y, of any type) or PFM (.pfm), told apart by their first bytes, whose values are taken for linear
+/// Rec. 709. Throws Error{no_input} for a file that cannot be opened, Error{scene} for one that is not whole, has no
+/// pixels or too many, or values that are infinite, negative or no numbers; the message says where, and what to do.
+EnvironmentMap read_environment(std::filesystem::path const& path);
 
 /// A map around the scene. Radiance 1 from everywhere lights a white diffuse surface to 1.
 struct EnvironmentLight {

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <new>
+
+#include "core/printable.hpp"
+#include "core/read_file.hpp"
+#include "io/image/environment_decoders.hpp"
+#include "lichtraum/error.hpp"
+
+namespace lichtraum {
+namespace {
+
+struct EnvironmentFormat {
+  std::string_view first_bytes;
+  EnvironmentMap (*decode)(EnvironmentFile const& file);
+};
+
+constexpr EnvironmentFormat formats[] = {
+    {"#?", decode_hdr}, {"\x76\x2f\x31\x01", decode_exr}, {"PF", decode_pfm}, {"Pf", decode_pfm}};
+
+/// Light that is no number, infinite or negative would spoil every pixel that it reaches.
+void check_values(EnvironmentFile const& file, EnvironmentMap const& map) {
+  std::size_t count = 0, first = 0;
+  for (std::size_t i = 0; i < map.radiance.size(); ++i) {
+    float const value = map.radiance[i];
+    if (value >= 0 && std::isfinite(value)) continue;
+    if (count++ == 0) first = i;
+  }
+  if (count == 0) return;
+  std::size_t const pixel = first / 3;
+  auto const width = std::size_t(map.width);
+  char const* const channels[] = {"red", "green", "blue"};
+  file.fail(fmt::format(
+      "{} of its {} values cannot be light, as they are negative, infinite or no numbers; the first is "
+      "{} of {} in column {}, row {} (from 1, the top). Replace them in a picture editor, and save "
+      "the file again",
+      count, map.radiance.size(), map.radiance[first], channels[first % 3], pixel % width + 1, pixel / width + 1));
+}
+
+}  // namespace
+
+void EnvironmentFile::fail(std::size_t byte, std::string const& what) const {
+  throw Error(ErrorKind::scene, fmt::format("{}: at byte {}: {}", name, byte, what));
+}
+
+void EnvironmentFile::fail(std::string const& what) const {
+  throw Error(ErrorKind::scene, fmt::format("{}: {}", name, what));
+}
+
+EnvironmentMap EnvironmentFile::sized(std::int64_t width, std::int64_t height) const {
+  if (width <= 0 || height <= 0) fail(fmt::format("it has {} x {} pixels, so no light", width, height));
+  if (width > max_pixels / height) {
+    fail(
+        fmt::format("it has {} x {} pixels, and an environment can have {} (16384 x 8192) at most. Scale it down; "
+                    "4096 x 2048 are sharper than most backgrounds need",
+                    width, height, max_pixels));
+  }
+  return {int(width), int(height), {}};
+}
+
+EnvironmentMap decode_environment(EnvironmentFile const& file) {
+  for (EnvironmentFormat const& format : formats) {
+    if (!file.bytes.starts_with(format.first_bytes)) continue;
+    try {
+      EnvironmentMap map = format.decode(file);
+      check_values(file, map);
+      return map;
+    } catch (std::bad_alloc const&) {
+      file.fail("the environment needs more memory than there is. Scale it down");
+    }
+  }
+  file.fail(file.bytes.empty() ? "the file is empty; an environment is a Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) "
+                                 "file"
+                               : "it is no Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) file, which environments "
+                                 "must be, as other pictures cannot hold bright light. Convert it");
+}
+
+EnvironmentMap read_environment(std::filesystem::path const& path) {
+  std::string const bytes = read_file(path);
+  return decode_environment({bytes, printable(path.string())});
+}
+
+}  // namespace lichtraum

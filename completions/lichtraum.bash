@@ -19,6 +19,12 @@ _lichtraum() {
     --bits) values='8 16' ;;
     --planes) values='radiance alpha depth normal albedo position object instance material radiance,alpha,depth,normal' ;;
     --background) values='none 0,0,0 1,1,1' ;;
+    --environment)
+      mapfile -t COMPREPLY < <(compgen -W 'studio none' -- "$current"; compgen -f -- "$current")
+      return
+      ;;
+    --environment-rotation) values='0 90 180 270' ;;
+    --environment-brightness) values='0.5 1 2' ;;
     --exposure) values='-2 -1 1 2' ;;
     --tonemap) values='auto none reinhard' ;;
     --transfer) values='linear srgb' ;;
@@ -50,11 +56,13 @@ _lichtraum() {
       render)
         options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
         options+=' --camera --root --planes --samples --depth --seed --background --exposure --tonemap --transfer'
-        options+=' --device --traversal --frames --fps --turntable --resume --show'
+        options+=' --device --traversal --frames --fps --turntable --resume --show --environment --environment-rotation'
+        options+=' --environment-brightness'
         ;;
       view)
         options+=" $language --watch --size --camera --root --samples --depth --seed --background --exposure"
-        options+=' --tonemap --transfer --device --traversal'
+        options+=' --tonemap --transfer --device --traversal --environment --environment-rotation'
+        options+=' --environment-brightness'
         ;;
       preview) options+=" $language --size --graphics --camera --root --samples --device" ;;
       check) options+=" $language" ;;

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,5 +36,21 @@ struct EnvironmentLight {
   double rotation_degrees = 0;  ///< about the y axis, counter-clockwise seen from above
   double brightness = 1;        ///< >= 0; what the map's radiance is multiplied by
 };
+
+/// An environment that is chosen for a scene. What is left open is as the scene has it.
+struct EnvironmentChoice {
+  std::string source;                      ///< a map's path, "studio" (the built-in one) or "none"
+  std::optional<double> rotation_degrees;  ///< else the scene's for its own map, 0 for another
+  std::optional<double> brightness;        ///< else the scene's for its own map, 1 for another
+  friend bool operator==(EnvironmentChoice const&, EnvironmentChoice const&) = default;
+};
+
+/// The map of EnvironmentChoice::source: read, or made. Not of "none". Exceptions as read_environment.
+std::shared_ptr<EnvironmentMap const> environment_map(std::string const& source);
+
+/// What lights a scene whose own environment is `own`; `map`: finds source's.
+std::optional<EnvironmentLight> chosen_environment(
+    EnvironmentChoice const& choice, std::optional<EnvironmentLight> own,
+    std::function<std::shared_ptr<EnvironmentMap const>(std::string const&)> const& map = environment_map);
 
 }  // namespace lichtraum

@@ -37,6 +37,8 @@ struct EsdfOptions : EsdfDialect {
   std::size_t max_diagnostics = 100;
   FileObserver on_read;                ///< may be empty
   std::shared_ptr<ModelCache> models;  ///< see make_model_cache; null: each script has one for itself
+  /// Changes each scene before it is shown, and then perhaps once more; may be empty.
+  std::function<void(Scene&)> adjust;
 };
 
 /// A checked eSDF file. eSDF is imperative: a `render` draws the scene as defined up to its line.

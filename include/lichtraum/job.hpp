@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lichtraum/environment.hpp"
 #include "lichtraum/esdf.hpp"
 #include "lichtraum/image_io.hpp"
 #include "lichtraum/model.hpp"
@@ -18,6 +19,7 @@ namespace lichtraum {
 struct SceneReading {
   EsdfDialect dialect;
   ModelChoice model;
+  EnvironmentChoice environment;
   std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the file's that may be read
   friend bool operator==(SceneReading const&, SceneReading const&) = default;
 };
@@ -62,7 +64,9 @@ namespace job_limits {
 inline constexpr int grid_side = 1024;
 inline constexpr int samples = grid_side * grid_side;
 inline constexpr int depth = 1000;
-inline constexpr double exposure_ev = 100;  ///< darker, too
+inline constexpr double exposure_ev = 100;          ///< darker, too
+inline constexpr double environment_degrees = 1e6;  ///< either way
+inline constexpr double environment_brightness = 1e6;
 inline constexpr int texture_side = 65536;
 inline constexpr int jpeg_quality = 100;
 }  // namespace job_limits

@@ -2,11 +2,18 @@
 
 namespace lichtraum::app {
 
-LoadedScene::LoadedScene(GltfAnimation animation, std::vector<double> times_seconds)
+LoadedScene::LoadedScene(GltfAnimation animation, std::vector<double> times_seconds, std::function<void(Scene&)> adjust)
     : content_([&] {
-        Model first = animation.pose(times_seconds.at(0));
-        return AnimatedModel{std::move(animation), std::move(times_seconds), std::move(first)};
+        AnimatedModel model{std::move(animation), std::move(times_seconds), std::move(adjust), {}};
+        model.first = model.pose(model.times_seconds.at(0));
+        return model;
       }()) {}
+
+Model LoadedScene::AnimatedModel::pose(double time_seconds) {
+  Model model = animation.pose(time_seconds);
+  if (adjust) adjust(model.scene);
+  return model;
+}
 
 Model const& LoadedScene::model() const {
   auto const* animated = std::get_if<AnimatedModel>(&content_);
@@ -33,7 +40,7 @@ void LoadedScene::play(std::function<bool(Scene const&, std::size_t)> const& dra
   if (auto* const animated = std::get_if<AnimatedModel>(&content_)) {
     for (std::size_t i = 0; i < animated->times_seconds.size(); ++i) {
       bool const goes_on =
-          i == 0 ? draw(animated->first.scene, i) : draw(animated->animation.pose(animated->times_seconds[i]).scene, i);
+          i == 0 ? draw(animated->first.scene, i) : draw(animated->pose(animated->times_seconds[i]).scene, i);
       if (!goes_on) return;
     }
     return;

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/environment_maps.hpp"
 #include "lichtraum/esdf.hpp"
 #include "lichtraum/gltf.hpp"
 #include "lichtraum/job.hpp"
@@ -14,8 +15,9 @@ namespace lichtraum::app {
 
 /// What goes beyond one picture when scenes and models are read.
 struct LoadOptions {
-  FileObserver on_read;                ///< may be empty
-  std::shared_ptr<ModelCache> models;  ///< null: each scene has one for itself
+  FileObserver on_read;                           ///< may be empty
+  std::shared_ptr<ModelCache> models;             ///< null: each scene has one for itself
+  std::shared_ptr<EnvironmentMaps> environments;  ///< null: each scene has its maps for itself
   std::vector<double>
       times_seconds;  ///< a picture of a model's animation at each; empty: one, see ModelChoice::time_seconds
   std::optional<double> whole_animation_rate;  ///< a model's whole animation, at that many pictures a second
@@ -26,8 +28,8 @@ class LoadedScene {
  public:
   explicit LoadedScene(EsdfScript script) : content_(std::move(script)) {}
   explicit LoadedScene(Model model) : content_(std::move(model)) {}
-  /// A model at several times (at least one).
-  LoadedScene(GltfAnimation animation, std::vector<double> times_seconds);
+  /// A model at several times (at least one). `adjust` changes the scene of each; may be empty.
+  LoadedScene(GltfAnimation animation, std::vector<double> times_seconds, std::function<void(Scene&)> adjust);
 
   /// What a model file holds beside its scene; null for a scene file.
   ModelContents const* contents() const { return is_model() ? &model().contents : nullptr; }
@@ -46,7 +48,10 @@ class LoadedScene {
   struct AnimatedModel {
     GltfAnimation animation;
     std::vector<double> times_seconds;
+    std::function<void(Scene&)> adjust;
     Model first;
+
+    Model pose(double time_seconds);
   };
   Model const& model() const;
 

@@ -98,6 +98,7 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments&
   add_output_options(*parser, options);
   add_picture_options(*parser, options);
   add_sequence_options(*parser, options);
+  add_environment_options(*parser, options.job.reading.environment);
   add_quality_options(*parser, options, "1, the pixel's centre");
   add_language_options(*parser, options.job.reading);
   add_model_options(*parser, options.job.reading.model);
@@ -107,6 +108,7 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments&
 
   options.output.allowed_paths = options.job.reading.allowed_paths;
   options.load.models = make_model_cache();
+  options.load.environments = std::make_shared<EnvironmentMaps>();
   if (std::count(options.scenes.begin(), options.scenes.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input (-) is named more than once");
   }

@@ -17,6 +17,19 @@ void add_device_option(CLI::App& parser, RenderOptions& options, std::string con
             "Index, part of a name, cpu, gpu or reference\n(default: the best)", group);
 }
 
+void add_environment_options(CLI::App& parser, EnvironmentChoice& environment) {
+  std::string const group = "Environment";
+  add_value(
+      parser, "--environment", environment.source, parse_name, "FILE|studio|none",
+      "Light from all around: a .hdr, .exr or .pfm map\nin latitude and longitude, or the built-in studio\n(default: "
+      "the scene's)",
+      group);
+  add_value(parser, "--environment-rotation", environment.rotation_degrees, parse_environment_rotation, "DEG",
+            "Turn it counter-clockwise, seen from above", group);
+  add_value(parser, "--environment-brightness", environment.brightness, parse_environment_brightness, "X",
+            "Multiply its light by this", group);
+}
+
 void add_quality_options(CLI::App& parser, RenderOptions& options, std::string const& default_samples) {
   std::string const group = "Quality";
   add_value(parser, "--integrator", options.job.integrator, parse_integrator, "NAME",

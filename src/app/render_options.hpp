@@ -42,6 +42,8 @@ struct RenderOptions {
 void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string const& group);
 /// --device.
 void add_device_option(CLI::App& parser, RenderOptions& options, std::string const& group);
+/// --environment, --environment-rotation and --environment-brightness.
+void add_environment_options(CLI::App& parser, EnvironmentChoice& environment);
 /// --samples, --depth, --seed, --background, --exposure, --tonemap, --transfer, --device and --traversal.
 /// `default_samples`: for the help.
 void add_quality_options(CLI::App& parser, RenderOptions& options, std::string const& default_samples);

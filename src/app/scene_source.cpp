@@ -40,6 +40,16 @@ std::vector<double> whole_animation(double duration_seconds, double rate, std::s
   return times;
 }
 
+/// Gives a scene the environment that was chosen. Empty where nothing was.
+std::function<void(Scene&)> chooser(EnvironmentChoice const& choice, LoadOptions const& options) {
+  if (choice == EnvironmentChoice()) return {};
+  auto const maps = options.environments ? options.environments : std::make_shared<EnvironmentMaps>();
+  return [choice, maps, on_read = options.on_read](Scene& scene) {
+    scene.environment = chosen_environment(choice, scene.environment,
+                                           [&](std::string const& source) { return maps->find(source, on_read); });
+  };
+}
+
 }  // namespace
 
 SceneSource::SceneSource(std::string argument) : name_(std::move(argument)) {
@@ -51,20 +61,25 @@ SceneSource::SceneSource(std::string argument) : name_(std::move(argument)) {
 std::string SceneSource::stem() const { return text_ ? "stdin" : std::filesystem::path(name_).stem().string(); }
 
 LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& options) const {
+  auto const adjust = chooser(reading.environment, options);
   if (text_ || !is_model_file(name_)) {
-    EsdfOptions const esdf{reading.dialect, reading.allowed_paths, EsdfOptions().max_diagnostics, options.on_read,
-                           options.models};
+    EsdfOptions const esdf{reading.dialect, reading.allowed_paths, EsdfOptions().max_diagnostics,
+                           options.on_read, options.models,        adjust};
     return LoadedScene(text_ ? EsdfScript::from_text(*text_, name_, esdf) : EsdfScript::from_file(name_, esdf));
   }
+  auto const adjusted = [&](Model model) {
+    if (adjust) adjust(model.scene);
+    return LoadedScene(std::move(model));
+  };
   ModelOptions model{reading.model, reading.allowed_paths, nullptr, options.on_read};
   bool const is_sequence = !options.times_seconds.empty() || options.whole_animation_rate;
   if (is_sequence && !is_gltf_file(name_)) model.time_seconds = 0;  // for the warning that it has no effect
-  if (!is_sequence || !is_gltf_file(name_)) return LoadedScene(import_model(name_, model));
+  if (!is_sequence || !is_gltf_file(name_)) return adjusted(import_model(name_, model));
   GltfAnimation animation(name_, model);
   std::vector<double> times = options.times_seconds;
   if (times.empty()) times = whole_animation(animation.duration_seconds(), *options.whole_animation_rate, name_);
-  if (times.empty()) return LoadedScene(animation.pose(std::nullopt));
-  return LoadedScene(std::move(animation), std::move(times));
+  if (times.empty()) return adjusted(animation.pose(std::nullopt));
+  return LoadedScene(std::move(animation), std::move(times), adjust);
 }
 
 }  // namespace lichtraum::app

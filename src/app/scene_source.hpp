@@ -25,7 +25,8 @@ class SceneSource {
     return common;
   }
 
-  /// Same exceptions as EsdfScript::from_file and import_model.
+  /// With the environment that `reading` chooses. Same exceptions as EsdfScript::from_file, import_model and
+  /// environment_map.
   LoadedScene load(SceneReading const& reading, LoadOptions const& options = {}) const;
 
  private:

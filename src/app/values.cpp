@@ -161,6 +161,23 @@ double parse_exposure(std::string_view text) {
 }
 
 Integrator parse_integrator(std::string_view text) { return word(text, integrator_words); }
+double parse_environment_rotation(std::string_view text) {
+  auto const degrees = number<double>(text);
+  constexpr double most = job_limits::environment_degrees;
+  if (!degrees || !(std::abs(*degrees) <= most)) {
+    throw std::invalid_argument(fmt::format("expected degrees from {} to {}, such as 90", -most, most));
+  }
+  return *degrees;
+}
+
+double parse_environment_brightness(std::string_view text) {
+  auto const brightness = number<double>(text);
+  constexpr double most = job_limits::environment_brightness;
+  if (!brightness || !(*brightness >= 0 && *brightness <= most)) {
+    throw std::invalid_argument(fmt::format("expected a number from 0 to {}, such as 0.5", most));
+  }
+  return *brightness;
+}
 
 std::optional<Traversal> parse_traversal(std::string_view text) {
   return word(text, std::to_array<Word<std::optional<Traversal>>>({{"auto", std::nullopt},

@@ -38,6 +38,8 @@ PlaneSet parse_planes(std::string_view text);                             ///< n
 JobBackground parse_background(std::string_view text);                    ///< none, or three numbers
 double parse_exposure(std::string_view text);                             ///< stops: -100..100
 Integrator parse_integrator(std::string_view text);                       ///< whitted, path
+double parse_environment_rotation(std::string_view text);                 ///< degrees: -1e6..1e6
+double parse_environment_brightness(std::string_view text);               ///< 0..1e6
 std::optional<Traversal> parse_traversal(std::string_view text);          ///< auto (nothing), scalar, wide, packet
 ToneMap parse_tone_map(std::string_view text);                            ///< auto, none, reinhard
 Transfer parse_transfer(std::string_view text);                           ///< linear, srgb

@@ -37,6 +37,7 @@ std::unique_ptr<CLI::App> view_parser(ViewOptions& options, Console& console) {
   add_value(*parser, "--size", render.job.size, parse_size, "WxH",
             "Size of the window in pixels (default: the\nscene's)", group);
   add_viewpoint_options(*parser, render, group);
+  add_environment_options(*parser, render.job.reading.environment);
   add_quality_options(*parser, render, "256");
   add_language_options(*parser, render.job.reading);
   add_model_options(*parser, render.job.reading.model);

@@ -93,6 +93,14 @@ constexpr auto model_fields = [](auto& model, auto&& field) {
   field("max_texture_pixels", model.max_texture, Whole{1, job_limits::texture_side});
 };
 
+constexpr auto environment_fields = [](auto& environment, auto&& field) {
+  constexpr double turn = job_limits::environment_degrees, brightest = job_limits::environment_brightness;
+  field("source", environment.source, Text{});
+  field("rotation_degrees", environment.rotation_degrees,
+        Number{-turn, turn, fmt::format("degrees from {} to {}", -turn, turn)});
+  field("brightness", environment.brightness, Number{0, brightest, fmt::format("a number from 0 to {}", brightest)});
+};
+
 constexpr auto encoding_fields = [](auto& encoding, auto&& field) {
   field("bits_per_channel", encoding.bits, Choice{{8, 16}});
   field("jpeg_quality", encoding.jpeg_quality, Whole{1, job_limits::jpeg_quality});
@@ -105,6 +113,7 @@ constexpr auto job_fields = [](auto& job, auto&& field) {
   field("text", job.text, Text{});
   field("esdf", job.reading.dialect, Object{dialect_fields});
   field("model", job.reading.model, Object{model_fields});
+  field("environment", job.reading.environment, Object{environment_fields});
   field("allowed_paths", job.reading.allowed_paths, ListOf{Path{}});
   field("picture", job.picture, Whole{0, most});
 

@@ -21,6 +21,7 @@ app::LoadOptions observed_by(FileWatch& files) {
   app::LoadOptions options;
   options.on_read = [&files](std::filesystem::path const& file) { files.add(file); };
   options.models = make_model_cache();
+  options.environments = std::make_shared<app::EnvironmentMaps>();
   return options;
 }
 

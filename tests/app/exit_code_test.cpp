@@ -57,6 +57,8 @@ TEST_CASE("64: what makes no sense is refused in one line that says what to do",
   refused("render a.sdf --seed -1", "--seed: ");
   refused("render a.sdf --transfer sRGB", "expected linear or srgb, not 'sRGB'");
   refused("render a.sdf --tonemap filmic", "expected auto, none or reinhard");
+  refused("render a.sdf --environment-rotation north", "expected degrees");
+  refused("render a.sdf --environment-brightness -1", "from 0 to 1000000");
   refused("render a.sdf --bits 12", "expected 8 or 16");
   refused("render a.sdf --quality 0", "from 1 to 100");
   refused("render a.sdf --rotation up", "expected right or left");
@@ -104,6 +106,20 @@ TEST_CASE("65: faulty scenes", "[app][exit]") {
   CHECK(lichtraum.folder.names() == std::vector<std::string>{"blind.sdf", "typo.sdf"});
 }
 
+TEST_CASE("65: faulty environments", "[app][exit]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene);
+  lichtraum.folder.write("cut.hdr", "#?RADIANCE\n\n-Y 2 +X 2\n123");
+  lichtraum.folder.write("sky.png", "\x89PNG");
+  for (char const* const name : {"cut.hdr", "sky.png"}) {
+    auto const result = lichtraum.render(std::string("a.sdf --environment ") + name);
+    CHECK(result.exit_code == 65);
+    CHECK(is_one_line(result.err));
+    CHECK_THAT(result.err, contains_text(std::string(name) + ": "));
+  }
+  CHECK(lichtraum.folder.names() == std::vector<std::string>{"a.sdf", "cut.hdr", "sky.png"});
+}
+
 TEST_CASE("66: inputs that do not exist", "[app][exit]") {
   Lichtraum const lichtraum;
   for (char const* const words : {"render nope.sdf --device reference", "check nope.sdf", "info nope.sdf"}) {
@@ -112,6 +128,10 @@ TEST_CASE("66: inputs that do not exist", "[app][exit]") {
     CHECK(is_one_line(result.err));
     CHECK_THAT(result.err, contains_text("nope.sdf"));
   }
+  lichtraum.folder.write("a.sdf", ball_scene);
+  auto const result = lichtraum.render("a.sdf --environment nope.hdr");
+  CHECK(result.exit_code == 66);
+  CHECK_THAT(result.err, contains_text("nope.hdr"));
 }
 
 TEST_CASE("69: no such device", "[app][exit]") {

@@ -191,3 +191,33 @@ TEST_CASE("the studio is neutral, smooth and as bright as a picture of a product
   CHECK(lit({0, 1, 0}) > 2 * lit({0, -1, 0}));
   CHECK(lit({0, -1, 0}) > 0.1);
 }
+
+TEST_CASE("what is chosen goes before the scene's environment", "[unit][environment]") {
+  EnvironmentLight const own{"own", one_value(2, 1, 1), 30, 2};
+  std::string asked;
+  auto const other = one_value(4, 2, 1);
+  auto const choose = [&](EnvironmentChoice const& choice, std::optional<EnvironmentLight> const& from) {
+    return chosen_environment(choice, from, [&](std::string const& source) {
+      asked += source;
+      return other;
+    });
+  };
+  CHECK(choose({}, own)->map == own.map);
+  CHECK(choose({}, own)->rotation_degrees == 30);
+  CHECK(!choose({}, std::nullopt));
+  CHECK(!choose({"none", {}, 3}, own));
+  CHECK(!choose({"", 10, 3}, std::nullopt));
+  auto const turned = choose({"", 10, {}}, own);
+  CHECK(turned->map == own.map);
+  CHECK(turned->rotation_degrees == 10);
+  CHECK(turned->brightness == 2);
+  CHECK(asked.empty());
+  auto const exchanged = choose({"sky.hdr", {}, 5}, own);
+  CHECK(asked == "sky.hdr");
+  CHECK(exchanged->map == other);
+  CHECK(exchanged->source == "sky.hdr");
+  CHECK(exchanged->rotation_degrees == 0);
+  CHECK(exchanged->brightness == 5);
+  CHECK(environment_map("studio")->width == 1024);
+  CHECK_THROWS_AS(environment_map("/nowhere/studio"), Error);
+}

@@ -28,6 +28,9 @@ class RandomJobs {
     maybe([&] { job.reading.model.animation = word(); });
     maybe([&] { job.reading.model.time_seconds = real(); });
     job.reading.model.max_texture = whole(1, job_limits::texture_side);
+    maybe([&] { job.reading.environment.source = word(); });
+    maybe([&] { job.reading.environment.rotation_degrees = whole(-1000, 1000) / 7.0; });
+    maybe([&] { job.reading.environment.brightness = whole(0, 1000) / 7.0; });
     while (coin()) job.reading.allowed_paths.emplace_back(word());
     job.picture = whole(0, most);
     maybe([&] { job.camera = word(); });
@@ -118,6 +121,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
       R"("text": "define", "esdf": {"transform_order": "local", "rotation": "left", "strict": true, "keep_going": true,
          "material_extras": ["opacity", "ior"]},
          "model": {"scene": "s", "animation": "walk", "time_seconds": 1.5, "max_texture_pixels": 512},
+         "environment": {"source": "studio", "rotation_degrees": -90, "brightness": 0.5},
          "allowed_paths": ["/tmp"], "picture": 3, "camera": "eye", "root": "robot", "turn_degrees": 30,
          "size": [640, 480], "region": [1, 2, 3, 4], "sampling": {"pattern": "grid", "count": 16},
          "sample_range": [0, 16], "max_depth": 7, "seed": 18446744073709551615, "planes": ["depth", "radiance"],
@@ -129,6 +133,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
   wanted.reading.dialect = {
       TransformOrder::local, RotationSense::left, true, true, {MaterialExtra::opacity, MaterialExtra::ior}};
   wanted.reading.model = {512, "s", 1.5, "walk"};
+  wanted.reading.environment = {"studio", -90, 0.5};
   wanted.reading.allowed_paths = {"/tmp"};
   wanted.picture = 3;
   wanted.camera = "eye";
@@ -199,6 +204,10 @@ TEST_CASE("what is wrong in a job is named by its place", "[unit][job]") {
   expect(with(R"("esdf": {"strict": 1})"), "/esdf/strict: expected true or false");
   expect(with(R"("esdf": {"material_extras": ["ior", 1]})"),
          "/esdf/material_extras/1: expected reflectance, transmittance, opacity, ior or ignore");
+  expect(with(R"("environment": {"brightness": -1})"), "/environment/brightness: expected a number from 0 to 1000000");
+  expect(with(R"("environment": {"rotation_degrees": 1e7})"),
+         "/environment/rotation_degrees: expected degrees from -1000000 to 1000000");
+  expect(with(R"("environment": "studio")"), "/environment: expected an object");
   expect(with(R"("allowed_paths": [""])"), "/allowed_paths/0: expected a name");
   expect(with(R"("camera": 0)"), "/camera: expected a text");
   expect(with(R"("encoding": {"bits": 8})"),

@@ -216,6 +216,7 @@ void Interpreter::render(RenderCommand command) {
   command.location = {source.name, diagnostics_.line().number, 1};
   has_rendered_ = true;
   scene.renders.push_back(std::move(command));
+  if (draw_ && options.adjust) options.adjust(scene);
   if (draw_ && !(*draw_)(scene, scene.renders.back())) is_stopped_ = true;
 }
 

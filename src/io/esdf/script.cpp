@@ -52,6 +52,7 @@ EsdfScript EsdfScript::from_text(std::string text, std::string name, EsdfOptions
   state->diagnostics = interpreter.take_diagnostics();
   if (interpreter.has_errors() && !options.keep_going) throw SceneError(std::move(state->diagnostics));
   state->scene = std::move(interpreter.scene);
+  if (options.adjust) options.adjust(state->scene);
   state->is_animated = interpreter.is_animated();
   if (!state->is_animated) {
     state->source.text = {};

@@ -7,6 +7,7 @@
 #include "core/read_file.hpp"
 #include "io/image/environment_decoders.hpp"
 #include "lichtraum/error.hpp"
+#include "scene/studio_environment.hpp"
 
 namespace lichtraum {
 namespace {
@@ -79,6 +80,20 @@ EnvironmentMap decode_environment(EnvironmentFile const& file) {
 EnvironmentMap read_environment(std::filesystem::path const& path) {
   std::string const bytes = read_file(path);
   return decode_environment({bytes, printable(path.string())});
+}
+
+std::shared_ptr<EnvironmentMap const> environment_map(std::string const& source) {
+  return source == "studio" ? studio_environment() : std::make_shared<EnvironmentMap>(read_environment(source));
+}
+
+std::optional<EnvironmentLight> chosen_environment(
+    EnvironmentChoice const& choice, std::optional<EnvironmentLight> own,
+    std::function<std::shared_ptr<EnvironmentMap const>(std::string const&)> const& map) {
+  if (choice.source == "none") return std::nullopt;
+  if (!choice.source.empty()) own = EnvironmentLight{choice.source, map(choice.source)};
+  if (own && choice.rotation_degrees) own->rotation_degrees = *choice.rotation_degrees;
+  if (own && choice.brightness) own->brightness = *choice.brightness;
+  return own;
 }
 
 }  // namespace lichtraum

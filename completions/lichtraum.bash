@@ -26,7 +26,7 @@ _lichtraum() {
     --environment-rotation) values='0 90 180 270' ;;
     --environment-brightness) values='0.5 1 2' ;;
     --exposure) values='-2 -1 1 2' ;;
-    --tonemap) values='auto none reinhard' ;;
+    --tonemap) values='auto neutral agx aces reinhard none' ;;
     --transfer) values='linear srgb' ;;
     --traversal) values='auto scalar wide packet' ;;
     --transform-order) values='parent local' ;;

@@ -63,7 +63,7 @@ complete -c lichtraum -n $traced -l environment -r -a 'studio none' -d 'Light fr
 complete -c lichtraum -n $traced -l environment-rotation -x -d 'Turn it counter-clockwise, seen from above'
 complete -c lichtraum -n $traced -l environment-brightness -x -d 'Multiply its light'
 complete -c lichtraum -n $traced -l exposure -x -d 'Stops brighter or darker'
-complete -c lichtraum -n $traced -l tonemap -x -a 'auto none reinhard' -d 'How radiance is mapped to displayed values'
+complete -c lichtraum -n $traced -l tonemap -x -a 'auto neutral agx aces reinhard none' -d 'How radiance is mapped to displayed values'
 complete -c lichtraum -n $traced -l transfer -x -a 'linear srgb' -d 'How linear values are stored'
 complete -c lichtraum -n $traced -l traversal -x -a 'auto scalar wide packet' -d 'How rays find what they hit'
 complete -c lichtraum -n $seen -l device -x -a 'cpu gpu reference' -d 'Device to draw on'

@@ -20,8 +20,12 @@ struct Word {
   Value value;
 };
 
-inline constexpr auto tone_map_words = std::to_array<Word<ToneMap>>(
-    {{"auto", ToneMap::automatic}, {"none", ToneMap::none}, {"reinhard", ToneMap::reinhard}});
+inline constexpr auto tone_map_words = std::to_array<Word<ToneMap>>({{"auto", ToneMap::automatic},
+                                                                     {"neutral", ToneMap::neutral},
+                                                                     {"agx", ToneMap::agx},
+                                                                     {"aces", ToneMap::aces},
+                                                                     {"reinhard", ToneMap::reinhard},
+                                                                     {"none", ToneMap::none}});
 inline constexpr auto transfer_words =
     std::to_array<Word<Transfer>>({{"linear", Transfer::linear}, {"srgb", Transfer::srgb}});
 inline constexpr auto transform_order_words =
@@ -56,7 +60,7 @@ Value const* find_value(std::span<Word<Value> const> words, std::string_view tex
   return nullptr;
 }
 
-/// "auto, none or reinhard".
+/// "right or left".
 template <class Value>
 std::string list_of(std::span<Word<Value> const> words) {
   std::string list;

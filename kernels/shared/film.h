@@ -41,6 +41,9 @@ DEVICE_NAMESPACE_BEGIN
 
 #define TONE_MAP_NONE 0u
 #define TONE_MAP_REINHARD 1u
+#define TONE_MAP_NEUTRAL 2u
+#define TONE_MAP_AGX 3u
+#define TONE_MAP_ACES 4u
 #define TRANSFER_LINEAR 0u
 #define TRANSFER_SRGB 1u
 
@@ -48,7 +51,7 @@ DEVICE_NAMESPACE_BEGIN
 typedef struct {
   float sample_count; /* of which they are the sums */
   float exposure;     /* factor */
-  uint tone_map;      /* TONE_MAP_... */
+  uint tone_map;      /* TONE_MAP_... (shared/tone_map.h) */
   uint transfer;      /* TRANSFER_... */
 } DevelopParameters;
 DEVICE_STRUCT_SIZE(DevelopParameters, 16);

@@ -56,7 +56,7 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
     return parse_transfer(text);
   };
   add_value(parser, "--tonemap", options.job.tone_map, tone_map, "NAME",
-            "auto (default: what the scene's lights need),\nnone or reinhard", group);
+            "auto (default: what the scene's lights need),\nneutral, agx, aces, reinhard or none", group);
   add_value(parser, "--transfer", options.job.transfer, transfer, "NAME",
             "linear (default for scenes) or srgb (for models)", group);
   add_device_option(parser, options, group);

@@ -279,7 +279,8 @@ void TileTracer::develop(std::vector<float>& radiance, std::vector<float> const&
     state.kernels.insert_or_assign(name, State::KnownKernel{kernel, true});
     cl::Buffer const sums = buffer_over(state.context, CL_MEM_READ_WRITE, radiance);
     kernel.setArg(0, parameters);
-    kernel.setArg(1, cl_ulong(radiance.size()));
+    std::size_t const pixel_count = radiance.size() / 3;
+    kernel.setArg(1, cl_ulong(pixel_count));
     kernel.setArg(2, sums);
     cl::Buffer alpha_sums;
     if (!alpha.empty()) {
@@ -287,7 +288,7 @@ void TileTracer::develop(std::vector<float>& radiance, std::vector<float> const&
       kernel.setArg(3, alpha_sums);
     }
     constexpr std::size_t group = DevelopProgram::work_group_size;
-    state.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(round_up(radiance.size(), group)),
+    state.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(round_up(pixel_count, group)),
                                      cl::NDRange(group));
     std::size_t const bytes = radiance.size() * sizeof(float);
     void* const mapped = state.queue.enqueueMapBuffer(sums, CL_TRUE, CL_MAP_READ, 0, bytes);

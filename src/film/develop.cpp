@@ -6,21 +6,41 @@
 
 namespace lichtraum {
 
+namespace {
+
+device::uint device_tone_map(ToneMap tone_map) {
+  switch (tone_map) {
+    case ToneMap::none:
+      return TONE_MAP_NONE;
+    case ToneMap::reinhard:
+      return TONE_MAP_REINHARD;
+    case ToneMap::neutral:
+      return TONE_MAP_NEUTRAL;
+    case ToneMap::agx:
+      return TONE_MAP_AGX;
+    case ToneMap::aces:
+      return TONE_MAP_ACES;
+    case ToneMap::automatic:
+      break;
+  }
+  throw std::invalid_argument("no scene says which tone map to take");
+}
+
+}  // namespace
+
 device::DevelopParameters develop_parameters(Development const& development, int sample_count) {
-  if (development.tone_map == ToneMap::automatic) throw std::invalid_argument("no scene says which tone map to take");
-  return {float(sample_count), float(pow_of(2.0, development.exposure_ev)),
-          development.tone_map == ToneMap::reinhard ? TONE_MAP_REINHARD : TONE_MAP_NONE,
+  return {float(sample_count), float(pow_of(2.0, development.exposure_ev)), device_tone_map(development.tone_map),
           development.transfer == Transfer::srgb ? TRANSFER_SRGB : TRANSFER_LINEAR};
 }
 
 void develop_sums(std::vector<float>& radiance, std::vector<float> const& alpha,
                   device::DevelopParameters const& parameters) {
-  if (alpha.empty()) {
-    for (float& value : radiance) value = device::develop_mean(value, parameters);
-    return;
-  }
-  for (std::size_t i = 0; i < radiance.size(); ++i) {
-    radiance[i] = device::develop_straight(radiance[i], alpha[i / 3], parameters);
+  for (std::size_t i = 0; i < radiance.size(); i += 3) {
+    float const count = alpha.empty() ? parameters.sample_count : alpha[i / 3];
+    auto const [r, g, b] = device::develop_sum({radiance[i], radiance[i + 1], radiance[i + 2]}, count, parameters);
+    radiance[i] = r;
+    radiance[i + 1] = g;
+    radiance[i + 2] = b;
   }
 }
 

@@ -126,9 +126,10 @@ RenderRequest view_of(Job job, Scene const& scene) {
   return request_of(job, scene);
 }
 
-Development development_of(Job const& job, Scene const& scene) {
+Development development_of(Job const& job, Scene const& scene, Integrator integrator) {
   bool const is_model = !job.text && is_model_file(job.scene);
-  return {job.exposure_ev, job.tone_map == ToneMap::automatic ? scene.tone_map : job.tone_map,
+  ToneMap const usual = is_model && integrator != Integrator::whitted ? ToneMap::neutral : scene.tone_map;
+  return {job.exposure_ev, job.tone_map == ToneMap::automatic ? usual : job.tone_map,
           job.transfer.value_or(is_model ? Transfer::srgb : Transfer::linear)};
 }
 

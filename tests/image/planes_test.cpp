@@ -167,7 +167,7 @@ TEST_CASE("a device develops films to the bytes of the host", "[image][planes]")
     renderer->set_scene(scene_of(graph));
     for (bool const has_alpha : {true, false}) {
       if (!has_alpha) film.keep({FilmPlane::radiance});
-      for (ToneMap const tone_map : {ToneMap::none, ToneMap::reinhard}) {
+      for (ToneMap const tone_map : {ToneMap::none, ToneMap::reinhard, ToneMap::neutral, ToneMap::agx, ToneMap::aces}) {
         for (Transfer const transfer : {Transfer::linear, Transfer::srgb}) {
           Development const development{0.7, tone_map, transfer};
           Image const here = develop(film, development), there = renderer->develop(film, development);

@@ -25,10 +25,11 @@ __kernel void probe_refract(__global float4 const* direction_eta, __global float
   mirrored[i] = (float4)(mirror_direction(direction_eta[i].xyz, normals[i].xyz), 0.f);
 }
 
-__kernel void probe_develop(__global float const* radiance, DevelopParameters const parameters,
-                            __global float* developed) {
+__kernel void probe_develop(__global float4 const* radiance, DevelopParameters const parameters,
+                            __global float4* developed) {
   size_t const i = get_global_id(0);
-  developed[i] = develop_channel(radiance[i], parameters);
+  LinearColor const c = develop_color(linear_color(radiance[i].x, radiance[i].y, radiance[i].z), parameters);
+  developed[i] = (float4)(c.r, c.g, c.b, 0.f);
 }
 
 __kernel void probe_affine(__global AffineTransform const* maps, __global float4 const* vectors,

@@ -54,7 +54,7 @@ class RandomJobs {
     maybe([&] { job.background = JobBackground{}; });
     maybe([&] { job.background = JobBackground{Rgb(std::abs(real()), 0, 1e-310)}; });
     job.exposure_ev = std::uniform_real_distribution(-100.0, 100.0)(random_);
-    job.tone_map = ToneMap(whole(0, 2));
+    job.tone_map = ToneMap(whole(0, 5));
     maybe([&] { job.transfer = coin() ? Transfer::srgb : Transfer::linear; });
     job.encoding = {coin() ? 8 : 16, coin(), whole(1, 100)};
     return job;
@@ -199,7 +199,7 @@ TEST_CASE("what is wrong in a job is named by its place", "[unit][job]") {
   expect(with(R"("exposure_ev": 101)"), "/exposure_ev: expected stops from -100 to 100");
   expect(with(R"("exposure_ev": "1")"), "/exposure_ev: expected stops from -100 to 100");
   expect(with(R"("turn_degrees": null)"), "/turn_degrees: expected a number");
-  expect(with(R"("tone_map": "filmic")"), "/tone_map: expected auto, none or reinhard");
+  expect(with(R"("tone_map": "filmic")"), "/tone_map: expected auto, neutral, agx, aces, reinhard or none");
   expect(with(R"("encoding": {"bits_per_channel": 12})"), "/encoding/bits_per_channel: expected 8 or 16");
   expect(with(R"("esdf": {"strict": 1})"), "/esdf/strict: expected true or false");
   expect(with(R"("esdf": {"material_extras": ["ior", 1]})"),

@@ -18,7 +18,7 @@ _lichtraum() {
     --graphics) values='auto blocks kitty sixel' ;;
     --bits) values='8 16' ;;
     --planes) values='radiance alpha depth normal albedo position object instance material radiance,alpha,depth,normal' ;;
-    --background) values='none 0,0,0 1,1,1' ;;
+    --background) values='none environment 0,0,0 1,1,1 0.4,0.4,0.4,0.1,0.1,0.1' ;;
     --environment)
       mapfile -t COMPREPLY < <(compgen -W 'studio none' -- "$current"; compgen -f -- "$current")
       return

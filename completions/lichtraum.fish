@@ -58,7 +58,7 @@ complete -c lichtraum -n $render -l planes -x -a 'radiance alpha depth normal al
 complete -c lichtraum -n $seen -l samples -x -a '1 2x2 4x4 8x8 16 64' -d 'Samples per pixel'
 complete -c lichtraum -n $traced -l depth -x -d 'Maximum depth of reflection and refraction'
 complete -c lichtraum -n $traced -l seed -x -d 'Seed of the random samples'
-complete -c lichtraum -n $traced -l background -x -a 'none' -d 'Radiance where nothing is hit, R,G,B'
+complete -c lichtraum -n $traced -l background -x -a 'environment none' -d 'Radiance where nothing is hit, R,G,B or two of these'
 complete -c lichtraum -n $traced -l environment -r -a 'studio none' -d 'Light from all around'
 complete -c lichtraum -n $traced -l environment-rotation -x -d 'Turn it counter-clockwise, seen from above'
 complete -c lichtraum -n $traced -l environment-brightness -x -d 'Multiply its light'

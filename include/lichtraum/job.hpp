@@ -26,7 +26,7 @@ struct SceneReading {
 
 /// What rays see that hit nothing.
 struct JobBackground {
-  std::optional<Rgb> color;  ///< linear; nothing: the picture is transparent there
+  std::optional<Background> shown;  ///< nothing: the picture is transparent there
   friend bool operator==(JobBackground const&, JobBackground const&) = default;
 };
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "lichtraum/background.hpp"
 #include "lichtraum/bounds.hpp"
 #include "lichtraum/camera.hpp"
 #include "lichtraum/device.hpp"
@@ -48,7 +49,7 @@ struct RenderRequest {
   int max_depth = 5;  ///< how often a ray may be mirrored or refracted, a path scattered; 0: not at all
   std::uint64_t seed = 0;
   PlaneSet planes{FilmPlane::radiance};
-  std::optional<Rgb> background;  ///< instead of the scene's
+  std::optional<Background> background;  ///< instead of the scene's
 };
 
 struct RayCounts {

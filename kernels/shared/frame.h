@@ -19,12 +19,17 @@ DEVICE_STRUCT_SIZE(PinholeCamera, 64);
 #define SAMPLING_SEEDED 1u
 #define SAMPLING_SOBOL 2u
 
+#define BACKGROUND_COLORS 0u
+#define BACKGROUND_ENVIRONMENT 1u
+
 /* Everything about the picture that is the same for each of its pixels. */
 typedef struct {
   PinholeCamera camera;
-  float4 ambient;    /* sum of all La; w unused */
-  float4 background; /* w unused */
-  uint region_x;     /* of the film, pixels in the picture */
+  float4 ambient;         /* sum of all La; w unused */
+  float4 background;      /* what mirrors and glass show where nothing is; w unused */
+  float4 background_top;  /* what the camera's rays see, at the picture's upper edge; w unused */
+  float4 background_step; /* and by how much more a pixel further down; w unused */
+  uint region_x;          /* of the film, pixels in the picture */
   uint region_y;
   uint region_width;
   uint region_height;
@@ -33,9 +38,10 @@ typedef struct {
   uint seed_low;
   uint seed_high;
   uint max_depth;
-  uint padding[3];
+  uint background_kind; /* BACKGROUND_... */
+  uint padding[2];
 } FrameParameters;
-DEVICE_STRUCT_SIZE(FrameParameters, 144);
+DEVICE_STRUCT_SIZE(FrameParameters, 176);
 
 /* What one launch computes: a rectangle of pixels, a range of their samples. */
 typedef struct {

@@ -39,8 +39,10 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
   add_value(parser, "--depth", options.job.max_depth, parse_depth, "N",
             "Maximum depth of reflection and refraction\n(default: 5; path: 16)", group);
   add_value(parser, "--seed", options.job.seed, parse_seed, "N", "Seed of the random samples (default: 0)", group);
-  add_value(parser, "--background", options.job.background, parse_background, "R,G,B|none",
-            "Radiance where nothing is hit; none: transparent\n(default: the scene's)", group);
+  add_value(parser, "--background", options.job.background, parse_background, "COLOR",
+            "Radiance where nothing is hit: R,G,B, or two of\nthese (top,bottom), environment, or none "
+            "for\ntransparent (default: the scene's)",
+            group);
   auto const exposure = [&options](std::string const& text) {
     options.has_development = true;
     return parse_exposure(text);

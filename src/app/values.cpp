@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -40,6 +41,17 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     if (end == std::string_view::npos) return parts;
     text.remove_prefix(end + 1);
   }
+}
+
+/// Finite numbers with commas between; false where the text is anything else.
+bool read_numbers(std::string_view text, std::span<double> numbers) {
+  auto const parts = split(text, ',');
+  for (std::size_t i = 0; i < numbers.size() && parts.size() == numbers.size(); ++i) {
+    auto const value = number<double>(parts[i]);
+    if (!value || !std::isfinite(*value)) return false;
+    numbers[i] = *value;
+  }
+  return parts.size() == numbers.size();
 }
 
 template <class Value, std::size_t count>
@@ -139,16 +151,17 @@ PlaneSet parse_planes(std::string_view text) {
 
 JobBackground parse_background(std::string_view text) {
   if (text == "none") return {};
-  auto const parts = split(text, ',');
-  Rgb color(0);
-  bool is_good = parts.size() == 3;
-  for (int i = 0; is_good && i < 3; ++i) {
-    auto const value = number<double>(parts[std::size_t(i)]);
-    is_good = value && std::isfinite(*value) && *value >= 0;
-    if (is_good) color[i] = *value;
+  if (text == "environment") return {Background::environment()};
+  std::array<double, 6> c{};
+  bool const is_one = read_numbers(text, std::span(c.data(), 3));
+  bool const is_good = (is_one || read_numbers(text, c)) && std::ranges::all_of(c, [](double v) { return v >= 0; });
+  if (!is_good) {
+    throw std::invalid_argument(
+        "expected environment, none, red, green and blue, such as 0.2,0.3,0.5, or these twice: for the picture's upper "
+        "edge and its lower one");
   }
-  if (!is_good) throw std::invalid_argument("expected none, or red, green and blue, such as 0.2,0.3,0.5");
-  return {color};
+  Rgb const top(c[0], c[1], c[2]);
+  return {Background(top, is_one ? top : Rgb(c[3], c[4], c[5]))};
 }
 
 double parse_exposure(std::string_view text) {

@@ -35,7 +35,7 @@ int parse_texture_size(std::string_view text);                            ///< 1
 int parse_bits(std::string_view text);                                    ///< 8 or 16
 int parse_quality(std::string_view text);                                 ///< 1..100
 PlaneSet parse_planes(std::string_view text);                             ///< names of planes, commas between
-JobBackground parse_background(std::string_view text);                    ///< none, or three numbers
+JobBackground parse_background(std::string_view text);                    ///< none, environment, one colour or two
 double parse_exposure(std::string_view text);                             ///< stops: -100..100
 Integrator parse_integrator(std::string_view text);                       ///< whitted, path
 double parse_environment_rotation(std::string_view text);                 ///< degrees: -1e6..1e6

@@ -39,6 +39,9 @@ void check_request(RenderRequest const& request) {
             fmt::format("a range of samples begins at a multiple of {}, not at {}", Film::block_size, first));
   }
   require(!request.planes.is_empty(), "no plane is asked for");
+  bool const needs_environment = request.background && request.background->kind == Background::Kind::environment;
+  require(!needs_environment || request.integrator != Integrator::whitted,
+          "background environment: it can be seen only with an environment, and whitted draws none");
   require(request.max_depth >= 0, fmt::format("a depth of {} is negative", request.max_depth));
 }
 

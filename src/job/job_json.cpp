@@ -16,6 +16,8 @@ using namespace json_values;
 constexpr char const* version_key = "lichtraum_job";
 constexpr int version = 1;
 
+Number any_number() { return {std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max(), "a number"}; }
+
 /// An array of whole numbers that are the members of a struct.
 template <class Struct>
 struct Members {
@@ -44,15 +46,26 @@ struct PlaneNames {
   }
 };
 
-struct Background {
+struct BackgroundValue {
   static Json write(JobBackground const& background) {
-    if (!background.color) return "none";
-    Rgb const& color = *background.color;
-    return {color.r, color.g, color.b};
+    if (!background.shown) return "none";
+    auto const& [kind, top, bottom] = *background.shown;
+    if (kind == Background::Kind::environment) return "environment";
+    return top == bottom ? write(top) : Json::array({write(top), write(bottom)});
   }
   static JobBackground read(Json const& json, Pointer const& at) {
     if (json == "none") return {};
-    at.expect(json.is_array() && json.size() == 3, "\"none\", or an array of red, green and blue");
+    if (json == "environment") return {Background::environment()};
+    at.expect(json.is_array() && (json.size() == 2 || json.size() == 3),
+              "\"environment\", \"none\", an array of red, green and blue, or an array of two of these");
+    if (json.size() == 3) return {read_color(json, at)};
+    return {Background(read_color(json[0], at / 0), read_color(json[1], at / 1))};
+  }
+
+ private:
+  static Json write(Rgb const& c) { return {c.r, c.g, c.b}; }
+  static Rgb read_color(Json const& json, Pointer const& at) {
+    at.expect(json.is_array() && json.size() == 3, "an array of red, green and blue");
     Number const channel{0, std::numeric_limits<double>::max(), "a number of at least 0"};
     return {Rgb(channel.read(json[0], at / 0), channel.read(json[1], at / 1), channel.read(json[2], at / 2))};
   }
@@ -82,7 +95,6 @@ constexpr auto dialect_fields = [](auto& dialect, auto&& field) {
   field("material_extras", dialect.material_extras, ListOf{one_of(material_extra_words)});
 };
 
-Number any_number() { return {std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max(), "a number"}; }
 Number stops_up_to(double most) { return {-most, most, fmt::format("stops from {} to {}", -most, most)}; }
 constexpr int most = std::numeric_limits<int>::max();
 
@@ -133,7 +145,7 @@ constexpr auto job_fields = [](auto& job, auto&& field) {
   field("max_depth", job.max_depth, Whole{0, job_limits::depth});
   field("seed", job.seed, Whole{std::uint64_t(0), std::numeric_limits<std::uint64_t>::max()});
   field("planes", job.planes, PlaneNames{});
-  field("background", job.background, Background{});
+  field("background", job.background, BackgroundValue{});
 
   field("exposure_ev", job.exposure_ev, stops_up_to(job_limits::exposure_ev));
   field("tone_map", job.tone_map, one_of(tone_map_words));

@@ -78,7 +78,7 @@ RenderRequest request_through(Camera const& camera, Job const& job) {
   request.max_depth = *job.max_depth;
   request.seed = job.seed;
   request.planes = traced_planes(job);
-  if (job.background) request.background = job.background->color;
+  if (job.background) request.background = job.background->shown;
   return request;
 }
 
@@ -86,7 +86,7 @@ RenderRequest request_through(Camera const& camera, Job const& job) {
 
 PlaneSet traced_planes(Job const& job) {
   PlaneSet planes = job.planes;
-  bool const is_transparent = job.background && !job.background->color;
+  bool const is_transparent = job.background && !job.background->shown;
   if (is_transparent && planes.has(FilmPlane::radiance)) planes.add(FilmPlane::alpha);
   return planes;
 }
@@ -122,7 +122,7 @@ RenderRequest view_of(Job job, Scene const& scene) {
   job.samples.reset();
   job.planes = {FilmPlane::radiance};
   if (!job.sampling) job.sampling = Sampling();
-  if (job.background && !job.background->color) job.background->color = Rgb(0);
+  if (job.background && !job.background->shown) job.background->shown = Rgb(0);
   return request_of(job, scene);
 }
 

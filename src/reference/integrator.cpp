@@ -124,7 +124,8 @@ void follow(ReferencePoint const& point, double weight, int depth, std::vector<P
 
 }  // namespace
 
-Rgb trace_radiance(ReferenceScene const& scene, Ray const& camera_ray, int max_depth, RayCounts& counts) {
+Rgb trace_radiance(ReferenceScene const& scene, Ray const& camera_ray, Rgb const& background, int max_depth,
+                   RayCounts& counts) {
   Rgb radiance(0);
   ++counts.camera;
   std::vector<PendingRay> pending{{camera_ray, 1, 0}};
@@ -134,7 +135,7 @@ Rgb trace_radiance(ReferenceScene const& scene, Ray const& camera_ray, int max_d
     if (depth > 0) ++counts.secondary;
     Hit hit;
     if (!find_closest(scene, ray, 0, hit)) {
-      radiance += weight * scene.background;
+      radiance += weight * (depth == 0 ? background : scene.background);
       continue;
     }
     if (depth == 0) ++counts.camera_hits;

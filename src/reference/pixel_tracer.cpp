@@ -47,11 +47,16 @@ class PixelTracer::Pixel {
 
 PixelTracer::PixelTracer(ReferenceScene const& scene, ReferenceNumbers const& numbers, RenderRequest const& request,
                          SampleRange const& samples, Film& film)
-    : scene_(scene), surfaces_(scene, numbers, request.planes), request_(request), samples_(samples), film_(film) {
+    : scene_(scene),
+      surfaces_(scene, numbers, request.planes),
+      request_(request),
+      background_(request.background.value_or(scene.background)),
+      samples_(samples),
+      film_(film) {
   if (request.integrator != Integrator::whitted) {
     throw Error(ErrorKind::usage, "the reference tracer has no integrator 'path' yet: try another --device");
   }
-  if (request.background) scene_.background = *request.background;
+  scene_.background = background_.mean();
 }
 
 void PixelTracer::trace(int x, int y, RayCounts& counts) const {
@@ -76,6 +81,8 @@ void PixelTracer::trace_samples(int x, int y, Pixel& pixel, RayCounts& counts) c
   PlaneSet const& planes = film_.planes();
   bool const has_surfaces =
       planes.has(FilmPlane::alpha) || planes.has(FilmPlane::albedo) || planes.has(FilmPlane::normal);
+  double const share_of_height = (y + 0.5) / request_.resolution.height;
+  Rgb const background = background_.top + share_of_height * (background_.bottom - background_.top);
   for (int i = samples_.first; i < samples_.end; ++i) {
     auto const offset = sample_offset(request_, x, y, i);
     Ray const ray = request_.camera.generate_ray(x + offset.x, y + offset.y, request_.resolution);
@@ -88,7 +95,7 @@ void PixelTracer::trace_samples(int x, int y, Pixel& pixel, RayCounts& counts) c
       pixel.add(FilmPlane::normal, surface.normal);
     }
     if (planes.has(FilmPlane::radiance)) {
-      Rgb const radiance = trace_radiance(scene_, ray, request_.max_depth, counts);
+      Rgb const radiance = trace_radiance(scene_, ray, background, request_.max_depth, counts);
       if (planes.has(FilmPlane::alpha) && !is_hit) continue;
       if (is_finite(radiance)) {
         pixel.add(FilmPlane::radiance, radiance);

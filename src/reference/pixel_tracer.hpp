@@ -24,6 +24,7 @@ class PixelTracer {
   ReferenceScene scene_;
   ReferenceSurfaces surfaces_;
   RenderRequest const& request_;
+  Background background_;
   SampleRange samples_;
   Film& film_;
 };

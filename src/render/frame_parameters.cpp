@@ -32,7 +32,11 @@ device::FrameParameters frame_parameters(RenderRequest const& request, SceneShad
   device::FrameParameters frame{};
   frame.camera = pinhole_camera(request.camera, request.resolution);
   frame.ambient = device_float4(scene.ambient);
-  frame.background = device_float4(request.background.value_or(scene.background));
+  Background const background = request.background.value_or(scene.background);
+  frame.background = device_float4(background.mean());
+  frame.background_top = device_float4(background.top);
+  frame.background_step = device_float4((background.bottom - background.top) / double(request.resolution.height));
+  frame.background_kind = background.kind == Background::Kind::environment ? BACKGROUND_ENVIRONMENT : BACKGROUND_COLORS;
   frame.region_x = device::uint(request.region.x);
   frame.region_y = device::uint(request.region.y);
   frame.region_width = device::uint(request.region.width);

@@ -25,7 +25,10 @@ std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const&
   hasher.add(samples.end);
   hasher.add(request.planes.bits());
   hasher.add(request.background.has_value());
-  hasher.add(request.background.value_or(Rgb(0)));
+  Background const background = request.background.value_or(Background());
+  hasher.add(int(background.kind));
+  hasher.add(background.top);
+  hasher.add(background.bottom);
   hasher.add(development.exposure_ev);
   hasher.add(int(development.tone_map));
   hasher.add(int(development.transfer));

@@ -111,6 +111,11 @@ TEST_CASE("a picture without background is transparent", "[app][planes]") {
 
   auto const sky = draw(lichtraum, "--background 0,0.5,1", scene);
   CHECK((sky.at(32, 2, 0) == 0 && sky.at(32, 2, 1) == 128 && sky.at(32, 2, 2) == 255));
+  auto const dusk = draw(lichtraum, "--background 0,0,1,1,0,0", scene);
+  CHECK((dusk.at(0, 0, 0) < 5 && dusk.at(0, 0, 2) > 250 && dusk.at(0, 47, 0) > 250 && dusk.at(0, 47, 2) < 5));
+  auto const nowhere = lichtraum.render("- --background environment -o x.png", scene);
+  CHECK(nowhere.exit_code == 64);
+  CHECK_THAT(nowhere.err, contains_text("background environment: it can be seen only with an environment"));
 }
 
 TEST_CASE("exposure is in stops", "[app][planes]") {
@@ -132,7 +137,8 @@ TEST_CASE("planes that cannot be are refused, and what has no effect on them is 
   CHECK_THAT(two.err, contains_text("--planes normal,depth: 'two.png' has room for one; .exr has for all"));
   CHECK(!std::filesystem::exists(lichtraum.folder / "two.png"));
   for (char const* const words : {"--planes nonsense", "--planes depth,", "--planes id", "--background red",
-                                  "--background 1,2", "--background -1,0,0", "--exposure much", "--exposure 1e9"}) {
+                                  "--background 1,2", "--background -1,0,0", "--background 1,2,3,4",
+                                  "--background 0,0,0,0,0,nan", "--exposure much", "--exposure 1e9"}) {
     INFO(words);
     CHECK(lichtraum.render(std::string("- -o x.png ") + words, scene).exit_code == 64);
   }

@@ -54,7 +54,7 @@ struct SmallPicture {
     f.camera.step_x = {1.f / float(width), 0, 0, 0};
     f.camera.step_y = {0, -0.7f / float(height), 0, 0};
     f.ambient = {0.3f, 0.3f, 0.3f, 0};
-    f.background = {0.1f, 0.1f, 0.2f, 0};
+    f.background = f.background_top = {0.1f, 0.1f, 0.2f, 0};
     f.sampling = SAMPLING_SEEDED;
     f.sample_count = sample_count;
     f.seed_low = 7;
@@ -201,7 +201,7 @@ TEST_CASE("One launch writes all planes, and only those that are wanted", "[kern
 TEST_CASE("Radiance that is not finite is counted, and not in the sums", "[kernel]") {
   NEEDS_OPENCL_DEVICE();
   SmallPicture picture(2);
-  picture.frame[0].background.y = INFINITY;
+  picture.frame[0].background.y = picture.frame[0].background_top.y = INFINITY;
   device::uint not_finite = 0;
   for (auto const& rays :
        picture.render(ProbeProgram("render.cl"), {0, 0, picture.width(), picture.height(), 0, 2, {}})) {

@@ -52,7 +52,9 @@ class RandomJobs {
     job.planes = {FilmPlane(whole(0, int(plane_count) - 1))};
     while (coin()) job.planes.add(FilmPlane(whole(0, int(plane_count) - 1)));
     maybe([&] { job.background = JobBackground{}; });
+    maybe([&] { job.background = JobBackground{Background::environment()}; });
     maybe([&] { job.background = JobBackground{Rgb(std::abs(real()), 0, 1e-310)}; });
+    maybe([&] { job.background = JobBackground{Background(Rgb(std::abs(real())), Rgb(0, 1, 0))}; });
     job.exposure_ev = std::uniform_real_distribution(-100.0, 100.0)(random_);
     job.tone_map = ToneMap(whole(0, 5));
     maybe([&] { job.transfer = coin() ? Transfer::srgb : Transfer::linear; });
@@ -154,6 +156,14 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
   CHECK(job == wanted);
 }
 
+TEST_CASE("a job's background is a colour, two, the environment or none", "[unit][job]") {
+  CHECK(job_from_json(with(R"("background": [1, 2, 3])")).background == JobBackground{Rgb(1, 2, 3)});
+  CHECK(job_from_json(with(R"("background": [[1, 2, 3], [4, 5, 6]])")).background ==
+        JobBackground{Background(Rgb(1, 2, 3), Rgb(4, 5, 6))});
+  CHECK(job_from_json(with(R"("background": "environment")")).background == JobBackground{Background::environment()});
+  CHECK(job_from_json(with(R"("background": "none")")).background == JobBackground{});
+}
+
 TEST_CASE("docs/JOB.md names every key, and its example is a job", "[unit][job]") {
   std::string const document = test::read_project_file("docs/JOB.md");
   // Only an unknown key tells all known ones.
@@ -194,7 +204,11 @@ TEST_CASE("what is wrong in a job is named by its place", "[unit][job]") {
   expect(with(R"("planes": ["depth", "beauty"])"),
          "/planes/1: expected radiance, alpha, albedo, normal, depth, position, object, instance or material");
   expect(with(R"("planes": [])"), "/planes: expected at least one plane");
-  expect(with(R"("background": "black")"), "/background: expected \"none\", or an array of red, green and blue");
+  expect(
+      with(R"("background": "black")"),
+      "/background: expected \"environment\", \"none\", an array of red, green and blue, or an array of two of these");
+  expect(with(R"("background": [[0, 0, 0], 1])"), "/background/1: expected an array of red, green and blue");
+  expect(with(R"("background": [[0, 0, 0], [0, 1, -1]])"), "/background/1/2: expected a number of at least 0");
   expect(with(R"("background": [0, 0, -1])"), "/background/2: expected a number of at least 0");
   expect(with(R"("exposure_ev": 101)"), "/exposure_ev: expected stops from -100 to 100");
   expect(with(R"("exposure_ev": "1")"), "/exposure_ev: expected stops from -100 to 100");

@@ -121,6 +121,7 @@ TEST_CASE("what a job cannot have", "[unit][job]") {
   expect([](Job& job) { job.region = Region{30, 0, 3, 5}; }, "does not lie in the picture of 32x24");
   expect([](Job& job) { job.samples = SampleRange{0, 16}; }, "are not among the 1 of each pixel");
   expect([](Job& job) { job.planes = {}; }, "no plane");
+  expect([](Job& job) { job.background = JobBackground{Background::environment()}; }, "only with an environment");
   expect([](Job& job) { job.sampling = Sampling{Sampling::Pattern::grid, 5}; }, "not square");
 }
 

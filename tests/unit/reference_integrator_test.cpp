@@ -37,7 +37,8 @@ struct Traced {
 
 Traced trace(ReferenceScene const& scene, Vec3 const& origin, Vec3 const& direction, int max_depth = 5) {
   Traced result;
-  result.radiance = trace_radiance(scene, {origin, glm::normalize(direction)}, max_depth, result.counts);
+  result.radiance =
+      trace_radiance(scene, {origin, glm::normalize(direction)}, scene.background, max_depth, result.counts);
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cl/machine_code_target.hpp"
+#include "cl/noise_filter.hpp"
 #include "cl/opencl_devices.hpp"
 #include "cl/program.hpp"
 #include "cl/render_program.hpp"
@@ -62,6 +63,13 @@ std::vector<unsigned char> compile_develop(cl::Device const& device) {
   return program.getInfo<CL_PROGRAM_BINARIES>().at(0);
 }
 
+std::vector<unsigned char> compile_denoise(cl::Device const& device, int lanes) {
+  cl::Context const context(device);
+  auto const program = build_program(context, device, DenoiseProgram::name, DenoiseProgram::options(lanes), {});
+  NoiseFilter(context, program, lanes).warm_up(cl::CommandQueue(context, device));
+  return program.getInfo<CL_PROGRAM_BINARIES>().at(0);
+}
+
 /// A string literal's inside; octal escapes end after three digits.
 std::string escaped(std::string_view bytes) {
   std::string text;
@@ -93,6 +101,7 @@ int main(int argument_count, char** arguments) try {
       add(program.name, program.options(), compile(found.device, program));
     }
     add(DevelopProgram::name, DevelopProgram::options, compile_develop(found.device));
+    add(DenoiseProgram::name, DenoiseProgram::options(16), compile_denoise(found.device, 16));
   }
   if (table.empty()) return 69;
   std::ofstream out(arguments[1]);

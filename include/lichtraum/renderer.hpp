@@ -10,6 +10,7 @@
 #include "lichtraum/background.hpp"
 #include "lichtraum/bounds.hpp"
 #include "lichtraum/camera.hpp"
+#include "lichtraum/denoise.hpp"
 #include "lichtraum/device.hpp"
 #include "lichtraum/film.hpp"
 #include "lichtraum/image.hpp"
@@ -156,6 +157,9 @@ class Renderer {
 
   /// The picture that a film with radiance holds: lichtraum::develop, with the scene's tone map for `automatic`.
   virtual Image develop(Film film, Development const& development) = 0;
+
+  /// lichtraum::filter_noise, with the same bytes.
+  virtual std::vector<float> filter_noise(NoisyPicture const& picture) = 0;
 };
 
 /// Both in one: request.region, traced and developed.

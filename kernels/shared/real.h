@@ -20,6 +20,8 @@ static inline Real real_of_whole(Whole n) { return (float)n; }
 static inline Whole whole_of_real(Real x) { return (int)x; }
 static inline Whole whole_of_word(Word bits) { return (int)bits; }
 static inline Word word_of_real(Real x) { return (uint)x; }
+static inline Real real_at(__global float const* values) { return *values; }
+static inline void put_real(Real x, __global float* values) { *values = x; }
 #else
 typedef float16 Real;
 typedef int16 Whole;
@@ -31,6 +33,8 @@ static inline Real real_of_whole(Whole n) { return convert_float16(n); }
 static inline Whole whole_of_real(Real x) { return convert_int16(x); }
 static inline Whole whole_of_word(Word bits) { return as_int16(bits); }
 static inline Word word_of_real(Real x) { return convert_uint16(x); }
+static inline Real real_at(__global float const* values) { return vload16(0, values); }
+static inline void put_real(Real x, __global float* values) { vstore16(x, 0, values); }
 #endif
 
 #else
@@ -49,6 +53,8 @@ inline Real real_of_bits(Whole bits) { return std::bit_cast<Real>(bits); }
 inline Real real_of_whole(Whole n) { return static_cast<Real>(n); }
 inline Whole whole_of_real(Real x) { return static_cast<Whole>(x); }
 inline Whole whole_of_word(Word bits) { return static_cast<Whole>(bits); }
+inline Real real_at(float const* values) { return *values; }
+inline void put_real(Real x, float* values) { *values = x; }
 }  // namespace lichtraum::device
 
 #endif

@@ -19,6 +19,7 @@
 #define DEVICE_NAMESPACE_END
 #define SHARED_FUNCTION static inline
 #define SHARED_TABLE __constant
+#define DEVICE_MEMORY __global
 #define DEVICE_PRIMITIVE(type, kind) /* for the host */
 #define DEVICE_UNIT_SHAPE(type, kind) typedef UnitShape type
 
@@ -32,6 +33,7 @@
 #define DEVICE_NAMESPACE_END }
 #define SHARED_FUNCTION inline
 #define SHARED_TABLE inline constexpr
+#define DEVICE_MEMORY
 /* After a primitive's struct: which kind it is, primitive_kind<type>. */
 #define DEVICE_PRIMITIVE(type, kind) \
   template <>                        \

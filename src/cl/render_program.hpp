@@ -48,6 +48,17 @@ struct DevelopProgram {
   static constexpr char const* kernel_name(bool has_alpha) { return has_alpha ? "develop_straight_colors" : "develop"; }
 };
 
+/// kernels/denoise.cl.
+struct DenoiseProgram {
+  static constexpr char const* name = "denoise";
+  /// `lanes`: pixels of a work-item.
+  static constexpr char const* options(int lanes) {
+    return lanes == 16 ? "-cl-std=CL1.2 -D LANES=16" : "-cl-std=CL1.2";
+  }
+  /// Along each of two axes.
+  static constexpr std::size_t work_group_size(int lanes) { return lanes == 16 ? 1 : 8; }
+};
+
 /// The entries of the ray stack that a depth needs, as one of a few sizes: each is a program of its own.
 /// Throws Error{usage} when there is no such size.
 unsigned ray_stack_size(unsigned max_depth);

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
 #include <span>
 
 #include "cl/error.hpp"
+#include "cl/noise_filter.hpp"
 #include "cl/opencl_devices.hpp"
 #include "cl/program.hpp"
 #include "cl/render_program.hpp"
@@ -63,6 +65,7 @@ struct TileTracer::State {
     bool is_loaded = false;
   };
   std::map<std::string, KnownKernel> kernels;  // by their programs' options
+  std::optional<NoiseFilter> noise_filter;     // once it is needed
 
   std::shared_ptr<SceneBuffers const> scene = std::make_shared<SceneBuffers>();
   std::shared_ptr<ShadingTables const> tables = std::make_shared<ShadingTables>();
@@ -295,6 +298,20 @@ void TileTracer::develop(std::vector<float>& radiance, std::vector<float> const&
     state.queue.enqueueUnmapMemObject(sums, mapped);
     state.queue.finish();
   });
+}
+
+void TileTracer::filter_noise(NoisePlanes& planes) {
+  State& state = *state_;
+  if (!state.noise_filter) {
+    int const lanes = state.grouping == RayGrouping::one ? 1 : 16;
+    checked([&] {
+      state.noise_filter.emplace(state.context,
+                                 build_program(state.context, state.device, DenoiseProgram::name,
+                                               DenoiseProgram::options(lanes), precompiled_programs()),
+                                 lanes);
+    });
+  }
+  state.noise_filter->run(state.queue, planes);
 }
 
 }  // namespace lichtraum

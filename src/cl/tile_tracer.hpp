@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "compile/scene_buffers.hpp"
+#include "denoise/noise_planes.hpp"
 #include "lichtraum/renderer.hpp"
 #include "shared/film.h"
 #include "shared/frame.h"
@@ -33,6 +34,9 @@ class TileTracer {
   /// See develop_sums (src/film/develop.hpp), with the same bytes.
   void develop(std::vector<float>& radiance, std::vector<float> const& alpha,
                device::DevelopParameters const& parameters);
+
+  /// The passes of the built-in filter against noise.
+  void filter_noise(NoisePlanes& planes);
 
  private:
   struct State;

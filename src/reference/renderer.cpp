@@ -118,6 +118,8 @@ class ReferenceRenderer final : public Renderer {
     return lichtraum::develop(std::move(film), known);
   }
 
+  std::vector<float> filter_noise(NoisyPicture const& picture) override { return lichtraum::filter_noise(picture); }
+
  private:
   /// The numbers and the fingerprint of what it draws.
   static void identify(PreparedGraph& prepared, std::vector<Light> const& lights,

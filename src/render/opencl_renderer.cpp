@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cl/tile_tracer.hpp"
+#include "denoise/noise_planes.hpp"
 #include "film/develop.hpp"
 #include "film/trace_blocks.hpp"
 #include "render/frame_parameters.hpp"
@@ -177,6 +178,14 @@ class OpenClRenderer final : public Renderer {
           bool const is_mean = parameters.tone_map == TONE_MAP_NONE && parameters.transfer == TRANSFER_LINEAR;
           is_mean ? develop_sums(radiance, alpha, parameters) : tracer_.develop(radiance, alpha, parameters);
         });
+  }
+
+  std::vector<float> filter_noise(NoisyPicture const& picture) override {
+    NoisePlanes planes = noise_planes(picture);
+    // The host does the same, more slowly.
+    if (planes.guides.size() * sizeof(float) > device_.max_allocation_bytes) return lichtraum::filter_noise(picture);
+    tracer_.filter_noise(planes);
+    return radiance_of(planes, picture);
   }
 
  private:

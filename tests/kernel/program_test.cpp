@@ -73,4 +73,6 @@ TEST_CASE("what was compiled with lichtraum fits the device that it was compiled
   for (RenderProgram const& usual : usual_render_programs) {
     CHECK_FALSE(is_from_source(build_program(context, found.device, usual.name, usual.options(), programs)));
   }
+  CHECK_FALSE(is_from_source(
+      build_program(context, found.device, DenoiseProgram::name, DenoiseProgram::options(16), programs)));
 }

@@ -1,0 +1,170 @@
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "denoise/check_picture.hpp"
+#include "denoise/oidn_functions.hpp"
+#include "lichtraum/denoise.hpp"
+#include "lichtraum/error.hpp"
+
+namespace lichtraum {
+namespace {
+
+using namespace oidn;
+
+constexpr char const* file_name = "libOpenImageDenoise.so.2";
+
+Error unavailable(std::string const& why) { return {ErrorKind::unavailable, why}; }
+
+/// Where tools/setup and `cmake --install` put it. The library finds its other parts in ../lib of its own folder only.
+std::string file_beside_program() {
+  std::error_code error;
+  auto const program = std::filesystem::read_symlink("/proc/self/exe", error);
+  return program.parent_path().parent_path() / "lib/lichtraum/oidn/lib" / file_name;
+}
+
+std::vector<std::string> places() {
+  if (char const* const chosen = std::getenv("LICHTRAUM_OIDN")) {
+    std::error_code error;
+    std::filesystem::path const path(chosen);
+    return {std::filesystem::is_directory(path, error) ? path / file_name : path};
+  }
+  return {file_name, file_beside_program()};
+}
+
+/// It stays loaded until the process ends: its threads may.
+void* load() {
+  std::string reasons;
+  for (std::string const& place : places()) {
+    if (void* const loaded = ::dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL)) return loaded;
+    reasons += fmt::format("{}{}", reasons.empty() ? "" : "; ", ::dlerror());
+  }
+  throw unavailable(reasons);
+}
+
+Functions find_functions(void* loaded) {
+  Functions functions;
+#define LICHTRAUM_FIND(result, name, parameters)                                   \
+  functions.name = reinterpret_cast<result(*) parameters>(::dlsym(loaded, #name)); \
+  if (!functions.name) throw unavailable("it lacks the function " #name ", so it is not version 2");
+  LICHTRAUM_OIDN_FUNCTIONS(LICHTRAUM_FIND)
+#undef LICHTRAUM_FIND
+  return functions;
+}
+
+}  // namespace
+
+struct OpenImageDenoise::Library {
+  Functions call;
+  Device device = nullptr;
+
+  explicit Library(Functions const& functions) : call(functions), device(call.oidnNewDevice(device_type_cpu)) {
+    try {
+      check();
+      if (!device) throw unavailable("it has no device for processors");
+      call.oidnSetDeviceBool(device, "setAffinity", false);  // others work here as well
+      call.oidnCommitDevice(device);
+      check();
+    } catch (...) {
+      release();
+      throw;
+    }
+  }
+  ~Library() { release(); }
+  Library(Library const&) = delete;
+  Library& operator=(Library const&) = delete;
+
+  void release() {
+    if (device) call.oidnReleaseDevice(std::exchange(device, nullptr));
+  }
+
+  void check() const {
+    char const* message = nullptr;
+    int const code = call.oidnGetDeviceError(device, &message);
+    if (code == error_none) return;
+    throw unavailable(
+        fmt::format("{} (its error {})", message && *message ? message : "it does not say what failed", code));
+  }
+
+  /// One run of its filter for ray-traced pictures.
+  class Run {
+   public:
+    Run(Library const& library, Resolution const& size)
+        : library_(library), size_(size), filter_(library.call.oidnNewFilter(library.device, "RT")) {
+      if (!filter_) library.check();
+      if (!filter_) throw unavailable("it has no filter for ray-traced pictures");
+    }
+    ~Run() { library_.call.oidnReleaseFilter(filter_); }
+    Run(Run const&) = delete;
+    Run& operator=(Run const&) = delete;
+
+    /// Only what is called "output" is written to.
+    void set(char const* name, std::vector<float> const& values) {
+      if (values.empty()) return;
+      library_.call.oidnSetSharedFilterImage(filter_, name, const_cast<float*>(values.data()), format_float3,
+                                             std::size_t(size_.width), std::size_t(size_.height), 0, 0, 0);
+    }
+    void set(char const* name, bool value) { library_.call.oidnSetFilterBool(filter_, name, value); }
+    void execute() {
+      library_.call.oidnCommitFilter(filter_);
+      library_.call.oidnExecuteFilter(filter_);
+      library_.check();
+    }
+
+   private:
+    Library const& library_;
+    Resolution size_;
+    Filter filter_;
+  };
+
+  /// A plane of guides without its noise.
+  std::vector<float> filter_guide(char const* name, std::vector<float> const& values, Resolution const& size) const {
+    if (values.empty()) return {};
+    std::vector<float> filtered(values.size());
+    Run run(*this, size);
+    run.set(name, values);
+    run.set("output", filtered);
+    run.execute();
+    return filtered;
+  }
+};
+
+OpenImageDenoise::OpenImageDenoise() {
+  auto library = std::make_unique<Library>(find_functions(load()));
+  auto const version = [&](char const* part) { return library->call.oidnGetDeviceInt(library->device, part); };
+  int const major = version("versionMajor");
+  name_ = fmt::format("Open Image Denoise {}.{}.{}", major, version("versionMinor"), version("versionPatch"));
+  if (major != 2) throw unavailable(fmt::format("it is {}, and version 2 is needed", name_));
+  library_ = std::move(library);
+}
+
+OpenImageDenoise::~OpenImageDenoise() = default;
+
+std::vector<float> OpenImageDenoise::filter_noise(NoisyPicture const& picture) const {
+  check_picture(picture);
+  Library const& library = *library_;
+  auto const radiance = finite_values(picture.radiance);
+  auto albedo = finite_values(picture.albedo);
+  auto normal = finite_values(picture.normal);
+  if (albedo.empty()) normal.clear();  // the library takes normals beside albedo only
+  if (picture.has_noisy_guides) {
+    albedo = library.filter_guide("albedo", albedo, picture.size);
+    normal = library.filter_guide("normal", normal, picture.size);
+  }
+  std::vector<float> filtered(radiance.size());
+  Library::Run run(library, picture.size);
+  run.set("color", radiance);
+  run.set("albedo", albedo);
+  run.set("normal", normal);
+  run.set("output", filtered);
+  run.set("hdr", true);
+  run.set("cleanAux", picture.has_noisy_guides && !albedo.empty());
+  run.execute();
+  return filtered;
+}
+
+}  // namespace lichtraum

@@ -2,7 +2,7 @@
 
 _lichtraum() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
-  local commands='render view preview check info devices doctor'
+  local commands='render view preview denoise check info devices doctor'
   local general='-q --quiet -v --verbose -h --help'
   local language='--strict --keep-going --transform-order --rotation --material-extras --allow-path --scene --time --animation --max-texture'
   COMPREPLY=()
@@ -25,6 +25,7 @@ _lichtraum() {
       ;;
     --environment-rotation) values='0 90 180 270' ;;
     --environment-brightness) values='0.5 1 2' ;;
+    --denoise) values='auto on off builtin' ;;
     --exposure) values='-2 -1 1 2' ;;
     --tonemap) values='auto neutral agx aces reinhard none' ;;
     --transfer) values='linear srgb' ;;
@@ -56,8 +57,8 @@ _lichtraum() {
       render)
         options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
         options+=' --camera --root --planes --samples --depth --seed --background --exposure --tonemap --transfer'
-        options+=' --device --traversal --frames --fps --turntable --resume --show --environment --environment-rotation'
-        options+=' --environment-brightness'
+        options+=' --denoise --device --traversal --frames --fps --turntable --resume --show --environment'
+        options+=' --environment-rotation --environment-brightness'
         ;;
       view)
         options+=" $language --watch --size --camera --root --samples --depth --seed --background --exposure"
@@ -65,6 +66,7 @@ _lichtraum() {
         options+=' --environment-brightness'
         ;;
       preview) options+=" $language --size --graphics --camera --root --samples --device" ;;
+      denoise) options+=' -o --output --exposure --tonemap --transfer --denoise --prefilter --device' ;;
       check) options+=" $language" ;;
       info) options+=" $language --json" ;;
       devices) options+=' --json' ;;
@@ -79,6 +81,13 @@ _lichtraum() {
       mapfile -t COMPREPLY < <(
         compgen -d -- "$current"
         compgen -f -- "$current" | grep -E '\.(e?sdf|txt|gltf|glb|obj|ply)$'
+      )
+      ;;
+    denoise)
+      compopt -o filenames 2> /dev/null
+      mapfile -t COMPREPLY < <(
+        compgen -d -- "$current"
+        compgen -f -- "$current" | grep -E '\.exr$'
       )
       ;;
     help) mapfile -t COMPREPLY < <(compgen -W "$commands" -- "$current") ;;

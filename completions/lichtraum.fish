@@ -1,6 +1,6 @@
 # fish completion for lichtraum
 
-set -l commands render view preview check info devices doctor
+set -l commands render view preview denoise check info devices doctor
 set -l first "not __fish_seen_subcommand_from $commands"
 set -l any "__fish_seen_subcommand_from $commands"
 set -l scenes '__fish_seen_subcommand_from render view preview check info'
@@ -9,6 +9,7 @@ set -l seen '__fish_seen_subcommand_from render view preview'
 set -l traced '__fish_seen_subcommand_from render view'
 set -l view '__fish_seen_subcommand_from view'
 set -l preview '__fish_seen_subcommand_from preview'
+set -l denoise '__fish_seen_subcommand_from denoise'
 set -l json '__fish_seen_subcommand_from render info devices'
 
 complete -c lichtraum -f
@@ -16,6 +17,7 @@ complete -c lichtraum -n $first -s V -l version -d 'Print the version'
 complete -c lichtraum -n $first -a render -d 'Draw scenes to pictures'
 complete -c lichtraum -n $first -a view -d 'Open a window on a scene'
 complete -c lichtraum -n $first -a preview -d 'Show a scene in the terminal'
+complete -c lichtraum -n $first -a denoise -d 'Take the noise out of a stored film'
 complete -c lichtraum -n $first -a check -d 'Report what is wrong in scenes'
 complete -c lichtraum -n $first -a info -d 'Describe what is in a scene'
 complete -c lichtraum -n $first -a devices -d 'List the devices that can draw'
@@ -70,6 +72,17 @@ complete -c lichtraum -n $seen -l device -x -a 'cpu gpu reference' -d 'Device to
 
 complete -c lichtraum -n $preview -l size -x -d 'Columns and rows of characters'
 complete -c lichtraum -n $preview -l graphics -x -a 'auto blocks kitty sixel' -d 'What the terminal shows'
+
+complete -c lichtraum -n $render -l denoise -x -a 'auto on off builtin' -d 'Take out noise'
+
+complete -c lichtraum -n $denoise -k -a '(__fish_complete_suffix .exr)'
+complete -c lichtraum -n $denoise -s o -l output -r -F -d 'Write to this file'
+complete -c lichtraum -n $denoise -l exposure -x -d 'Stops brighter or darker'
+complete -c lichtraum -n $denoise -l tonemap -x -a 'none reinhard' -d 'How radiance is mapped to displayed values'
+complete -c lichtraum -n $denoise -l transfer -x -a 'linear srgb' -d 'How linear values are stored'
+complete -c lichtraum -n $denoise -l denoise -x -a 'on builtin' -d 'What takes out the noise'
+complete -c lichtraum -n $denoise -l prefilter -d 'Take the noise out of albedo and normals first'
+complete -c lichtraum -n $denoise -l device -x -a 'cpu gpu reference' -d 'Where the built-in filter runs'
 
 complete -c lichtraum -n $view -l watch -d 'Read the scene again when it is saved'
 complete -c lichtraum -n $view -l size -x -d 'Size of the window'

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lichtraum/denoise.hpp"
 #include "lichtraum/environment.hpp"
 #include "lichtraum/esdf.hpp"
 #include "lichtraum/image_io.hpp"
@@ -50,6 +51,7 @@ struct Job {
   std::uint64_t seed = 0;              ///< of the random samples
   PlaneSet planes{FilmPlane::radiance};
   std::optional<JobBackground> background;
+  Denoising denoising = Denoising::automatic;  ///< of pictures that are developed; films stay as they are
 
   double exposure_ev = 0;
   ToneMap tone_map = ToneMap::automatic;
@@ -71,14 +73,20 @@ inline constexpr int texture_side = 65536;
 inline constexpr int jpeg_quality = 100;
 }  // namespace job_limits
 
+/// What is done about noise in a picture of that integrator: `asked`, unless that is `automatic`. Whitted's rays make
+/// none.
+Denoising decided(Denoising asked, Integrator integrator);
+
 /// The planes that the job asks for, and alpha, which a transparent background needs besides.
+PlaneSet shown_planes(Job const& job);
+/// These, and what denoising goes by: albedo and normals.
 PlaneSet traced_planes(Job const& job);
 
-/// The job with camera (by its name), size, region, sampling and depth decided: by the job itself, else by the scene's
-/// `render` statement number `picture`, else by the camera, else by the scene's defaults, else 640x480; whitted: one
-/// sample a pixel, depth 5; path: 64 samples, depth 16. `scene` is that at the end of its file. A job that is decided
-/// stays as it is. Throws Error{usage} for what the job asks for and cannot have, Error{scene} for a scene without
-/// cameras, or with a `render` that names an unknown one.
+/// The job with camera (by its name), size, region, sampling, depth and denoising decided: by the job itself, else by
+/// the scene's `render` statement number `picture`, else by the camera, else by the scene's defaults, else 640x480;
+/// whitted: one sample a pixel, depth 5; path: 64 samples, depth 16. `scene` is that at the end of its file. A job that is
+/// decided stays as it is. Throws Error{usage} for what the job asks for and cannot have, Error{scene} for a scene
+/// without cameras, or with a `render` that names an unknown one.
 Job resolved(Job job, Scene const& scene);
 
 /// What to trace for the job. `scene` is what is drawn, of which the camera is taken: for the picture of a `render`,

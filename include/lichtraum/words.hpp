@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lichtraum/denoise.hpp"
 #include "lichtraum/esdf.hpp"
 #include "lichtraum/renderer.hpp"
 #include "lichtraum/tone_map.hpp"
@@ -28,6 +29,8 @@ inline constexpr auto tone_map_words = std::to_array<Word<ToneMap>>({{"auto", To
                                                                      {"none", ToneMap::none}});
 inline constexpr auto transfer_words =
     std::to_array<Word<Transfer>>({{"linear", Transfer::linear}, {"srgb", Transfer::srgb}});
+inline constexpr auto denoising_words = std::to_array<Word<Denoising>>(
+    {{"auto", Denoising::automatic}, {"on", Denoising::on}, {"off", Denoising::off}, {"builtin", Denoising::builtin}});
 inline constexpr auto transform_order_words =
     std::to_array<Word<TransformOrder>>({{"parent", TransformOrder::parent}, {"local", TransformOrder::local}});
 inline constexpr auto rotation_words =

@@ -87,7 +87,10 @@ int doctor_command(Arguments const& arguments, Console& console) {
                           device.driver_version);
     }
   }
+  Denoiser denoiser(filter_noise);
+  text += fmt::format("denoising (--denoise on): {}\n", denoiser.name(Denoising::on));
   write_standard_output(text);
+  if (auto const note = denoiser.take_note(); !note.empty()) console.detail(note);
   for (std::string const& warning : list.warnings) console.warning(warning);
   if (has_good_device) {
     write_standard_output("all is well: lichtraum render uses the first good device\n");

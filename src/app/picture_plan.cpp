@@ -25,7 +25,7 @@ std::string list_planes(PlaneSet const& planes) {
 
 void check_planes(PicturePlan const& plan) {
   ImageFormat const& format = *plan.output.format;
-  PlaneSet const planes = traced_planes(plan.job);
+  PlaneSet const planes = shown_planes(plan.job);
   std::size_t const count = planes.list().size();
   bool const is_with_alpha = planes == PlaneSet{FilmPlane::radiance, FilmPlane::alpha};
   if (count <= format.max_planes || (is_with_alpha && format.has_alpha && !plan.output.is_film)) return;
@@ -53,9 +53,12 @@ PicturePlan plan_picture(Scene const& scene, RenderCommand const& command, Job c
                          bool is_one_of_many) {
   PicturePlan plan;
   plan.job = resolved(job, scene);
-  check_memory(*plan.job.region, traced_planes(plan.job), plan.job.sampling->count,
-               job.size ? ErrorKind::usage : ErrorKind::scene);
   plan.output = names.next(command.file, is_one_of_many);
+  // What stores planes stores them as they were traced; other planes have no noise.
+  bool const is_developed = plan.output.format->encode && plan.job.planes.has(FilmPlane::radiance);
+  if (!is_developed) plan.job.denoising = Denoising::off;
+  check_memory(*plan.job.region, traced_planes(plan.job), plan.job.sampling->count,
+               job.size ? ErrorKind::usage : ErrorKind::scene, plan.job.denoising != Denoising::off);
   check_encoding(plan);
   check_planes(plan);
   if (!plan.output.is_standard_output() && !plan.output.is_film) check_writable(plan.output.path);
@@ -64,8 +67,9 @@ PicturePlan plan_picture(Scene const& scene, RenderCommand const& command, Job c
 
 }  // namespace
 
-void check_memory(Region const& region, PlaneSet const& planes, int sample_count, ErrorKind kind) {
-  double pixel_bytes = 0;
+void check_memory(Region const& region, PlaneSet const& planes, int sample_count, ErrorKind kind, bool is_denoised) {
+  constexpr double denoising_bytes = 120;  // what it is given, and the built-in filter's planes
+  double pixel_bytes = is_denoised ? denoising_bytes : 0;
   for (FilmPlane const plane : planes.list()) {
     bool const has_blocks = info_of(plane).rule == PlaneRule::mean && sample_count > Film::block_size;
     // As much again while it is encoded.

@@ -24,6 +24,7 @@ std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource co
                                        RenderOptions const& options, OutputNames& names);
 
 /// Throws Error{`kind`} with the numbers when a picture of that size needs more memory than the machine has.
-void check_memory(Region const& region, PlaneSet const& planes, int sample_count, ErrorKind kind);
+void check_memory(Region const& region, PlaneSet const& planes, int sample_count, ErrorKind kind,
+                  bool is_denoised = false);
 
 }  // namespace lichtraum::app

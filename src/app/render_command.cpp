@@ -100,6 +100,7 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments&
   add_sequence_options(*parser, options);
   add_environment_options(*parser, options.job.reading.environment);
   add_quality_options(*parser, options, "1, the pixel's centre");
+  add_denoise_option(*parser, options.job.denoising);
   add_language_options(*parser, options.job.reading);
   add_model_options(*parser, options.job.reading.model);
   add_verbosity(*parser, console);

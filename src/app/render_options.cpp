@@ -30,6 +30,12 @@ void add_environment_options(CLI::App& parser, EnvironmentChoice& environment) {
             "Multiply its light by this", group);
 }
 
+void add_denoise_option(CLI::App& parser, Denoising& denoising) {
+  add_value(parser, "--denoise", denoising, parse_denoising, "NAME",
+            "Take out noise: auto (default: where there is\nsome), on, off, or builtin (not by Open Image\nDenoise)",
+            "Quality");
+}
+
 void add_quality_options(CLI::App& parser, RenderOptions& options, std::string const& default_samples) {
   std::string const group = "Quality";
   add_value(parser, "--integrator", options.job.integrator, parse_integrator, "NAME",

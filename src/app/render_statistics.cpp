@@ -39,6 +39,8 @@ Json picture_json(PictureReport const& report) {
           {"upload_ms", report.scene.upload_ms},
           {"program_ms", report.render.program_ms},
           {"trace_ms", report.render.trace_ms},
+          {"denoiser", report.denoiser.empty() ? Json() : Json(report.denoiser)},
+          {"denoise_ms", report.denoise_ms},
           {"write_ms", report.write_ms},
           {"rays",
            {{"camera", rays.camera},
@@ -75,20 +77,23 @@ std::string to_json(RunReport const& report) {
 }
 
 std::string summary(PictureReport const& report) {
-  return fmt::format("{}: {}x{}, {:.1f} ms, {:.1f} Mrays/s", report.written_to, report.plan.job.region->width,
-                     report.plan.job.region->height, report.render.trace_ms, report.mrays_per_second());
+  std::string const denoising =
+      report.denoiser.empty() ? "" : fmt::format(", denoised in {:.1f} ms", report.denoise_ms);
+  return fmt::format("{}: {}x{}, {:.1f} ms, {:.1f} Mrays/s{}", report.written_to, report.plan.job.region->width,
+                     report.plan.job.region->height, report.render.trace_ms, report.mrays_per_second(), denoising);
 }
 
 std::string details(PictureReport const& report) {
   SceneStatistics const& s = report.scene;
   RayCounts const& rays = report.render.rays;
+  std::string const denoiser = report.denoiser.empty() ? "" : fmt::format("\n  denoised by {}", report.denoiser);
   return fmt::format(
       "  scene: {} triangles, {} spheres, {} boxes, {} instances, {} nodes, {} bytes on the device\n"
       "  flatten {:.1f} ms, build {:.1f} ms, upload {:.1f} ms, program {:.1f} ms, trace {:.1f} ms, write {:.1f} ms\n"
-      "  rays: {} camera ({} hit something), {} shadow, {} mirror and glass",
+      "  rays: {} camera ({} hit something), {} shadow, {} mirror and glass{}",
       s.triangles, s.spheres, s.boxes, s.instances, s.bvh_nodes, s.device_bytes, s.flatten_ms, s.build_ms, s.upload_ms,
       report.render.program_ms, report.render.trace_ms, report.write_ms, rays.camera, rays.camera_hits, rays.shadow,
-      rays.secondary);
+      rays.secondary, denoiser);
 }
 
 }  // namespace lichtraum::app

@@ -16,6 +16,8 @@ struct PictureReport {
   double load_ms = 0;       ///< bringing the scene to where it is in this picture
   SceneStatistics scene;
   RenderStatistics render;
+  std::string denoiser;  ///< what took the noise out; empty: nothing
+  double denoise_ms = 0;
   double write_ms = 0;  ///< encoding and writing
 
   double mrays_per_second() const {

@@ -34,9 +34,14 @@ bool is_done_already(PicturePlan const& plan, std::string const& fingerprint) {
 /// The pictures of one scene, while it is played.
 class Pictures {
  public:
-  Pictures(SceneOpened const& opened, RenderOptions const& options, Renderer const& renderer,
+  Pictures(SceneOpened const& opened, RenderOptions const& options, Renderer const& renderer, Denoiser& denoiser,
            Channel<LoaderMessage>& channel, std::shared_ptr<PreparedScene const>& previous)
-      : opened_(opened), options_(options), renderer_(renderer), channel_(channel), previous_(previous) {}
+      : opened_(opened),
+        options_(options),
+        renderer_(renderer),
+        denoiser_(denoiser),
+        channel_(channel),
+        previous_(previous) {}
 
   void send_all_of(Scene const& scene, std::size_t scene_number) {
     double const load_ms = stopwatch_.milliseconds();
@@ -51,6 +56,10 @@ class Pictures {
       if (plan.output.format->encode) picture.development = development_of(plan.job, scene);
       picture.fingerprint = fmt::format("{}-{}", picture_fingerprint(*prepared, picture.request, picture.development),
                                         plan.job.encoding.bits);
+      if (plan.job.denoising != Denoising::off) {
+        picture.denoiser = denoiser_.name(plan.job.denoising);
+        picture.fingerprint += "-" + picture.denoiser;
+      }
       picture.is_done = options_.resume && is_done_already(plan, picture.fingerprint);
       picture.load_ms = load_ms;
       if (!channel_.send(std::move(picture))) throw Stopped();
@@ -62,6 +71,7 @@ class Pictures {
   SceneOpened const& opened_;
   RenderOptions const& options_;
   Renderer const& renderer_;
+  Denoiser& denoiser_;
   Channel<LoaderMessage>& channel_;
   std::shared_ptr<PreparedScene const>& previous_;
   Stopwatch stopwatch_;
@@ -71,8 +81,8 @@ class Pictures {
 }  // namespace
 
 SceneLoader::SceneLoader(std::vector<std::string> const& inputs, RenderOptions const& options, OutputNames& names,
-                         Renderer const& renderer)
-    : options_(options), names_(names), renderer_(renderer), thread_([this, &inputs] {
+                         Renderer const& renderer, Denoiser& denoiser)
+    : options_(options), names_(names), renderer_(renderer), denoiser_(denoiser), thread_([this, &inputs] {
         for (std::string const& input : inputs) {
           SceneClosed closed;
           try {
@@ -106,7 +116,7 @@ void SceneLoader::load(std::string const& input) {
   }
   if (!channel_.send(opened)) throw Stopped();
   if (faulty_plan) std::rethrow_exception(faulty_plan);
-  Pictures pictures(opened, options_, renderer_, channel_, previous_);
+  Pictures pictures(opened, options_, renderer_, denoiser_, channel_, previous_);
   script.play([&](Scene const& scene, std::size_t number) {
     pictures.send_all_of(scene, number);
     return true;

@@ -29,6 +29,7 @@ struct PictureReady {
   Development development;
   std::shared_ptr<PreparedScene const> scene;
   std::string fingerprint;  ///< for the picture's file
+  std::string denoiser;     ///< what is to take the noise out of it; empty: nothing
   bool is_done = false;     ///< with --resume: the file is there, and is this picture
   double load_ms = 0;       ///< bringing the scene to where it is in this picture
 };
@@ -46,7 +47,7 @@ class SceneLoader {
  public:
   /// All arguments must outlive it. It is the only one to use `names`.
   SceneLoader(std::vector<std::string> const& inputs, RenderOptions const& options, OutputNames& names,
-              Renderer const& renderer);
+              Renderer const& renderer, Denoiser& denoiser);
   /// Stops after the current item.
   ~SceneLoader();
   SceneLoader(SceneLoader const&) = delete;
@@ -61,6 +62,7 @@ class SceneLoader {
   RenderOptions const& options_;
   OutputNames& names_;
   Renderer const& renderer_;
+  Denoiser& denoiser_;
   std::shared_ptr<PreparedScene const> previous_;
   Channel<LoaderMessage> channel_;
   std::jthread thread_;

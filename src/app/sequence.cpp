@@ -32,7 +32,8 @@ class Sequence {
         is_film_(names.is_film()),
         bar_(console),
         writer_(options.frame_rate()),
-        loader_(inputs, options, names, renderer) {}
+        denoiser_([&renderer](NoisyPicture const& picture) { return renderer.filter_noise(picture); }),
+        loader_(inputs, options, names, renderer, denoiser_) {}
 
   int run() {
     for (std::size_t input = 0; input < inputs_.size(); ++input) {
@@ -117,9 +118,9 @@ class Sequence {
       }
       if (use > 1) continue;
       if (!plan.output.note.empty()) console_.warning(plan.output.note);
-      auto const has_no_effect = [&](bool given, bool applies, char const* option) {
+      auto const has_no_effect = [&](bool given, bool applies, char const* option, char const* advice = "") {
         if (!given || applies || !warned_.insert({option, plan.output.path.extension()}).second) return;
-        console_.warning(fmt::format("{} has no effect on '{}'", option, plan.output.shown));
+        console_.warning(fmt::format("{} has no effect on '{}'{}", option, plan.output.shown, advice));
       };
       bool const is_film = plan.output.is_film;
       has_no_effect(options_.has_bits, format.encode && format.max_bits > 8 && !is_film, "--bits");
@@ -127,6 +128,10 @@ class Sequence {
       has_no_effect(options_.job.encoding.ppm_ascii, format.name == "ppm" && !is_film, "--ppm-ascii");
       bool const has_radiance = traced_planes(plan.job).has(FilmPlane::radiance);
       has_no_effect(options_.has_development, format.encode && has_radiance, "--exposure, --tonemap or --transfer");
+      Denoising const denoising = options_.job.denoising;
+      has_no_effect(denoising == Denoising::on || denoising == Denoising::builtin, format.encode && has_radiance,
+                    "--denoise",
+                    format.encode_film && has_radiance ? ": planes are stored as traced (lichtraum denoise)" : "");
       has_no_effect(options_.job.background.has_value(), has_radiance, "--background");
       has_no_effect(options_.job.sampling.has_value(), traced_planes(plan.job).has(PlaneRule::mean), "--samples");
       has_no_effect(options_.job.max_depth.has_value(), has_radiance, "--depth");
@@ -188,6 +193,7 @@ class Sequence {
     picture.is_complete = result.complete;
     picture.render = result.statistics;
     picture.plan.fingerprint = result.complete ? ready.fingerprint : "";
+    if (result.complete && !ready.denoiser.empty()) film = denoised(film, ready, picture);
     finish_writing();
     if (result.statistics.rays.not_finite > 0) {
       bar_.clear();
@@ -214,6 +220,20 @@ class Sequence {
       finish_writing();
       throw Error(ErrorKind::interrupted, "interrupted");
     }
+  }
+
+  Film denoised(Film const& film, PictureReady const& ready, PictureReport& picture) {
+    Denoising const denoising = picture.plan.job.denoising;
+    Stopwatch const stopwatch;
+    Film result = denoiser_.denoised(film, denoising);
+    picture.denoise_ms = stopwatch.milliseconds();
+    picture.denoiser = denoiser_.name(denoising);
+    if (picture.denoiser != ready.denoiser) picture.plan.fingerprint.clear();  // it failed with this picture
+    if (auto const note = denoiser_.take_note(); !note.empty()) {
+      bar_.clear();
+      console_.warning(note);
+    }
+    return result;
   }
 
   Drawn develop(Film film, PicturePlan const& plan, Development const& development) {
@@ -311,6 +331,7 @@ class Sequence {
   std::optional<GracefulScope> graceful_;  // once something is drawn, Ctrl-C is asked for
   ProgressBar bar_;
   PictureWriter writer_;
+  Denoiser denoiser_;
   SceneLoader loader_;
   std::future<PictureReport> writing_;  // last: it uses what is above
 

@@ -201,6 +201,8 @@ std::optional<Traversal> parse_traversal(std::string_view text) {
 
 ToneMap parse_tone_map(std::string_view text) { return word(text, tone_map_words); }
 
+Denoising parse_denoising(std::string_view text) { return word(text, denoising_words); }
+
 Transfer parse_transfer(std::string_view text) { return word(text, transfer_words); }
 
 TransformOrder parse_transform_order(std::string_view text) { return word(text, transform_order_words); }

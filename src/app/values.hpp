@@ -42,6 +42,7 @@ double parse_environment_rotation(std::string_view text);                 ///< d
 double parse_environment_brightness(std::string_view text);               ///< 0..1e6
 std::optional<Traversal> parse_traversal(std::string_view text);          ///< auto (nothing), scalar, wide, packet
 ToneMap parse_tone_map(std::string_view text);                            ///< auto, none, reinhard
+Denoising parse_denoising(std::string_view text);                         ///< auto, on, off, builtin
 Transfer parse_transfer(std::string_view text);                           ///< linear, srgb
 TransformOrder parse_transform_order(std::string_view text);              ///< parent, local
 RotationSense parse_rotation(std::string_view text);                      ///< right, left

@@ -84,10 +84,24 @@ RenderRequest request_through(Camera const& camera, Job const& job) {
 
 }  // namespace
 
-PlaneSet traced_planes(Job const& job) {
+Denoising decided(Denoising asked, Integrator integrator) {
+  if (asked != Denoising::automatic) return asked;
+  return integrator == Integrator::whitted ? Denoising::off : Denoising::on;
+}
+
+PlaneSet shown_planes(Job const& job) {
   PlaneSet planes = job.planes;
   bool const is_transparent = job.background && !job.background->shown;
   if (is_transparent && planes.has(FilmPlane::radiance)) planes.add(FilmPlane::alpha);
+  return planes;
+}
+
+PlaneSet traced_planes(Job const& job) {
+  PlaneSet planes = shown_planes(job);
+  bool const is_denoised = job.denoising == Denoising::on || job.denoising == Denoising::builtin;
+  if (!is_denoised || !planes.has(FilmPlane::radiance)) return planes;
+  planes.add(FilmPlane::albedo);
+  planes.add(FilmPlane::normal);
   return planes;
 }
 
@@ -103,6 +117,7 @@ Job resolved(Job job, Scene const& scene) {
   Effort const usual = usual_effort(*job.integrator);
   if (!job.sampling) job.sampling = sampling_of(command.samples.value_or(usual.samples));
   if (!job.max_depth) job.max_depth = command.depth.value_or(usual.max_depth);
+  job.denoising = decided(job.denoising, *job.integrator);
   check_request(request_through(camera, job));
   return job;
 }
@@ -121,6 +136,7 @@ RenderRequest view_of(Job job, Scene const& scene) {
   job.region.reset();
   job.samples.reset();
   job.planes = {FilmPlane::radiance};
+  job.denoising = Denoising::off;
   if (!job.sampling) job.sampling = Sampling();
   if (job.background && !job.background->shown) job.background->shown = Rgb(0);
   return request_of(job, scene);

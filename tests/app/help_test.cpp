@@ -9,7 +9,7 @@
 
 namespace {
 
-char const* const commands[] = {"render", "view", "preview", "check", "info", "devices", "doctor"};
+char const* const commands[] = {"render", "view", "preview", "denoise", "check", "info", "devices", "doctor"};
 
 std::string read_source(std::string const& name) {
   std::ifstream file(std::string(LICHTRAUM_SOURCE_DIR "/") + name);
@@ -57,7 +57,7 @@ TEST_CASE("the examples in the help texts are good commands", "[app][help]") {
   std::filesystem::create_directory(lichtraum.folder / "frames");
   lichtraum.folder.write("frames/1.sdf", "define nonsense\n");
   std::size_t count = 0;
-  for (std::string const command : {"", "render", "view", "preview", "check", "info", "devices", "doctor"}) {
+  for (std::string const command : {"", "render", "view", "preview", "denoise", "check", "info", "devices", "doctor"}) {
     std::string const help = lichtraum(command + " --help").out;
     std::string const examples = help.substr(help.find("Examples:"));
     for (std::string const& example : matches(examples, "\n  (lichtraum [^\n]*?)(?=  |\n)")) {
@@ -69,7 +69,11 @@ TEST_CASE("the examples in the help texts are good commands", "[app][help]") {
       bool const opens_a_window = command == "view";  // which is refused without a display
       bool const reads_a_scene =
           !opens_a_window && (example.find(".sdf") != std::string::npos || example.find(".glb") != std::string::npos);
-      CHECK((reads_a_scene ? code == 65 : opens_a_window ? code == 69 : code == 0 || code == 69));
+      bool const lacks_its_file = command == "denoise";
+      CHECK((lacks_its_file   ? code == 66
+             : reads_a_scene  ? code == 65
+             : opens_a_window ? code == 69
+                              : code == 0 || code == 69));
       ++count;
     }
   }

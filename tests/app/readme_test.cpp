@@ -30,6 +30,7 @@ TEST_CASE("the commands in README.md are understood", "[app][docs]") {
   // A faulty scene shows that the command line was understood, without drawing for long.
   lichtraum.folder.write("scene.sdf", "define nonsense\n");
   lichtraum.folder.write("model.glb", "no model");
+  lichtraum.folder.write("planes.exr", "no planes");
   std::string const readme = read_project_file("README.md");
   std::regex const command("`lichtraum ([^`<]*?)( <[^`]*)?`");
   int count = 0;
@@ -40,7 +41,8 @@ TEST_CASE("the commands in README.md are understood", "[app][docs]") {
     words = replace_all(words, " --device gpu", " --device reference");  // not every machine has one
     INFO(words);
     bool const reads_scene = words.find("scene.sdf") != std::string::npos ||
-                             words.find("model.glb") != std::string::npos || words.find("render - ") == 0;
+                             words.find("model.glb") != std::string::npos || words.find("render - ") == 0 ||
+                             words.find("denoise planes.exr") == 0;
     Process process = lichtraum.process(words);
     process.input = "define nonsense\n";
     process.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};

@@ -55,6 +55,7 @@ class RandomJobs {
     maybe([&] { job.background = JobBackground{Background::environment()}; });
     maybe([&] { job.background = JobBackground{Rgb(std::abs(real()), 0, 1e-310)}; });
     maybe([&] { job.background = JobBackground{Background(Rgb(std::abs(real())), Rgb(0, 1, 0))}; });
+    job.denoising = Denoising(whole(0, 3));
     job.exposure_ev = std::uniform_real_distribution(-100.0, 100.0)(random_);
     job.tone_map = ToneMap(whole(0, 5));
     maybe([&] { job.transfer = coin() ? Transfer::srgb : Transfer::linear; });
@@ -127,7 +128,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
          "allowed_paths": ["/tmp"], "picture": 3, "camera": "eye", "root": "robot", "turn_degrees": 30,
          "size": [640, 480], "region": [1, 2, 3, 4], "sampling": {"pattern": "grid", "count": 16},
          "sample_range": [0, 16], "max_depth": 7, "seed": 18446744073709551615, "planes": ["depth", "radiance"],
-         "background": [0.1, 0.2, 0.3], "exposure_ev": -2, "tone_map": "reinhard", "transfer": "srgb",
+         "background": [0.1, 0.2, 0.3], "denoising": "builtin", "exposure_ev": -2, "tone_map": "reinhard", "transfer": "srgb",
          "encoding": {"bits_per_channel": 16, "jpeg_quality": 50, "ppm_ascii": true})"));
   Job wanted;
   wanted.scene = "a.sdf";
@@ -149,6 +150,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
   wanted.seed = std::numeric_limits<std::uint64_t>::max();
   wanted.planes = {FilmPlane::radiance, FilmPlane::depth};
   wanted.background = JobBackground{Rgb(0.1, 0.2, 0.3)};
+  wanted.denoising = Denoising::builtin;
   wanted.exposure_ev = -2;
   wanted.tone_map = ToneMap::reinhard;
   wanted.transfer = Transfer::srgb;

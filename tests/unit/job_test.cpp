@@ -62,6 +62,7 @@ TEST_CASE("what a job says wins over the scene", "[unit][job]") {
   job.region = Region{1, 2, 3, 4};
   job.sampling = Sampling{Sampling::Pattern::grid, 4};
   job.max_depth = 0;
+  job.denoising = Denoising::builtin;
   CHECK(resolved(job, two_pictures()) == job);
   RenderRequest const request = request_of(job, two_pictures());
   CHECK(request.camera.name() == "eye");
@@ -158,6 +159,28 @@ TEST_CASE("a turned job looks from where the orbit leads", "[unit][job]") {
         orbited(eye, Vec3(1, 2, 3), 90).world_from_camera().matrix());
   job.root = "nothing";
   CHECK_THROWS_AS(pose(job), Error);
+}
+
+TEST_CASE("noise is taken out where there is some, or where that is asked for", "[unit][job]") {
+  CHECK(decided(Denoising::automatic, Integrator::whitted) == Denoising::off);
+  CHECK(decided(Denoising::automatic, Integrator(1)) == Denoising::on);
+  for (Denoising const asked : {Denoising::on, Denoising::off, Denoising::builtin}) {
+    CHECK(decided(asked, Integrator::whitted) == asked);
+  }
+  Scene const scene = two_pictures();
+  PlaneSet const guided{FilmPlane::radiance, FilmPlane::albedo, FilmPlane::normal};
+  Job job = job_of();
+  CHECK(resolved(job, scene).denoising == Denoising::off);
+  CHECK(request_of(job, scene).planes == PlaneSet{FilmPlane::radiance});
+  for (Denoising const asked : {Denoising::on, Denoising::builtin}) {
+    job.denoising = asked;
+    CHECK(resolved(job, scene).denoising == asked);
+    CHECK(request_of(job, scene).planes == guided);
+    CHECK(shown_planes(job) == PlaneSet{FilmPlane::radiance});
+    CHECK(view_of(job, scene).planes == PlaneSet{FilmPlane::radiance});
+  }
+  job.planes = {FilmPlane::depth};
+  CHECK(traced_planes(job) == PlaneSet{FilmPlane::depth});
 }
 
 TEST_CASE("a view is a whole picture of radiance", "[unit][job]") {

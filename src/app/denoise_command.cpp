@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/arguments.hpp"
+#include "app/commands.hpp"
+#include "app/renderer_choice.hpp"
+#include "app/stopwatch.hpp"
+#include "app/values.hpp"
+#include "core/read_file.hpp"
+#include "lichtraum/denoise.hpp"
+#include "lichtraum/exr_layers.hpp"
+#include "lichtraum/image_io.hpp"
+
+namespace lichtraum::app {
+namespace {
+
+constexpr char const* description =
+    "Takes the noise out of the radiance that an OpenEXR file holds, guided by its\n"
+    "albedo and normals: FILE is what 'lichtraum render --planes\n"
+    "radiance,albedo,normal' writes. All other layers stay as they are.";
+
+constexpr char const* examples =
+    "  lichtraum denoise film.exr\n"
+    "  lichtraum denoise film.exr -o picture.png --exposure 1\n"
+    "  lichtraum denoise film.exr -o smooth.exr --denoise builtin\n";
+
+struct DenoiseOptions {
+  std::string input;
+  std::filesystem::path output;
+  Denoising denoising = Denoising::on;
+  bool has_noisy_guides = false;
+  std::string device;
+  Development development{0, ToneMap::none, Transfer::srgb};
+};
+
+Denoising parse_denoiser(std::string_view text) {
+  if (text == "on") return Denoising::on;
+  if (text == "builtin") return Denoising::builtin;
+  throw std::invalid_argument("expected on or builtin");
+}
+
+bool parse_denoise(Arguments const& arguments, DenoiseOptions& options, Console& console) {
+  auto const parser = make_parser("denoise", description, examples);
+  add_inputs(*parser, options.input, "FILE");
+  auto const path = [](std::string const& text) { return std::filesystem::path(parse_name(text)); };
+  add_value(*parser, "-o,--output", options.output, path, "FILE",
+            "Write to FILE: an .exr keeps all layers, others are\npictures (default: <name>-denoised.exr)", "Output");
+  auto const tone_map = [](std::string const& text) {
+    ToneMap const parsed = parse_tone_map(text);
+    return parsed == ToneMap::automatic ? ToneMap::none : parsed;
+  };
+  add_value(*parser, "--exposure", options.development.exposure_ev, parse_exposure, "EV",
+            "Of a picture: stops brighter, or darker (default: 0)", "Output");
+  add_value(*parser, "--tonemap", options.development.tone_map, tone_map, "NAME",
+            "Of a picture: none (default) or reinhard", "Output");
+  add_value(*parser, "--transfer", options.development.transfer, parse_transfer, "NAME",
+            "Of a picture: srgb (default) or linear", "Output");
+  add_value(*parser, "--denoise", options.denoising, parse_denoiser, "NAME",
+            "on (default): by Open Image Denoise where it is found;\nbuiltin: by lichtraum's own filter", "Denoising");
+  parser
+      ->add_flag("--prefilter", options.has_noisy_guides,
+                 "Take the noise out of albedo and normals first: for\ndepth of field. With Open Image Denoise")
+      ->group("Denoising");
+  add_value(*parser, "--device", options.device, parse_name, "NAME",
+            "Where the built-in filter runs: index, part of a name,\ncpu, gpu or reference", "Denoising");
+  add_verbosity(*parser, console);
+  return parse(*parser, arguments);
+}
+
+std::string list_of(std::vector<std::string> const& channels) {
+  std::string list;
+  for (std::string const& channel : channels) list += fmt::format("{}{}", list.empty() ? "" : ", ", channel);
+  return list;
+}
+
+constexpr char const* advice = "lichtraum render --planes radiance,albedo,normal -o film.exr stores what is needed";
+
+/// The planes of the file that a film has by the same names.
+NoisyPicture picture_of(ExrLayers const& layers, std::string const& name, Console const& console) {
+  auto const has = [&](FilmPlane plane) { return layers.has(info_of(plane).channels); };
+  auto const values = [&](FilmPlane plane) {
+    return has(plane) ? layers.values(info_of(plane).channels) : std::vector<float>();
+  };
+  if (!has(FilmPlane::radiance)) {
+    throw Error(ErrorKind::scene,
+                fmt::format("'{}' has no radiance, which is in the channels R, G and B; it has: {}. {}", name,
+                            list_of(layers.channels()), advice));
+  }
+  std::string missing;
+  for (FilmPlane const plane : {FilmPlane::albedo, FilmPlane::normal}) {
+    if (!has(plane)) missing += fmt::format("{}{}", missing.empty() ? "" : " and no ", info_of(plane).name);
+  }
+  if (!missing.empty()) {
+    console.warning(
+        fmt::format("'{}' has no {}: edges and textures are harder to tell from noise. {}", name, missing, advice));
+  }
+  return {layers.size(), values(FilmPlane::radiance), values(FilmPlane::albedo), values(FilmPlane::normal),
+          values(FilmPlane::depth)};
+}
+
+/// What a picture of another format is made of.
+Film film_of(ExrLayers const& layers, std::vector<float> const& radiance) {
+  PlaneSet planes{FilmPlane::radiance};
+  auto const& alpha = info_of(FilmPlane::alpha).channels;
+  if (layers.has(alpha)) planes.add(FilmPlane::alpha);
+  Film film(whole_picture(layers.size()), planes);
+  std::ranges::copy(radiance, film.floats(FilmPlane::radiance).begin());
+  if (layers.has(alpha)) std::ranges::copy(layers.values(alpha), film.floats(FilmPlane::alpha).begin());
+  film.set_end(1);
+  return film;
+}
+
+std::string encode(ExrLayers& layers, std::vector<float> const& radiance, ImageFormat const& format,
+                   Development const& development) {
+  if (format.name == "exr") {
+    layers.set_values(info_of(FilmPlane::radiance).channels, radiance);
+    return layers.encode();
+  }
+  Film film = film_of(layers, radiance);
+  if (!format.has_alpha) film.keep({FilmPlane::radiance});
+  return format.encode_film ? format.encode_film(film, {}) : format.encode(develop(std::move(film), development), {});
+}
+
+}  // namespace
+
+int denoise_command(Arguments const& arguments, Console& console) {
+  DenoiseOptions options;
+  if (!parse_denoise(arguments, options, console)) return 0;
+  std::filesystem::path output = options.output;
+  if (output.empty()) {
+    output = std::filesystem::path(options.input).replace_extension();
+    output += "-denoised.exr";
+  }
+  ImageFormat const& format = image_format_for(output);
+  check_writable(output);
+
+  ExrLayers layers(read_file(options.input), options.input);
+  auto const [width, height] = layers.size();
+  if (std::max(width, height) > format.max_side) {
+    throw Error(ErrorKind::usage, fmt::format("'{}': a {} has at most {} pixels per side, not {}x{}", output.string(),
+                                              format.name, format.max_side, width, height));
+  }
+  NoisyPicture picture = picture_of(layers, options.input, console);
+  picture.has_noisy_guides = options.has_noisy_guides;
+  Denoiser denoiser([&](NoisyPicture const& noisy) {
+    return choose_renderer(options.device, std::nullopt, console)->filter_noise(noisy);
+  });
+  Stopwatch const stopwatch;
+  std::vector<float> const radiance = denoiser.denoised(picture, options.denoising);
+  double const milliseconds = stopwatch.milliseconds();
+  if (auto const note = denoiser.take_note(); !note.empty()) console.warning(note);
+  write_file_atomically(output, encode(layers, radiance, format, options.development));
+  console.info(fmt::format("{}: {}x{}, denoised in {:.1f} ms by {}", output.string(), width, height, milliseconds,
+                           denoiser.name(options.denoising)));
+  return 0;
+}
+
+}  // namespace lichtraum::app

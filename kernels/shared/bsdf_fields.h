@@ -10,6 +10,8 @@
   COLOR(diffuse)                       /* reflectance of the matt lobe */                                            \
   COLOR(f0)                            /* Fresnel's factor of the glossy lobe, seen head-on ... */                   \
   COLOR(f90)                           /* ... and at grazing angles */                                               \
+  COLOR(metal)                         /* the same of a metal, head-on, which has no lobes below ... */              \
+  NUMBER(metallic)                     /* ... and its share of the surface */                                        \
   NUMBER(alpha)                        /* its roughness */                                                           \
   NUMBER(is_layered)                   /* 1: what it reflects is lost to the lobes below it, and it loses nothing */ \
   COLOR(transmitted)                   /* what gets through of the light that the glossy lobe leaves */              \

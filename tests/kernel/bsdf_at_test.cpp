@@ -1,0 +1,191 @@
+/// What materials' models are as a BSDF, against expectations made by hand.
+
+#include "bsdf_probe.hpp"
+#include "lichtraum/pbr_model.hpp"
+#include "shared/pbr_material.h"
+#include "shared/phong_material.h"
+#include "support/catch.hpp"
+#include "support/skip.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+namespace {
+
+BsdfParameters of_phong(device::PhongMaterial const& material) {
+  std::vector<device::PhongMaterial> const materials{material};
+  std::vector<BsdfParameters> parameters(1);
+  ProbeProgram("bsdf.cl", "-D LANES=1").run("probe_bsdf_from_phong", 1, {in(materials), out(parameters)});
+  return parameters.front();
+}
+
+/// What the format's defaults make of a material: a white, rough metal.
+device::PbrMaterial default_pbr() {
+  device::PbrMaterial out{};
+  out.flags = PBR_IS_PRESENT;
+#define COLOR(name, initial, extension, key) set_color(out.name, initial);
+#define SHARE(name, initial, extension, key) out.name = initial;
+#define NUMBER(name, initial, least, most, extension, key) out.name = float(initial);
+#define TEXTURE(name, extension, key) out.name.texture = NO_TEXTURE;
+#define MODE(type, name, initial) out.name = device::uint(initial);
+  PBR_DEVICE_FIELDS(COLOR, SHARE, NUMBER, TEXTURE, MODE)
+#undef COLOR
+#undef SHARE
+#undef NUMBER
+#undef TEXTURE
+#undef MODE
+  return out;
+}
+
+BsdfParameters of_pbr(device::PbrMaterial const& material) {
+  std::vector<device::PbrMaterial> const materials{material};
+  std::vector<BsdfParameters> parameters(1);
+  ProbeProgram("bsdf.cl", "-D LANES=1").run("probe_bsdf_from_pbr", 1, {in(materials), out(parameters)});
+  return parameters.front();
+}
+
+void check_color(float const (&color)[3], Vec3 const& expected) {
+  for (int c = 0; c < 3; ++c) CHECK(color[c] == Approx(expected[c]).margin(1e-6));
+}
+
+}  // namespace
+
+TEST_CASE("Phong's coefficients become lobes", "[kernel][bsdf]") {
+  NEEDS_OPENCL_DEVICE();
+  device::PhongMaterial phong{{9, 9, 9}, {0.5f, 0.4f, 0.2f}, {0.1f, 0.2f, 0.3f}, 6, 0.25f, 0.25f, 1.5f, {1, 2, 3}};
+  BsdfParameters const all = of_phong(phong);
+  check_color(all.emission, {1, 2, 3});
+  check_color(all.diffuse, {0.25, 0.2, 0.1});
+  check_color(all.f0, {0.1, 0.2, 0.3});
+  check_color(all.f90, {0.1, 0.2, 0.3});
+  check_color(all.transmitted, Vec3(0));
+  CHECK(all.alpha == Approx(0.5));  // sqrt(2 / (6 + 2))
+  CHECK(all.mirror == 0.25f);
+  CHECK(all.glass == 0.25f);
+  CHECK(all.ior == 1.5f);
+  CHECK(all.opacity == 1);
+  CHECK(all.is_layered == 0);
+  CHECK(all.metallic == 0);
+  CHECK(all.coat == 0);
+  CHECK(all.inverse_attenuation_distance == 0);
+
+  phong.transmit = 0;
+  CHECK(of_phong(phong).ior == 1);  // nothing is refracted
+  phong.reflect = 2;
+  check_color(of_phong(phong).diffuse, Vec3(0));  // never less than nothing
+  phong.m = 1e30f;
+  CHECK(of_phong(phong).alpha == 0.001f);
+}
+
+TEST_CASE("a glTF material's defaults are a rough, white metal", "[kernel][bsdf]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfParameters const metal = of_pbr(default_pbr());
+  check_color(metal.metal, Vec3(1));
+  CHECK(metal.metallic == 1);
+  CHECK(metal.alpha == 1);
+  CHECK(metal.is_layered == 1);
+  CHECK(metal.opacity == 1);
+  check_color(metal.diffuse, Vec3(0));
+  check_color(metal.transmitted, Vec3(0));
+  check_color(metal.emission, Vec3(0));
+  CHECK(metal.mirror == 0);
+  CHECK(metal.glass == 0);
+  CHECK(metal.coat == 0);
+  CHECK(metal.ior == 1);
+}
+
+TEST_CASE("a glTF dielectric reflects as its index of refraction and its specular factors say", "[kernel][bsdf]") {
+  NEEDS_OPENCL_DEVICE();
+  device::PbrMaterial material = default_pbr();
+  material.metallic = 0;
+  material.roughness = 0.5f;
+  material.base_color[1] = 0.5f;
+  material.emissive[0] = 7;
+  BsdfParameters const plain = of_pbr(material);
+  check_color(plain.f0, Vec3(0.04));
+  check_color(plain.f90, Vec3(1));
+  check_color(plain.diffuse, {1, 0.5, 1});
+  check_color(plain.emission, {7, 0, 0});
+  CHECK(plain.metallic == 0);
+  CHECK(plain.alpha == 0.25f);
+
+  material.ior = 0;  // KHR_materials_ior: all is reflected
+  check_color(of_pbr(material).f0, Vec3(1));
+  material.ior = 1;
+  check_color(of_pbr(material).f0, Vec3(0));
+
+  material.ior = 1.5f;
+  material.specular = 0.5f;
+  material.specular_color[0] = 2;
+  material.specular_color[2] = 100;  // f0 is at most 1 before the factor
+  BsdfParameters const specular = of_pbr(material);
+  check_color(specular.f0, {0.04, 0.02, 0.5});
+  check_color(specular.f90, Vec3(0.5));
+
+  material.metallic = 0.25f;
+  BsdfParameters const mixed = of_pbr(material);
+  CHECK(mixed.metallic == 0.25f);
+  check_color(mixed.f0, {0.04, 0.02, 0.5});  // the dielectric's as before ...
+  check_color(mixed.metal, {1, 0.5, 1});
+  check_color(mixed.diffuse, {0.75, 0.375, 0.75});  // ... and less below it
+
+  material.roughness = 0;
+  CHECK(of_pbr(material).alpha == 0.001f);
+}
+
+TEST_CASE("glTF's transmission is a thin wall without thickness, a solid with it", "[kernel][bsdf]") {
+  NEEDS_OPENCL_DEVICE();
+  device::PbrMaterial material = default_pbr();
+  material.metallic = 0.5f;
+  material.transmission = 0.25f;
+  material.ior = 1.4f;
+  set_color(material.attenuation_color, 0.5);
+  material.attenuation_distance = 4;
+  BsdfParameters const thin = of_pbr(material);
+  check_color(thin.transmitted, Vec3(0.125));
+  check_color(thin.diffuse, Vec3(0.375));
+  CHECK(thin.ior == 1);
+  CHECK(thin.inverse_attenuation_distance == 0);
+
+  material.thickness = 0.1f;
+  BsdfParameters const solid = of_pbr(material);
+  check_color(solid.transmitted, Vec3(0.125));
+  CHECK(solid.ior == 1.4f);
+  CHECK(solid.inverse_attenuation_distance == 0.25f);
+  check_color(solid.attenuation_color, Vec3(0.5));
+  check_color(solid.f0, Vec3(1.0 / 36));
+
+  material.attenuation_distance = float_infinity;
+  CHECK(of_pbr(material).inverse_attenuation_distance == 0);
+  material.transmission = 0;
+  CHECK(of_pbr(material).ior == 1);
+}
+
+TEST_CASE("glTF's coat, alpha and unlit materials", "[kernel][bsdf]") {
+  NEEDS_OPENCL_DEVICE();
+  device::PbrMaterial material = default_pbr();
+  material.clearcoat = 0.5f;
+  material.clearcoat_roughness = 0.5f;
+  material.alpha = 0.25f;
+  BsdfParameters const opaque = of_pbr(material);
+  CHECK(opaque.coat == 0.5f);
+  CHECK(opaque.coat_alpha == 0.25f);
+  CHECK(opaque.opacity == 1);
+  material.alpha_mode = ALPHA_MASK;
+  CHECK(of_pbr(material).opacity == 1);  // what is cut out, traversal does not meet
+  material.alpha_mode = ALPHA_BLEND;
+  CHECK(of_pbr(material).opacity == 0.25f);
+
+  material.unlit = 1;
+  material.transmission = 1;
+  set_color(material.emissive, 5);
+  set_color(material.base_color, 0.5);
+  BsdfParameters const unlit = of_pbr(material);
+  check_color(unlit.emission, Vec3(0.5));
+  for (auto const& color : {unlit.diffuse, unlit.f0, unlit.f90, unlit.metal, unlit.transmitted}) {
+    CHECK(max_abs(to_vec3(color)) == 0);
+  }
+  CHECK(unlit.coat == 0);
+  CHECK(unlit.metallic == 0);
+  CHECK(unlit.opacity == 0.25f);
+}

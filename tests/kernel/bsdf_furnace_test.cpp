@@ -1,0 +1,108 @@
+/// The white furnace: what a surface shows where light of 1 comes from everywhere.
+
+#include "bsdf_probe.hpp"
+#include "support/catch.hpp"
+#include "support/skip.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+namespace {
+
+/// The mean weight of samples, from each of the viewers' angles.
+std::vector<Vec3> furnace(BsdfProbe const& probe, BsdfCase const& surface) {
+  static std::vector<float4> const uniforms = even_uniforms(16384);
+  std::vector<Vec3> means;
+  for (double const angle : viewer_angles_degrees) {
+    auto const samples =
+        probe.sample(surface, std::vector<float4>(uniforms.size(), to_float4(viewer_at(angle))), uniforms);
+    Vec3 sum(0);
+    for (float4 const& weight : samples.weights) sum += to_vec3(weight);
+    means.push_back(sum / double(uniforms.size()));
+  }
+  return means;
+}
+
+/// What a family of surfaces shows over 16 x 16 roughnesses and another parameter, both 0..1.
+struct Extremes {
+  double least = infinity, most = -infinity;
+  std::string where_least, where_most;
+};
+template <class Surface>
+Extremes extremes(BsdfProbe const& probe, Surface const& surface_of, bool from_outside = true, int columns = 16) {
+  Extremes result;
+  for (int i = 0; i < 16; ++i) {
+    for (int k = 0; k < columns; ++k) {
+      double const roughness = i / 15.0, other = columns == 1 ? 0 : k / double(columns - 1);
+      auto const means = furnace(probe, {"", surface_of(roughness, other), from_outside});
+      for (std::size_t angle = 0; angle < means.size(); ++angle) {
+        double const mean = means[angle].x;
+        std::string const where =
+            fmt::format("roughness {:.3f}, {:.3f}, {} degrees", roughness, other, viewer_angles_degrees[angle]);
+        if (mean < result.least) result.least = mean, result.where_least = where;
+        if (!(mean <= result.most)) result.most = mean, result.where_most = where;
+      }
+    }
+  }
+  return result;
+}
+
+void check(Extremes const& found, double least, double most) {
+  INFO("least at " << found.where_least << ", most at " << found.where_most);
+  CHECK(found.least >= least);
+  CHECK(found.most <= most);
+}
+
+}  // namespace
+
+TEST_CASE("white furnace: metals, dielectrics and mixtures of them keep all light", "[kernel][bsdf][statistics]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe;
+  auto const white = [](double roughness, double metallic) { return layered_bsdf(1, metallic, roughness); };
+  check(extremes(probe, white), 0.995, 1.002);
+}
+
+TEST_CASE("white furnace: coats keep all light", "[kernel][bsdf][statistics]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe;
+  auto const dielectric = [](double roughness, double share) {
+    return coated(layered_bsdf(1, 0, 0.5), share, roughness);
+  };
+  check(extremes(probe, dielectric), 0.98, 1.002);
+  auto const metal = [](double roughness, double share) { return coated(layered_bsdf(1, 1, 0.3), share, roughness); };
+  check(extremes(probe, metal), 0.98, 1.002);
+}
+
+TEST_CASE("white furnace: thin walls keep all light", "[kernel][bsdf][statistics]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe;
+  auto const thin = [](double roughness, double share) { return transmitting(layered_bsdf(1, 0, roughness), share); };
+  check(extremes(probe, thin), 0.98, 1.002);
+}
+
+TEST_CASE("white furnace: solids, from outside and from within", "[kernel][bsdf][statistics]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe;
+  for (double const ior : {1.1, 1.5, 2.4}) {
+    auto const solid = [&](double roughness, double share) {
+      return transmitting(layered_bsdf(1, 0, roughness), share, ior);
+    };
+    for (bool const from_outside : {true, false}) {
+      INFO("ior " << ior << (from_outside ? "" : " from within"));
+      check(extremes(probe, solid, from_outside, 2), 0.98, 1.002);
+    }
+  }
+}
+
+TEST_CASE("white furnace: Phong's shares", "[kernel][bsdf][statistics]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe;
+  for (double const glossy : {0.0, 0.5, 1.0}) {
+    auto const phong = [&](double roughness, double share) {
+      return phong_bsdf(1 - glossy, glossy * (1 - share), std::max(roughness * roughness, 0.001), share / 2, share / 2,
+                        1.5);
+    };
+    // What bounces again between microfacets is lost: Phong's coefficients do not say that it is kept.
+    check(extremes(probe, phong), 1 - 0.7 * glossy - 1e-4, 1.002);
+  }
+}

@@ -1,0 +1,203 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <glm/trigonometric.hpp>
+#include <string>
+#include <vector>
+
+#include "reference.hpp"
+#include "shared/bsdf_fields.h"
+#include "shared/sobol.h"
+#include "support/opencl_probe.hpp"
+
+/// Surfaces for tests of kernels/bsdf, and its functions as probes.
+namespace lichtraum::test {
+
+inline constexpr double pi = 3.14159265358979;
+
+/// The device's struct of that name.
+struct BsdfParameters {
+#define BSDF_COLOR(name) float name[3];
+#define BSDF_NUMBER(name) float name;
+  BSDF_FIELDS(BSDF_COLOR, BSDF_NUMBER)
+#undef BSDF_COLOR
+#undef BSDF_NUMBER
+};
+
+inline void set_color(float (&color)[3], double value) { color[0] = color[1] = color[2] = float(value); }
+
+/// Black, and as smooth as can be.
+inline BsdfParameters black_bsdf() {
+  BsdfParameters out{};
+  out.opacity = out.ior = out.coat_alpha = 1;
+  out.alpha = 0.001f;
+  set_color(out.attenuation_color, 1);
+  return out;
+}
+
+/// Lobes that know nothing of each other; the colours' channels differ.
+inline BsdfParameters phong_bsdf(double kd, double ks, double alpha, double mirror = 0, double glass = 0,
+                                 double ior = 1) {
+  BsdfParameters out = black_bsdf();
+  for (int c = 0; c < 3; ++c) {
+    out.diffuse[c] = float((1 - mirror - glass) * kd * (1 - 0.3 * c));
+    out.f0[c] = out.f90[c] = float(ks * (1 - 0.2 * c));
+  }
+  out.alpha = float(alpha);
+  out.mirror = float(mirror);
+  out.glass = float(glass);
+  out.ior = float(ior);
+  return out;
+}
+
+/// glTF's material, of one colour, index 1.5.
+inline BsdfParameters layered_bsdf(double color, double metallic, double roughness) {
+  BsdfParameters out = black_bsdf();
+  set_color(out.diffuse, color * (1 - metallic));
+  set_color(out.f0, 0.04);
+  set_color(out.f90, 1);
+  set_color(out.metal, color);
+  out.metallic = float(metallic);
+  out.alpha = std::max(float(roughness * roughness), 0.001f);
+  out.is_layered = 1;
+  return out;
+}
+inline BsdfParameters coated(BsdfParameters out, double share, double roughness) {
+  out.coat = float(share);
+  out.coat_alpha = std::max(float(roughness * roughness), 0.001f);
+  return out;
+}
+/// Lets `share` through of what was diffuse; a solid where `ior` is not 1.
+inline BsdfParameters transmitting(BsdfParameters out, double share, double ior = 1) {
+  for (int c = 0; c < 3; ++c) {
+    out.transmitted[c] = float(share) * out.diffuse[c];
+    out.diffuse[c] *= float(1 - share);
+    if (ior != 1) out.f0[c] = float(std::pow((ior - 1) / (ior + 1), 2));
+  }
+  out.ior = float(ior);
+  return out;
+}
+
+struct BsdfCase {
+  std::string name;
+  BsdfParameters parameters;
+  bool from_outside = true;
+};
+
+/// One of each kind of lobe and of their mixtures, each glossy one at six roughnesses.
+inline std::vector<BsdfCase> bsdf_cases() {
+  std::vector<BsdfCase> cases{
+      {"matt", phong_bsdf(0.8, 0, 1)},
+      {"matt and glossy", phong_bsdf(0.5, 0.5, 1)},
+      {"glossy", phong_bsdf(0, 1, 0.5)},
+      {"glossy mirror", phong_bsdf(0.3, 0.6, 0.3, 0.1)},
+      {"glossy glass", phong_bsdf(0.4, 0.3, 0.1, 0.2, 0.3, 1.5)},
+      {"glossy glass from within", phong_bsdf(0.4, 0.3, 0.1, 0.2, 0.3, 1.5), false},
+  };
+  for (double const roughness : {0.25, 0.35, 0.45, 0.6, 0.8, 1.0}) {
+    auto const add = [&](std::string const& name, BsdfParameters const& parameters, bool from_outside = true) {
+      cases.push_back({fmt::format("{}, roughness {}", name, roughness), parameters, from_outside});
+    };
+    add("dielectric", layered_bsdf(0.7, 0, roughness));
+    add("metal", layered_bsdf(0.9, 1, roughness));
+    add("half metal", layered_bsdf(0.6, 0.5, roughness));
+    add("coated dielectric", coated(layered_bsdf(0.7, 0, 0.6), 1, roughness));
+    add("half coated metal", coated(layered_bsdf(0.8, 1, roughness), 0.5, 0.3));
+    add("thin wall", transmitting(layered_bsdf(0.9, 0, roughness), 0.8));
+    add("solid", transmitting(layered_bsdf(1, 0, roughness), 1, 1.5));
+    add("solid from within", transmitting(layered_bsdf(1, 0, roughness), 1, 1.5), false);
+    add("coated, half matt solid", coated(transmitting(layered_bsdf(0.9, 0.2, roughness), 0.5, 1.3), 0.5, 0.4));
+  }
+  return cases;
+}
+
+inline Vec3 direction_at(double theta, double phi) {
+  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
+/// In a plane that is none of the axes'.
+inline Vec3 viewer_at(double degrees) {
+  double const angle = glm::radians(degrees);
+  return {0.6 * std::sin(angle), 0.8 * std::sin(angle), std::cos(angle)};
+}
+inline constexpr std::array<double, 5> viewer_angles_degrees{0, 30, 60, 80, 88};
+
+/// kernels/bsdf for one lane or sixteen.
+class BsdfProbe {
+ public:
+  explicit BsdfProbe(std::size_t lanes = 1)
+      : lanes_(lanes), program_("bsdf.cl", lanes == 1 ? "-D LANES=1" : "-D LANES=16 -D LAYOUT_WIDE") {}
+
+  /// f |wi.z|, and the density as w.
+  std::vector<float4> evaluate(BsdfCase const& surface, std::vector<float4> const& viewers,
+                               std::vector<float4> const& lights) const {
+    std::vector<BsdfParameters> const parameters{surface.parameters};
+    std::vector<float4> values(viewers.size());
+    program_.run("probe_evaluate", viewers.size() / lanes_,
+                 {in(parameters), value(device::uint(surface.from_outside)), in(viewers), in(lights), out(values)});
+    return values;
+  }
+
+  struct Samples {
+    std::vector<float4> directions;  ///< w: the density; 0: lost, or mirrored and refracted sharply
+    std::vector<float4> weights;
+  };
+  /// `uniforms`: which lobe, u, v.
+  Samples sample(BsdfCase const& surface, std::vector<float4> const& viewers,
+                 std::vector<float4> const& uniforms) const {
+    std::vector<BsdfParameters> const parameters{surface.parameters};
+    Samples samples{std::vector<float4>(viewers.size()), std::vector<float4>(viewers.size())};
+    program_.run("probe_sample", viewers.size() / lanes_,
+                 {in(parameters), value(device::uint(surface.from_outside)), in(viewers), in(uniforms),
+                  out(samples.directions), out(samples.weights)});
+    return samples;
+  }
+
+  /// The probabilities of the lobes.
+  struct Choices {
+    double coat, glossy, diffuse, transmitted, mirror, glass;
+    double delta() const { return mirror + glass; }
+    double sum() const { return coat + glossy + diffuse + transmitted + delta(); }
+  };
+  /// One for each viewer.
+  std::vector<Choices> choices(BsdfCase const& surface, std::vector<float4> const& viewers) const {
+    std::vector<BsdfParameters> const parameters{surface.parameters};
+    std::vector<float4> spread(viewers.size()), delta(viewers.size());
+    program_.run("probe_choices", viewers.size() / lanes_,
+                 {in(parameters), value(device::uint(surface.from_outside)), in(viewers), out(spread), out(delta)});
+    std::vector<Choices> choices;
+    for (std::size_t i = 0; i < viewers.size(); ++i) {
+      choices.push_back({spread[i].x, spread[i].y, spread[i].z, spread[i].w, delta[i].x, delta[i].y});
+    }
+    return choices;
+  }
+
+ private:
+  std::size_t lanes_;
+  ProbeProgram program_;
+};
+
+inline std::vector<float4> random_uniforms(Random& random, std::size_t count) {
+  std::vector<float4> uniforms(count);
+  auto const number = [&] { return float(random.index(1 << 24)) * 0x1p-24f; };
+  for (float4& u : uniforms) {
+    u.x = number();
+    u.y = number();
+    u.z = number();
+  }
+  return uniforms;
+}
+
+/// Points of the unit cube that fill it evenly, for means: Hammersley's with Sobol's first two dimensions. `count`: a
+/// power of two.
+inline std::vector<float4> even_uniforms(std::size_t count) {
+  std::vector<float4> uniforms(count);
+  for (device::uint i = 0; i < count; ++i) {
+    uniforms[i] = {(float(i) + 0.5f) / float(count), device::unit_real(device::reverse_bits(i)),
+                   device::unit_real(device::reverse_bits(device::sobol_second_reversed(i))), 0};
+  }
+  return uniforms;
+}
+
+}  // namespace lichtraum::test

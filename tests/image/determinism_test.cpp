@@ -36,8 +36,9 @@ Scene mixed_scene() {
       "define camera eye 45\ntransform eye rotate -8 1 0 0\ntransform eye translate 0 1 8\n");
 }
 
-RenderRequest seeded_request(Scene const& scene) {
+RenderRequest seeded_request(Scene const& scene, Integrator integrator) {
   RenderRequest request = whole_picture(scene.cameras.front(), {201, 97});
+  request.integrator = integrator;
   request.sampling = {Sampling::Pattern::seeded, 5};
   request.seed = 42;
   return request;
@@ -66,15 +67,16 @@ PlaneSet all_planes() {
   return planes;
 }
 
-/// Every device with every traversal, and the reference tracer.
+/// Every device with every traversal, and the reference tracer if it has the integrator.
 template <class Check>
-void for_each_renderer(Check const& check) {
+void for_each_renderer(Integrator integrator, Check const& check) {
   for (DeviceInfo const& device : opencl_devices()) {
     for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
       INFO(device.name << ", traversal " << int(traversal.grouping));
       check(*make_renderer(device, traversal));
     }
   }
+  if (integrator != Integrator::whitted) return;
   INFO("reference");
   check(*make_renderer(reference_device()));
 }
@@ -84,7 +86,8 @@ void for_each_renderer(Check const& check) {
 TEST_CASE("a picture put together from regions is the same bytes", "[image]") {
   REQUIRE_OPENCL_DEVICE();
   Scene const scene = mixed_scene();
-  RenderRequest const request = seeded_request(scene);
+  Integrator const integrator = GENERATE(Integrator::whitted, Integrator::path);
+  RenderRequest const request = seeded_request(scene, integrator);
   for (DeviceInfo const& device : opencl_devices()) {
     INFO(device.name);
     auto const renderer = make_renderer(device);
@@ -114,7 +117,8 @@ TEST_CASE("a picture put together from regions is the same bytes", "[image]") {
 TEST_CASE("rendering again gives the same bytes, another seed others", "[image]") {
   REQUIRE_OPENCL_DEVICE();
   Scene const scene = mixed_scene();
-  RenderRequest request = seeded_request(scene);
+  Integrator const integrator = GENERATE(Integrator::whitted, Integrator::path);
+  RenderRequest request = seeded_request(scene, integrator);
   for (DeviceInfo const& device : opencl_devices()) {
     std::string const first = bytes_of(render_on(device, scene, request));
     CHECK(bytes_of(render_on(device, scene, request)) == first);
@@ -127,9 +131,10 @@ TEST_CASE("rendering again gives the same bytes, another seed others", "[image]"
 TEST_CASE("samples added to those before give the bytes of all at once", "[image]") {
   REQUIRE_OPENCL_DEVICE();
   Scene const scene = mixed_scene();
-  for_each_renderer([&](Renderer& renderer) {
+  Integrator const integrator = GENERATE(Integrator::whitted, Integrator::path);
+  for_each_renderer(integrator, [&](Renderer& renderer) {
     renderer.set_scene(scene);
-    RenderRequest request = seeded_request(scene);
+    RenderRequest request = seeded_request(scene, integrator);
     request.planes = all_planes();
     Film grown;
     std::uint64_t rays = 0;
@@ -155,9 +160,10 @@ TEST_CASE("samples added to those before give the bytes of all at once", "[image
 TEST_CASE("what is stopped keeps the blocks of samples that are whole", "[image]") {
   REQUIRE_OPENCL_DEVICE();
   Scene const scene = mixed_scene();
-  for_each_renderer([&](Renderer& renderer) {
+  Integrator const integrator = GENERATE(Integrator::whitted, Integrator::path);
+  for_each_renderer(integrator, [&](Renderer& renderer) {
     renderer.set_scene(scene);
-    RenderRequest request = seeded_request(scene);
+    RenderRequest request = seeded_request(scene, integrator);
     request.sampling.count = 100;
     double const after = 0.7;
     Film film;
@@ -180,10 +186,11 @@ TEST_CASE("what is stopped keeps the blocks of samples that are whole", "[image]
 TEST_CASE("ranges of samples that are traced apart merge to the bytes of all", "[image]") {
   REQUIRE_OPENCL_DEVICE();
   Scene const scene = mixed_scene();
-  for_each_renderer([&](Renderer& renderer) {
+  Integrator const integrator = GENERATE(Integrator::whitted, Integrator::path);
+  for_each_renderer(integrator, [&](Renderer& renderer) {
     renderer.set_scene(scene);
     for (Sampling const sampling : {Sampling{Sampling::Pattern::seeded, 70}, Sampling{Sampling::Pattern::grid, 81}}) {
-      RenderRequest request = seeded_request(scene);
+      RenderRequest request = seeded_request(scene, integrator);
       request.sampling = sampling;
       request.planes = all_planes();
       Film all;
@@ -213,7 +220,8 @@ TEST_CASE("ranges of samples that are traced apart merge to the bytes of all", "
 TEST_CASE("every layout of the tree draws the same bytes, but for pixels at edges", "[image]") {
   REQUIRE_OPENCL_DEVICE();
   Scene const scene = mixed_scene();
-  RenderRequest const request = seeded_request(scene);
+  Integrator const integrator = GENERATE(Integrator::whitted, Integrator::path);
+  RenderRequest const request = seeded_request(scene, integrator);
   for (DeviceInfo const& device : opencl_devices()) {
     if (device.kind != DeviceKind::cpu) continue;  // the others have one layout
     INFO(device.name);
@@ -236,7 +244,11 @@ TEST_CASE("write the picture to the file that LICHTRAUM_TEST_PICTURE names", "[.
   REQUIRE(path);
   Scene const scene = mixed_scene();
   std::string bytes;
-  for (DeviceInfo const& device : opencl_devices()) bytes += bytes_of(render_on(device, scene, seeded_request(scene)));
+  for (DeviceInfo const& device : opencl_devices()) {
+    for (Integrator const integrator : {Integrator::whitted, Integrator::path}) {
+      bytes += bytes_of(render_on(device, scene, seeded_request(scene, integrator)));
+    }
+  }
   write_file_atomically(path, bytes);
 }
 
@@ -251,7 +263,7 @@ TEST_CASE("a picture is the same bytes for any number of PoCL's threads", "[imag
     return folder.read(threads);
   };
   std::string const one = picture_with("1");
-  CHECK(one.size() == opencl_devices().size() * 201 * 97 * 3 * sizeof(float));
+  CHECK(one.size() == 2 * opencl_devices().size() * 201 * 97 * 3 * sizeof(float));
   CHECK(picture_with("2") == one);
   CHECK(picture_with("5") == one);
 }

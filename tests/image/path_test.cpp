@@ -1,0 +1,334 @@
+/// The path integrator where analysis says what it must show, and where Whitted's says it.
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "lichtraum/error.hpp"
+#include "lichtraum/model.hpp"
+#include "support/catch.hpp"
+#include "support/esdf.hpp"
+#include "support/gltf_import.hpp"
+#include "support/picture_check.hpp"
+#include "support/skip.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+namespace {
+
+constexpr char const* ambient_light = "define light ambient sky 1 1 1\n";
+
+RenderRequest path_request(Scene const& scene, Resolution const& size, int samples, int max_depth) {
+  RenderRequest request = whole_picture(scene.cameras.front(), size);
+  request.integrator = Integrator::path;
+  request.sampling = {samples == 1 ? Sampling::Pattern::grid : Sampling::Pattern::seeded, samples};
+  request.max_depth = max_depth;
+  request.seed = 7;
+  return request;
+}
+
+Image trace(Scene const& scene, RenderRequest const& request) {
+  auto const renderer = make_renderer(opencl_devices().front());
+  renderer->set_scene(scene);
+  Image image;
+  RenderResult const result = render_image(*renderer, request, image);
+  CHECK(result.statistics.rays.not_finite == 0);
+  return image;
+}
+
+/// Of all values of the pixels; the error is how far the mean's is likely to be, pixels being independent.
+struct Mean {
+  double value = 0, error = 0, least = 1e30, most = -1e30;
+};
+Mean mean_of(Image const& image) {
+  Mean mean;
+  double squares = 0;
+  double const count = double(image.width()) * image.height();
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      double const value = image.pixel(x, y)[0];
+      mean.value += value / count;
+      squares += value * value / count;
+      mean.least = std::min(mean.least, value);
+      mean.most = std::max(mean.most, value);
+    }
+  }
+  mean.error = std::sqrt(std::max(squares - mean.value * mean.value, 0.0) / count);
+  return mean;
+}
+
+/// The mean is that, within three and a half of its deviations, and those are small enough to say something.
+void check_mean(Image const& image, double expected, double largest_error = 0.004) {
+  Mean const mean = mean_of(image);
+  INFO("mean " << mean.value << " +- " << mean.error << ", expected " << expected);
+  CHECK(std::abs(mean.value - expected) <= 3.5 * mean.error + 1e-5);
+  CHECK(mean.error <= largest_error * expected + 1e-6);
+}
+
+/// A ball that fills the picture.
+std::string ball(std::string const& material) {
+  return "define material m " + material + "\ndefine shape sphere ball 0 0 0 1 m\n" +
+         "define camera eye 20\ntransform eye translate 0 0 3\n";
+}
+
+/// Whitted's picture of the same rays.
+void check_is_whitteds(Scene const& scene, RenderRequest request, std::string const& name, double share) {
+  Image const paths = trace(scene, request);
+  request.integrator = Integrator::whitted;
+  check_picture(paths, trace(scene, request), name, share);
+}
+
+/// eSDF has no word for it.
+void let_shine(Scene& scene, char const* material, Rgb const& emission) {
+  Material& m = **scene.materials.find(material);
+  PhongModel model = m.phong();
+  model.emission = emission;
+  m = Material(m.name(), model);
+}
+
+double root_mean_square(Image const& a, Image const& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.data().size(); ++i) {
+    double const difference = double(a.data()[i]) - b.data()[i];
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / double(a.data().size()));
+}
+
+}  // namespace
+
+TEST_CASE("paths: a convex matt body shows its reflectance in ambient light", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene const scene = scene_of(ball("0.3 0.3 0.3  0.5 0.5 0.5  0 0 0 1") + ambient_light);
+  Mean const mean = mean_of(trace(scene, path_request(scene, {16, 16}, 4, 16)));
+  CHECK(mean.least == Approx(0.5).margin(1e-4));  // each path does: it is scattered once, and nothing is in its way
+  CHECK(mean.most == Approx(0.5).margin(1e-4));
+}
+
+TEST_CASE("paths: what is white shows the ambient light, whatever is in its way", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  std::string const white = "1 1 1  1 1 1  0 0 0 1";
+  SECTION("ball") {
+    Scene const scene = scene_of(ball(white) + ambient_light);
+    Mean const mean = mean_of(trace(scene, path_request(scene, {16, 16}, 4, 64)));
+    CHECK(mean.least == Approx(1).margin(1e-4));
+    CHECK(mean.most == Approx(1).margin(1e-4));
+  }
+  SECTION("between walls") {
+    // The camera looks into a corner of three planes with a ball in it.
+    Scene const scene = scene_of(std::string(ambient_light) + "define material m " + white + R"(
+define shape box floor -4 -1.2 -4  4 -1 4 m
+define shape box left  -1.4 -1 -4  -1.2 4 4 m
+define shape box back  -4 -1 -1.4  4 4 -1.2 m
+define shape sphere ball -0.2 -0.2 -0.2 0.8 m
+define camera eye 30
+transform eye rotate 45 0 1 0
+transform eye translate 3 0 3
+)");
+    check_mean(trace(scene, path_request(scene, {32, 32}, 64, 64)), 1);
+  }
+}
+
+TEST_CASE("paths: glass and mirrors in ambient light keep all of it", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  // Background is what they show, so that it is the same everywhere.
+  std::string const around = std::string(ambient_light) + "define background 1 1 1\n";
+  for (std::string const material : {"0 0 0  0 0 0  0 0 0 1 reflect=1", "0 0 0  0 0 0  0 0 0 1 transmit=1 ior=1.5",
+                                     "0 0 0  1 1 1  0 0 0 1 reflect=0.3 transmit=0.4 ior=1.3"}) {
+    INFO(material);
+    Scene const scene = scene_of(ball(material) + around);
+    check_mean(trace(scene, path_request(scene, {32, 32}, 64, 64)), 1);
+  }
+}
+
+TEST_CASE("paths: a closed body that shines within shows the sum of all bounces", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene scene = scene_of(
+      "define material m 0 0 0  0.5 0.5 0.5  0 0 0 1\n"
+      "define shape sphere hollow 0 0 0 2 m\ndefine camera eye 60\n");
+  let_shine(scene, "m", Rgb(0.3));
+  check_mean(trace(scene, path_request(scene, {16, 16}, 64, 64)), 0.3 / (1 - 0.5));
+  // Cut short: emission of the wall that is seen, and of the one after that, ...
+  check_mean(trace(scene, path_request(scene, {16, 16}, 64, 0)), 0.3);
+  check_mean(trace(scene, path_request(scene, {16, 16}, 64, 2)), 0.3 * 1.75);
+}
+
+TEST_CASE("paths: without scattering only what shines and direct light are seen", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene const dark = scene_of(ball("1 1 1  1 1 1  0 0 0 1") + ambient_light);
+  CHECK(mean_of(trace(dark, path_request(dark, {8, 8}, 4, 0))).most == 0);
+  Scene lamp = scene_of(ball("1 1 1  0 0 0  0 0 0 1"));
+  let_shine(lamp, "m", Rgb(3));
+  Mean const mean = mean_of(trace(lamp, path_request(lamp, {8, 8}, 4, 16)));
+  CHECK(mean.least == Approx(3));
+  CHECK(mean.most == Approx(3));
+  Scene const empty = scene_of("define background 0.2 0.2 0.2\ndefine camera eye 45\n" + std::string(ambient_light));
+  CHECK(mean_of(trace(empty, path_request(empty, {8, 8}, 4, 0))).value == Approx(0.2));
+}
+
+TEST_CASE("paths: direct light of point lights on matt surfaces is Whitted's", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  std::string const things = R"(
+define material grey 0.5 0.5 0.5  0.6 0.5 0.4  0 0 0 1
+define shape box floor -9 -2 -9  9 -1 9 grey
+define shape sphere ball 0 0 -1 1 grey
+define background 0.1 0.2 0.3
+define light diffuse key -6 9 8  0.9 0.8 0.7
+define camera eye 50
+transform eye translate 0 0.5 5
+)";
+  SECTION("one light leaves nothing to chance") {
+    Scene const scene = scene_of(things);
+    check_is_whitteds(scene, path_request(scene, {64, 48}, 1, 0), "path_direct", 0.002);
+  }
+  SECTION("of several, one is chosen") {
+    Scene const scene = scene_of(things +
+                                 "define light diffuse fill 7 5 6  0.2 0.3 0.4\n"
+                                 "define light diffuse back 0 6 -8  0.3 0.1 0.1\n");
+    RenderRequest request = path_request(scene, {24, 18}, 1024, 0);
+    Image const paths = trace(scene, request);
+    request.integrator = Integrator::whitted;
+    Image const whitted = trace(scene, request);
+    CHECK(root_mean_square(paths, whitted) < 0.003);
+  }
+  SECTION("what is scattered once adds to it") {
+    // A plane sees nothing but the light, so depth 1 and more change nothing.
+    Scene const scene = scene_of(
+        "define material grey 0.5 0.5 0.5  0.6 0.5 0.4  0 0 0 1\n"
+        "define shape plane floor 0 -1 0  0 1 0 grey\ndefine light diffuse key 1 3 2  1 1 1\n"
+        "define camera eye 50\ntransform eye rotate -20 1 0 0\n");
+    check_is_whitteds(scene, path_request(scene, {32, 24}, 1, 1), "path_plane", 0);
+    check_is_whitteds(scene, path_request(scene, {32, 24}, 1, 8), "path_plane_deep", 0);
+  }
+}
+
+TEST_CASE("paths: mirrors and glass are Whitted's", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  // What is seen in them shines by itself: light does not pass glass on its way from a lamp to matt surfaces.
+  std::string const things = R"(
+define material red   0 0 0  0 0 0  0 0 0 1
+define material blue  0 0 0  0 0 0  0 0 0 1
+define shape box floor -9 -2 -9  9 -1 9 red
+define shape sphere far 1 0.5 -4 1.5 blue
+define background 0.3 0.4 0.6
+define camera eye 50
+transform eye translate 0 0.5 5
+)";
+  auto const scene_with = [&](std::string const& more) {
+    Scene scene = scene_of(things + more);
+    let_shine(scene, "red", {0.9, 0.2, 0.1});
+    let_shine(scene, "blue", {0.1, 0.3, 0.9});
+    return scene;
+  };
+  SECTION("mirror") {
+    Scene const scene = scene_with(
+        "define material m 0 0 0  0 0 0  0 0 0 1 reflect=0.8\n"
+        "define shape sphere a -1 0 0 0.9 m\ndefine shape sphere b 1 0 0 0.9 m\n");
+    check_is_whitteds(scene, path_request(scene, {64, 48}, 1, 5), "path_mirror", 0.01);
+  }
+  SECTION("glass") {
+    Scene const scene = scene_with(
+        "define material m 0 0 0  0 0 0  0 0 0 1 transmit=0.9 ior=1.5\n"
+        "define shape sphere a -1 0 0 0.9 m\n"
+        "define shape box b 0.3 -0.9 -0.5  1.5 0.6 0.5 m\n");
+    check_is_whitteds(scene, path_request(scene, {64, 48}, 1, 5), "path_glass", 0.02);
+  }
+  SECTION("both, by chance") {
+    Scene const scene = scene_of(things +
+                                 "define material m 0 0 0  0 0 0  0 0 0 1 reflect=0.3 transmit=0.6 ior=1.5\n"
+                                 "define shape sphere a 0 0 0 0.9 m\n");
+    RenderRequest request = path_request(scene, {24, 18}, 1024, 4);
+    Image const paths = trace(scene, request);
+    request.integrator = Integrator::whitted;
+    CHECK(root_mean_square(paths, trace(scene, request)) < 0.005);
+  }
+}
+
+TEST_CASE("paths: what blends covers its share of the background", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  testing::GltfWriter writer;
+  auto& primitive = writer.add_mesh({-9, -9, 0, 9, -9, 0, 0, 9, 0});
+  primitive["material"] = 0;
+  writer.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorFactor", {0.8, 0.8, 0.8, 0.5}}}},
+                               {"alphaMode", "BLEND"},
+                               {"extensions", {{"KHR_materials_unlit", nlohmann::json::object()}}}}};
+  writer.json["cameras"] = {
+      {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}, {"aspectRatio", 1}}}}};
+  writer.json["nodes"].push_back({{"camera", 0}, {"translation", {0, 0, 1}}});
+  Model model = testing::import_model(writer);
+  model.scene.background = Rgb(0.2);
+  RenderRequest request = path_request(model.scene, {16, 16}, 15, 16);  // no power of two: some noise is left
+  check_mean(trace(model.scene, request), 0.5 * 0.8 + 0.5 * 0.2, 0.01);
+  request.planes = {FilmPlane::radiance, FilmPlane::alpha};
+  auto const renderer = make_renderer(opencl_devices().front());
+  renderer->set_scene(model.scene);
+  Film film;
+  renderer->render(request, film);
+  double alpha = 0;
+  for (float const value : film.values(FilmPlane::alpha)) alpha += value / 256;
+  CHECK(alpha == Approx(0.5).margin(0.02));
+}
+
+TEST_CASE("paths: noise falls at least as the square root of the samples", "[image][path][statistics]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene const scene = scene_of(R"(
+define material grey   0 0 0  0.7 0.6 0.5  0 0 0 1
+define material glossy 0 0 0  0.2 0.2 0.3  0.5 0.5 0.5 40
+define shape box floor -9 -2 -9  9 -1 9 grey
+define shape box wall  -9 -2 -3  9 5 -2.5 grey
+define shape sphere ball -0.8 0 0 1 glossy
+define shape sphere other 1.2 -0.2 0.5 0.8 grey
+define light ambient sky 0.6 0.7 0.9
+define light diffuse key -6 9 8  0.9 0.8 0.7
+define light diffuse fill 7 5 6  0.2 0.3 0.4
+define camera eye 50
+transform eye translate 0 0.5 5
+)");
+  RenderRequest request = path_request(scene, {24, 18}, 4096, 6);
+  request.seed = 1000;
+  Image const converged = trace(scene, request);
+  double error[2] = {0, 0};
+  int const counts[2] = {16, 256};
+  for (int i = 0; i < 2; ++i) {
+    for (int seed = 1; seed <= 3; ++seed) {
+      request.sampling.count = counts[i];
+      request.seed = std::uint64_t(seed);
+      error[i] += root_mean_square(trace(scene, request), converged) / 3;
+    }
+  }
+  double const slope = std::log(error[1] / error[0]) / std::log(16.0);
+  INFO(error[0] << " with 16 samples, " << error[1] << " with 256");
+  CHECK(slope <= -0.5);
+  CHECK(error[0] < 0.1);
+}
+
+TEST_CASE("paths: no sample of a real model is infinite or no number", "[image][path][corpus][long]") {
+  REQUIRE_OPENCL_DEVICE();
+  char const* const corpus = std::getenv("LICHTRAUM_CORPUS");
+  if (!corpus) SKIP_TEST("LICHTRAUM_CORPUS does not name the folder of real models");
+  std::filesystem::path const folder = std::filesystem::path(corpus) / "gltf/khr-sample-assets";
+  std::vector<std::filesystem::path> models;
+  for (auto const& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (is_model_file(entry.path())) models.push_back(entry.path());
+  }
+  std::ranges::sort(models);
+  auto const renderer = make_renderer(opencl_devices().front());
+  std::size_t drawn = 0;
+  for (auto const& path : models) {
+    INFO(path.string());
+    try {
+      Model const model = import_model(path);
+      renderer->set_scene(model.scene);
+      Film film;
+      RenderRequest const request = path_request(model.scene, {16, 16}, 16, 16);
+      CHECK(renderer->render(request, film).statistics.rays.not_finite == 0);
+      ++drawn;
+    } catch (Error const&) {
+      // What cannot be imported is another test's.
+    }
+  }
+  CHECK(drawn > 20);
+}

@@ -250,7 +250,8 @@ TEST_CASE("an environment has no seam, and its poles one value each", "[kernel][
   }
 }
 
-TEST_CASE("the density of an environment's samples integrates to 1, and follows the light", "[kernel][environment]") {
+TEST_CASE("the density of an environment's samples integrates to 1, and follows the light",
+          "[kernel][environment][statistics]") {
   NEEDS_OPENCL_DEVICE();
   ProbeProgram const program = program_with(1);
   struct Case {
@@ -386,7 +387,7 @@ TEST_CASE("of a black or constant environment nothing is sampled, and all of one
   }
 }
 
-TEST_CASE("every texel of an environment can be sampled, however many there are", "[kernel][environment]") {
+TEST_CASE("every texel of an environment can be sampled, however many there are", "[kernel][environment][statistics]") {
   NEEDS_OPENCL_DEVICE();
   // 2^25 texels: more than a float has numbers from 0 to 1. Texels of equal probability would each be met once.
   ProbeProgram const program = program_with(1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <stdexcept>
 
 #include "support/catch.hpp"
@@ -62,6 +63,41 @@ TEST_CASE("no light is lost or won", "[unit][denoise]") {
     after += filtered[i];
   }
   CHECK(after == Approx(before).epsilon(0.01));
+}
+
+TEST_CASE("the borders of a picture are as bright as its middle", "[unit][denoise]") {
+  // Black surfaces without normals: the guides cannot tell them from what lies beside the picture.
+  constexpr int side = 201;
+  NoisyPicture picture = plain({side, side}, 0);
+  picture.albedo = picture.normal = picture.radiance;
+  std::mt19937 generator(7);
+  for (float& value : picture.radiance) value = 0.5f + float(generator() % 1000) / 1000;
+  auto const filtered = filter_noise(picture);
+  auto const mean_of = [&](int first_x, int first_y, int step_x, int step_y) {
+    double sum = 0;
+    for (int i = 0; i < side; ++i) {
+      sum += filtered[3 * std::size_t(side * (first_y + i * step_y) + first_x + i * step_x) + 1];
+    }
+    return sum / side;
+  };
+  CHECK(mean_of(0, 0, 1, 0) == Approx(1).epsilon(0.02));
+  CHECK(mean_of(0, side - 1, 1, 0) == Approx(1).epsilon(0.02));
+  CHECK(mean_of(0, 0, 0, 1) == Approx(1).epsilon(0.02));
+  CHECK(mean_of(side - 1, 0, 0, 1) == Approx(1).epsilon(0.02));
+}
+
+TEST_CASE("what textures do to light is kept", "[unit][denoise]") {
+  // Fine stripes, paler than the guide of albedo tells apart, under light without noise.
+  NoisyPicture picture = plain({64, 16}, 1);
+  picture.albedo.assign(picture.radiance.size(), 0.6f);
+  for (std::size_t i = 0; i < picture.radiance.size(); ++i) {
+    if (i / 3 % 2 == 0) picture.albedo[i] = 0.5f;
+    picture.radiance[i] = picture.albedo[i] * (i / 3 % 5 == 0 ? 1.2f : 1.0f);
+  }
+  auto const filtered = filter_noise(picture);
+  for (std::size_t i = 3 * (64 * 8 + 20); i < 3 * (64 * 8 + 40); i += 6) {
+    CHECK(filtered[i] / filtered[i + 3] == Approx(picture.albedo[i] / picture.albedo[i + 3]).epsilon(0.1));
+  }
 }
 
 TEST_CASE("what has no noise stays as it is", "[unit][denoise]") {

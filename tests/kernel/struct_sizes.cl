@@ -1,4 +1,5 @@
 #include "shared/bvh.h"
+#include "shared/denoise.h"
 #include "shared/film.h"
 #include "shared/frame.h"
 #include "shared/geometry.h"

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "shared/bvh.h"
+#include "shared/denoise.h"
 #include "shared/film.h"
 #include "shared/frame.h"
 #include "shared/geometry.h"

@@ -34,6 +34,7 @@ _lichtraum() {
     --rotation) values='right left' ;;
     --material-extras) values='reflectance transmittance opacity ior ignore' ;;
     --device) values='cpu gpu reference' ;;
+    --integrator) values='whitted path' ;;
     --samples) values='1 2x2 4x4 8x8 16 64' ;;
     --size) values='640x480 1280x720 1920x1080 3840x2160' ;;
     --output-dir | --allow-path)
@@ -56,13 +57,13 @@ _lichtraum() {
     case ${COMP_WORDS[1]} in
       render)
         options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
-        options+=' --camera --root --planes --samples --depth --seed --background --exposure --tonemap --transfer'
+        options+=' --camera --root --planes --integrator --samples --depth --seed --background --exposure --tonemap --transfer'
         options+=' --denoise --device --traversal --frames --fps --turntable --resume --show --environment'
         options+=' --environment-rotation --environment-brightness'
         ;;
       view)
-        options+=" $language --watch --size --camera --root --samples --depth --seed --background --exposure"
-        options+=' --tonemap --transfer --device --traversal --environment --environment-rotation'
+        options+=" $language --watch --size --camera --root --integrator --samples --depth --seed --background"
+        options+=' --exposure --tonemap --transfer --device --traversal --environment --environment-rotation'
         options+=' --environment-brightness'
         ;;
       preview) options+=" $language --size --graphics --camera --root --samples --device" ;;

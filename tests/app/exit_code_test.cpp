@@ -59,6 +59,8 @@ TEST_CASE("64: what makes no sense is refused in one line that says what to do",
   refused("render a.sdf --environment-rotation north", "expected degrees");
   refused("render a.sdf --environment-brightness -1", "from 0 to 1000000");
   refused("render a.sdf --tonemap filmic", "expected auto, neutral, agx, aces, reinhard or none");
+  refused("render a.sdf --integrator photons", "expected whitted or path");
+  refused("render a.sdf --tonemap filmic", "expected auto, none or reinhard");
   refused("render a.sdf --bits 12", "expected 8 or 16");
   refused("render a.sdf --quality 0", "from 1 to 100");
   refused("render a.sdf --rotation up", "expected right or left");

@@ -76,6 +76,16 @@ TEST_CASE("samples and depth: command line over render statement over default", 
   CHECK(figures("--samples 7", "render eye a.ppm 4 3 6 2\n") == std::pair(7, 2));
 }
 
+TEST_CASE("paths are traced when asked for, with samples and a depth of their own", "[app][render]") {
+  Lichtraum const lichtraum;
+  auto const whitted = draw(lichtraum, "").values;
+  CHECK(draw(lichtraum, "--integrator whitted").values == whitted);
+  auto const paths = draw(lichtraum, "--integrator path").values;
+  CHECK(paths != whitted);
+  CHECK(draw(lichtraum, "--integrator path --samples 64 --depth 16").values == paths);
+  CHECK(draw(lichtraum, "--integrator path --samples 63").values != paths);
+}
+
 TEST_CASE("samples are seeded or a grid; one is the pixel's centre", "[app][render]") {
   Lichtraum const lichtraum;
   auto const one = draw(lichtraum, "").values;

@@ -47,6 +47,7 @@ class RandomJobs {
       int const first = Film::block_size * whole(0, 1000);
       job.samples = SampleRange{first, first + whole(1, 1000)};
     });
+    maybe([&] { job.integrator = coin() ? Integrator::path : Integrator::whitted; });
     maybe([&] { job.max_depth = whole(0, job_limits::depth); });
     job.seed = std::uniform_int_distribution<std::uint64_t>()(random_);
     job.planes = {FilmPlane(whole(0, int(plane_count) - 1))};
@@ -126,7 +127,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
          "model": {"scene": "s", "animation": "walk", "time_seconds": 1.5, "max_texture_pixels": 512},
          "environment": {"source": "studio", "rotation_degrees": -90, "brightness": 0.5},
          "allowed_paths": ["/tmp"], "picture": 3, "camera": "eye", "root": "robot", "turn_degrees": 30,
-         "size": [640, 480], "region": [1, 2, 3, 4], "sampling": {"pattern": "grid", "count": 16},
+         "size": [640, 480], "region": [1, 2, 3, 4], "integrator": "path", "sampling": {"pattern": "grid", "count": 16},
          "sample_range": [0, 16], "max_depth": 7, "seed": 18446744073709551615, "planes": ["depth", "radiance"],
          "background": [0.1, 0.2, 0.3], "denoising": "builtin", "exposure_ev": -2, "tone_map": "reinhard", "transfer": "srgb",
          "encoding": {"bits_per_channel": 16, "jpeg_quality": 50, "ppm_ascii": true})"));
@@ -144,6 +145,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
   wanted.turn_degrees = 30;
   wanted.size = Resolution{640, 480};
   wanted.region = Region{1, 2, 3, 4};
+  wanted.integrator = Integrator::path;
   wanted.sampling = Sampling{Sampling::Pattern::grid, 16};
   wanted.samples = SampleRange{0, 16};
   wanted.max_depth = 7;
@@ -194,6 +196,7 @@ TEST_CASE("what is wrong in a job is named by its place", "[unit][job]") {
   expect(with(R"("size": [1.5, 1])"), "/size/0: " + whole + "1 to 2147483647");
   expect(with(R"("size": [1, 4294967297])"), "/size/1: " + whole + "1 to 2147483647");
   expect(with(R"("size": {"width": 1})"), "/size: expected an array of 2 numbers");
+  expect(with(R"("integrator": "bidirectional")"), "/integrator: expected whitted or path");
   expect(with(R"("sampling": {"pattern": "grid", "count": 5})"),
          "/sampling/count: expected a square number, as the samples are a grid");
   expect(with(R"("sampling": {"pattern": "seeded", "count": 1048577})"), "/sampling/count: " + whole + "1 to 1048576");

@@ -55,11 +55,26 @@ TEST_CASE("what a job leaves open comes from the scene's render", "[unit][job]")
   CHECK(second.max_depth == 2);
 }
 
+TEST_CASE("paths take more samples and go deeper, unless somebody says otherwise", "[unit][job]") {
+  CHECK(resolved(job_of(), two_pictures()).integrator == Integrator::whitted);
+  Job job = job_of();
+  job.integrator = Integrator::path;
+  Job const usual = resolved(job, two_pictures());
+  CHECK(usual.integrator == Integrator::path);
+  CHECK(usual.sampling == Sampling{Sampling::Pattern::seeded, 64});
+  CHECK(usual.max_depth == 16);
+  CHECK(request_of(job, two_pictures()).integrator == Integrator::path);
+  job.picture = 1;
+  CHECK(resolved(job, two_pictures()).sampling == Sampling{Sampling::Pattern::seeded, 9});
+  CHECK(resolved(job, two_pictures()).max_depth == 2);
+}
+
 TEST_CASE("what a job says wins over the scene", "[unit][job]") {
   Job job = job_of(1);
   job.camera = "eye";
   job.size = Resolution{10, 8};
   job.region = Region{1, 2, 3, 4};
+  job.integrator = Integrator::path;
   job.sampling = Sampling{Sampling::Pattern::grid, 4};
   job.max_depth = 0;
   job.denoising = Denoising::builtin;

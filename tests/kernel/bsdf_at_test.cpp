@@ -155,6 +155,9 @@ TEST_CASE("glTF's transmission is a thin wall without thickness, a solid with it
   check_color(solid.attenuation_color, Vec3(0.5));
   check_color(solid.f0, Vec3(1.0 / 36));
 
+  material.ior = 0;  // infinite: all is reflected, and nothing is refracted
+  CHECK(of_pbr(material).ior == 1);
+  material.ior = 1.4f;
   material.attenuation_distance = float_infinity;
   CHECK(of_pbr(material).inverse_attenuation_distance == 0);
   material.transmission = 0;

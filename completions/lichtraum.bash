@@ -26,6 +26,9 @@ _lichtraum() {
     --environment-rotation) values='0 90 180 270' ;;
     --environment-brightness) values='0.5 1 2' ;;
     --denoise) values='auto on off builtin' ;;
+    --up) values='0,1,0 0,0,1' ;;
+    --orbit) values='35,20 0,0 90,0 0,90' ;;
+    --fov-x | --fov-y) values='25 45 60' ;;
     --exposure) values='-2 -1 1 2' ;;
     --tonemap) values='auto neutral agx aces reinhard none' ;;
     --transfer) values='linear srgb' ;;
@@ -45,7 +48,7 @@ _lichtraum() {
       mapfile -t COMPREPLY < <(compgen -f -- "$current")
       return
       ;;
-    --frames | --fps | --turntable | --quality | --region | --camera | --root | --depth | --seed) return ;;
+    --frames | --fps | --turntable | --quality | --region | --camera | --eye | --look-at | --root | --depth | --seed) return ;;
   esac
   if [[ -n $values ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$values" -- "$current")
@@ -53,20 +56,20 @@ _lichtraum() {
   fi
 
   if [[ $current == -* ]]; then
-    local options=$general
+    local options=$general view='--eye --look-at --up --orbit --fov-x --fov-y'
     case ${COMP_WORDS[1]} in
       render)
         options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
-        options+=' --camera --root --planes --integrator --samples --depth --seed --background --exposure --tonemap --transfer'
-        options+=' --denoise --device --traversal --frames --fps --turntable --resume --show --environment'
+        options+=" --camera $view --root --planes --integrator --samples --depth --seed --background --exposure --tonemap"
+        options+=' --transfer --denoise --device --traversal --frames --fps --turntable --resume --show --environment'
         options+=' --environment-rotation --environment-brightness'
         ;;
       view)
-        options+=" $language --watch --size --camera --root --integrator --samples --depth --seed --background"
+        options+=" $language --watch --size --camera $view --root --integrator --samples --depth --seed --background"
         options+=' --exposure --tonemap --transfer --device --traversal --environment --environment-rotation'
         options+=' --environment-brightness'
         ;;
-      preview) options+=" $language --size --graphics --camera --root --samples --device" ;;
+      preview) options+=" $language --size --graphics --camera $view --root --samples --device" ;;
       denoise) options+=' -o --output --exposure --tonemap --transfer --denoise --prefilter --device' ;;
       check) options+=" $language" ;;
       info) options+=" $language --json" ;;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "lichtraum/bounds.hpp"
 #include "lichtraum/ray.hpp"
 #include "lichtraum/transform.hpp"
 
@@ -13,6 +14,19 @@ struct Resolution {
   int width = 0;   ///< pixels
   int height = 0;  ///< pixels
   friend bool operator==(Resolution const&, Resolution const&) = default;
+};
+
+/// What a camera keeps in pictures of any proportions, where that is not its horizontal opening angle.
+struct CameraFit {
+  enum class Side { width, height, longer };
+  struct Framed {
+    Bounds box;      ///< finite
+    Vec3 center{0};  ///< which is looked at
+  };
+
+  Side side = Side::width;       ///< along which the picture has that opening angle
+  double fov_degrees = 45;       ///< 0 < fov < 180
+  std::optional<Framed> framed;  ///< the camera steps back, without turning, until it sees all of this
 };
 
 /// A pinhole camera. In its own frame it sits at the origin and looks along -z with +y up.
@@ -30,6 +44,13 @@ class Camera {
   Transform const& world_from_camera() const { return world_from_camera_; }
   void set_world_from_camera(Transform const& t) { world_from_camera_ = t; }
 
+  std::optional<CameraFit> const& fit() const { return fit_; }
+  /// Throws std::invalid_argument for an opening angle that is none.
+  void set_fit(CameraFit const& fit);
+  /// The camera of a picture of that size: its opening angle and its place are those that its `fit` asks for, which it
+  /// no longer has.
+  Camera fitted(Resolution const& size) const;
+
   /// The world-space ray (unit direction) through the image point (x, y) of a `size` picture. Coordinates are in
   /// pixels from the top left corner: the centre of the first pixel is (0.5, 0.5). Pixels are square.
   Ray generate_ray(double x, double y, Resolution const& size) const;
@@ -39,6 +60,7 @@ class Camera {
   double fov_x_degrees_ = 45;
   std::optional<Resolution> resolution_;
   Transform world_from_camera_;
+  std::optional<CameraFit> fit_;
 };
 
 std::ostream& operator<<(std::ostream& out, Camera const& camera);

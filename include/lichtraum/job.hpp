@@ -25,6 +25,25 @@ struct SceneReading {
   friend bool operator==(SceneReading const&, SceneReading const&) = default;
 };
 
+/// From where a job's picture is seen. What is left open is as the camera has it.
+struct JobView {
+  /// Around what is looked at. Without a distance, from where all of it is seen.
+  struct Orbit {
+    double azimuth_degrees = 0;    ///< as in lichtraum::Orbit
+    double elevation_degrees = 0;  ///< -90..90
+    std::optional<double> distance;
+    friend bool operator==(Orbit const&, Orbit const&) = default;
+  };
+
+  std::optional<Vec3> eye;              ///< where the camera stands; not with `orbit`
+  std::optional<Vec3> look_at;          ///< else, where the camera is moved, the middle of what is in view
+  std::optional<Vec3> up;               ///< of any length but 0; else, where the camera is moved or turned, +y
+  std::optional<double> fov_x_degrees;  ///< 0 < fov < 180
+  std::optional<double> fov_y_degrees;  ///< the same; not with `fov_x_degrees`
+  std::optional<Orbit> orbit;
+  friend bool operator==(JobView const&, JobView const&) = default;
+};
+
 /// What rays see that hit nothing.
 struct JobBackground {
   std::optional<Background> shown;  ///< nothing: the picture is transparent there
@@ -39,7 +58,8 @@ struct Job {
   SceneReading reading;
   int picture = 0;  ///< of those that the scene asks for (eSDF `render`), from 0
 
-  std::string camera;                  ///< name, or else number from 0
+  std::string camera;  ///< name, or else number from 0
+  JobView view;
   std::string root;                    ///< the shape that is drawn, with all below it; empty: everything
   std::optional<double> turn_degrees;  ///< the camera is carried around what is looked at, see `orbited`
   std::optional<Resolution> size;
@@ -82,17 +102,19 @@ PlaneSet shown_planes(Job const& job);
 /// These, and what denoising goes by: albedo and normals.
 PlaneSet traced_planes(Job const& job);
 
-/// The job with camera (by its name), size, region, sampling, depth and denoising decided: by the job itself, else by
-/// the scene's `render` statement number `picture`, else by the camera, else by the scene's defaults, else 640x480;
-/// whitted: one sample a pixel, depth 5; path: 64 samples, depth 16. `scene` is that at the end of its file. A job that is
-/// decided stays as it is. Throws Error{usage} for what the job asks for and cannot have, Error{scene} for a scene
-/// without cameras, or with a `render` that names an unknown one.
+/// The job with camera (by its name; empty where the scene has none and the job's view says where one stands), size,
+/// region, integrator, sampling, depth and denoising decided: by the job itself, else by the scene's `render` statement
+/// number `picture`, else by the camera, else by the scene's defaults, else 640x480; whitted: one sample a pixel, depth
+/// 5; path: 64 samples, depth 16. `scene` is that at the end of its file. A job that is decided stays as it is. Throws
+/// Error{usage} for what the job asks for and cannot have, Error{scene} for a scene without cameras, or with a `render`
+/// that names an unknown one.
 Job resolved(Job job, Scene const& scene);
 
 /// What to trace for the job. `scene` is what is drawn, of which the camera is taken: for the picture of a `render`,
-/// the scene as defined up to there. Same exceptions as `resolved`, also Error{usage} for an unknown root.
-/// `turn_center`: what the camera is carried around, for those who know it; else center_of_interest finds it, which
-/// takes a walk through the scene.
+/// the scene as defined up to there. The camera is moved as the job's view says, and fitted to the size of the picture.
+/// Same exceptions as `resolved`, also Error{usage} for an unknown root, and where the camera would look along `up`.
+/// `turn_center`: what the camera is carried around unless the job's view looks at something, for those who know it;
+/// else center_of_interest finds it, which takes a walk through the scene.
 RenderRequest request_of(Job const& job, Scene const& scene, std::optional<Vec3> const& turn_center = {});
 
 /// What to look at first when someone wants to look around: the job's camera, in the size of its picture, whole, one

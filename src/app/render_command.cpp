@@ -28,6 +28,7 @@ constexpr char const* examples =
     "  lichtraum render model.glb --time 1.5 -o model.png\n"
     "  lichtraum render film.sdf -o frames/%04d.png --resume\n"
     "  lichtraum render 'frames/*.sdf' -o film.mp4 --fps 30\n"
+    "  lichtraum render model.glb --orbit -35,20 --size 1280x720 -o left.png\n"
     "  lichtraum render model.glb --turntable 90 -o around.webm\n"
     "  lichtraum render hello.sdf --planes radiance,depth,normal -o planes.exr\n"
     "  lichtraum render old.sdf --rotation left --transform-order local\n"

@@ -9,6 +9,17 @@ namespace lichtraum::app {
 void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string const& group) {
   add_value(parser, "--camera", options.job.camera, parse_name, "NAME", "Look through this camera: name or number",
             group);
+  JobView& view = options.job.view;
+  add_value(parser, "--eye", view.eye, parse_point, "X,Y,Z", "Put the camera there", group);
+  add_value(parser, "--look-at", view.look_at, parse_point, "X,Y,Z",
+            "Turn it to that point (default, where it is moved:\nthe middle of what is in view)", group);
+  add_value(parser, "--up", view.up, parse_point, "X,Y,Z", "What is up for it and for --orbit (default: 0,1,0)", group);
+  add_value(parser, "--orbit", view.orbit, parse_orbit, "A,E[,D]",
+            "Put it at azimuth A to the right of the front\n(+z), elevation E, in degrees; at distance D, or\nwhere it "
+            "sees everything",
+            group);
+  add_value(parser, "--fov-x", view.fov_x_degrees, parse_fov, "DEG", "Its opening angle across the picture", group);
+  add_value(parser, "--fov-y", view.fov_y_degrees, parse_fov, "DEG", "The same from top to bottom", group);
   add_value(parser, "--root", options.job.root, parse_name, "NAME", "Draw only this shape and what is below it", group);
 }
 

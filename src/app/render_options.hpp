@@ -38,7 +38,7 @@ struct RenderOptions {
   static constexpr double default_frame_rate = 25;
 };
 
-/// --camera and --root.
+/// --camera, --eye, --look-at, --up, --orbit, --fov-x, --fov-y and --root.
 void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string const& group);
 /// --device.
 void add_device_option(CLI::App& parser, RenderOptions& options, std::string const& group);

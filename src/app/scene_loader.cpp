@@ -15,12 +15,15 @@ struct Stopped {};
 
 /// `scene`: as it is in the picture. `turn_center`: found with the first picture of the scene that is turned.
 RenderRequest make_request(Scene const& scene, PicturePlan const& plan, std::optional<Vec3>& turn_center) {
-  Camera const* const camera = scene.cameras.find(plan.job.camera);
-  if (!camera) {
+  if (!plan.job.camera.empty() && !scene.cameras.contains(plan.job.camera)) {
     throw Error(ErrorKind::usage, fmt::format("{}: the camera '{}' is defined after the picture '{}' is drawn",
                                               plan.job.scene, plan.job.camera, plan.output.shown));
   }
-  if (plan.job.turn_degrees && !turn_center) turn_center = center_of_interest(scene, plan.job.root, *camera);
+  if (plan.job.turn_degrees && !turn_center) {
+    Job still = plan.job;
+    still.turn_degrees.reset();
+    turn_center = center_of_interest(scene, still.root, request_of(still, scene).camera);
+  }
   return request_of(plan.job, scene, turn_center);
 }
 

@@ -312,7 +312,7 @@ class Sequence {
     script.play([&](Scene const& scene, std::size_t index) {
       Camera const* const camera = scene.cameras.find(request.camera.name());
       if (index != wanted || !camera) return true;
-      request.camera = *camera;
+      request.camera = camera->fitted(request.resolution);
       renderer_.set_scene(scene, options_.job.root);
       Film film;
       is_seen = renderer_.render(request, film).statistics.rays.camera_hits > 0;

@@ -164,6 +164,33 @@ JobBackground parse_background(std::string_view text) {
   return {Background(top, is_one ? top : Rgb(c[3], c[4], c[5]))};
 }
 
+Vec3 parse_point(std::string_view text) {
+  std::array<double, 3> point{};
+  if (!read_numbers(text, point)) throw std::invalid_argument("expected three numbers, X,Y,Z, such as 0,1.5,5");
+  return {point[0], point[1], point[2]};
+}
+
+double parse_fov(std::string_view text) {
+  auto const degrees = number<double>(text);
+  if (!degrees || !(*degrees > 0 && *degrees < 180)) {
+    throw std::invalid_argument("expected degrees between 0 and 180, such as 45");
+  }
+  return *degrees;
+}
+
+JobView::Orbit parse_orbit(std::string_view text) {
+  std::array<double, 3> numbers{0, 0, 1};
+  auto const count = std::size_t(1 + std::count(text.begin(), text.end(), ','));
+  bool const is_good = (count == 2 || count == 3) && read_numbers(text, std::span(numbers.data(), count)) &&
+                       std::abs(numbers[1]) <= 90 && numbers[2] > 0;
+  if (!is_good) {
+    throw std::invalid_argument(
+        "expected azimuth and elevation (-90 to 90) in degrees, and a distance above 0 where the camera is not to see "
+        "everything, such as 35,20 or 35,20,5");
+  }
+  return {numbers[0], numbers[1], count == 3 ? std::optional(numbers[2]) : std::nullopt};
+}
+
 double parse_exposure(std::string_view text) {
   auto const stops = number<double>(text);
   constexpr double most = job_limits::exposure_ev;

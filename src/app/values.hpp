@@ -35,13 +35,16 @@ int parse_texture_size(std::string_view text);                            ///< 1
 int parse_bits(std::string_view text);                                    ///< 8 or 16
 int parse_quality(std::string_view text);                                 ///< 1..100
 PlaneSet parse_planes(std::string_view text);                             ///< names of planes, commas between
+Vec3 parse_point(std::string_view text);                                  ///< three finite numbers
+double parse_fov(std::string_view text);                                  ///< degrees: > 0, < 180
+JobView::Orbit parse_orbit(std::string_view text);                        ///< two angles, or these and a distance
 JobBackground parse_background(std::string_view text);                    ///< none, environment, one colour or two
 double parse_exposure(std::string_view text);                             ///< stops: -100..100
 Integrator parse_integrator(std::string_view text);                       ///< whitted, path
 double parse_environment_rotation(std::string_view text);                 ///< degrees: -1e6..1e6
 double parse_environment_brightness(std::string_view text);               ///< 0..1e6
 std::optional<Traversal> parse_traversal(std::string_view text);          ///< auto (nothing), scalar, wide, packet
-ToneMap parse_tone_map(std::string_view text);                            ///< auto, none, reinhard
+ToneMap parse_tone_map(std::string_view text);                            ///< as tone_map_words has them
 Denoising parse_denoising(std::string_view text);                         ///< auto, on, off, builtin
 Transfer parse_transfer(std::string_view text);                           ///< linear, srgb
 TransformOrder parse_transform_order(std::string_view text);              ///< parent, local

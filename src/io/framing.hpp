@@ -7,11 +7,11 @@
 
 namespace lichtraum {
 
-/// A camera in front of `box` (at +z), slightly above, that sees all of it.
+/// A camera that sees all of `box` in pictures of any proportions: from the side of its front (at +z), slightly above.
 Camera frame_box(std::string name, Bounds const& box);
 
-/// What makes a scene without lights readable on first sight: a key light from above and the right of the viewer, a
-/// weaker fill light from the left, and a soft ambient one.
-std::vector<Light> studio_lights(Bounds const& box);
+/// What makes a scene without lights readable on first sight: a key light from above and the right of a viewer who is
+/// at that angle to the right of the front, a weaker fill light from the left, and a soft ambient one.
+std::vector<Light> studio_lights(Bounds const& box, double viewer_azimuth_degrees);
 
 }  // namespace lichtraum

@@ -2,6 +2,7 @@
 
 #include "io/framing.hpp"
 #include "io/names.hpp"
+#include "lichtraum/orbit.hpp"
 #include "scene/graph_fold.hpp"
 
 namespace lichtraum {
@@ -18,7 +19,7 @@ void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& sce
   scene.shapes.insert(std::make_shared<Composite>(root_name, std::move(children)));
   Bounds const box = fold_bounds(scene.roots()).total();
   scene.cameras.insert(frame_box("default", box));
-  for (Light& light : studio_lights(box)) scene.lights.insert(std::move(light));
+  for (Light& light : studio_lights(box, three_quarter_view.azimuth_degrees)) scene.lights.insert(std::move(light));
 }
 
 PbrModel matt_pbr(Rgb const& color) { return {.base_color = color, .metallic = 0, .specular = 0}; }

@@ -67,7 +67,15 @@ struct BackgroundValue {
   static Rgb read_color(Json const& json, Pointer const& at) {
     at.expect(json.is_array() && json.size() == 3, "an array of red, green and blue");
     Number const channel{0, std::numeric_limits<double>::max(), "a number of at least 0"};
-    return {Rgb(channel.read(json[0], at / 0), channel.read(json[1], at / 1), channel.read(json[2], at / 2))};
+    return {channel.read(json[0], at / 0), channel.read(json[1], at / 1), channel.read(json[2], at / 2)};
+  }
+};
+
+struct Point {
+  static Json write(Vec3 const& p) { return {p.x, p.y, p.z}; }
+  static Vec3 read(Json const& json, Pointer const& at) {
+    at.expect(json.is_array() && json.size() == 3, "an array of three numbers");
+    return {any_number().read(json[0], at / 0), any_number().read(json[1], at / 1), any_number().read(json[2], at / 2)};
   }
 };
 
@@ -119,6 +127,26 @@ constexpr auto encoding_fields = [](auto& encoding, auto&& field) {
   field("ppm_ascii", encoding.ppm_ascii, Flag{});
 };
 
+Number number_between(double low, double high, std::string what) {
+  return {std::nextafter(low, high), std::nextafter(high, low), fmt::format("{} between {} and {}", what, low, high)};
+}
+
+constexpr auto orbit_fields = [](auto& orbit, auto&& field) {
+  field("azimuth_degrees", orbit.azimuth_degrees, any_number());
+  field("elevation_degrees", orbit.elevation_degrees, Number{-90, 90, "degrees from -90 to 90"});
+  field("distance", orbit.distance,
+        Number{std::numeric_limits<double>::min(), std::numeric_limits<double>::max(), "a number above 0"});
+};
+
+constexpr auto view_fields = [](auto& view, auto&& field) {
+  field("eye", view.eye, Point{});
+  field("look_at", view.look_at, Point{});
+  field("up", view.up, Point{});
+  field("fov_x_degrees", view.fov_x_degrees, number_between(0, 180, "degrees"));
+  field("fov_y_degrees", view.fov_y_degrees, number_between(0, 180, "degrees"));
+  field("orbit", view.orbit, Object{orbit_fields});
+};
+
 /// Every member of a job: what it is called, and what it may be.
 constexpr auto job_fields = [](auto& job, auto&& field) {
   field("scene", job.scene, Name{});
@@ -130,6 +158,7 @@ constexpr auto job_fields = [](auto& job, auto&& field) {
   field("picture", job.picture, Whole{0, most});
 
   field("camera", job.camera, Text{});
+  field("view", job.view, Object{view_fields});
   field("root", job.root, Text{});
   field("turn_degrees", job.turn_degrees, any_number());
   field("size", job.size, Members<Resolution>{{{&Resolution::width, {1, most}}, {&Resolution::height, {1, most}}}});

@@ -192,7 +192,9 @@ struct Object {
       known.push_back(key);
       auto const found = json.find(key);
       if (found == json.end()) return;
-      if constexpr (requires { kind.template read<Member>(*found, at); }) {
+      if constexpr (requires { kind.template read<typename Member::value_type>(*found, at), member.has_value(); }) {
+        member = kind.template read<typename Member::value_type>(*found, at / key);
+      } else if constexpr (requires { kind.template read<Member>(*found, at); }) {
         member = kind.template read<Member>(*found, at / key);
       } else {
         member = kind.read(*found, at / key);

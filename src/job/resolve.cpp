@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "film/check_request.hpp"
+#include "job/viewpoint.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/job.hpp"
 #include "lichtraum/turntable.hpp"
@@ -44,10 +45,12 @@ std::string list_cameras(Scene const& scene) {
   return list;
 }
 
-Camera const& find_camera(Job const& job, Scene const& scene, std::string const& name_in_scene) {
+/// Where none is defined, any will do that the job moves.
+Camera find_camera(Job const& job, Scene const& scene, std::string const& name_in_scene) {
+  if (scene.cameras.empty() && has_place(job.view)) return {};
   if (scene.cameras.empty()) {
     throw Error(ErrorKind::scene, fmt::format("{}: there is no camera, so nothing can be drawn; 'define camera eye 45' "
-                                              "puts one at the origin that looks along -z",
+                                              "puts one at the origin that looks along -z, and so may --orbit 35,20",
                                               job.scene));
   }
   std::string const& name = job.camera.empty() ? name_in_scene : job.camera;
@@ -107,7 +110,7 @@ PlaneSet traced_planes(Job const& job) {
 
 Job resolved(Job job, Scene const& scene) {
   RenderCommand const command = command_of(job, scene);
-  Camera const& camera = find_camera(job, scene, command.camera);
+  Camera const camera = find_camera(job, scene, command.camera);
   job.camera = camera.name();
   if (!job.size) job.size = command.resolution;
   if (!job.size) job.size = camera.resolution();
@@ -118,16 +121,20 @@ Job resolved(Job job, Scene const& scene) {
   if (!job.sampling) job.sampling = sampling_of(command.samples.value_or(usual.samples));
   if (!job.max_depth) job.max_depth = command.depth.value_or(usual.max_depth);
   job.denoising = decided(job.denoising, *job.integrator);
+  check_view(job.view);
   check_request(request_through(camera, job));
   return job;
 }
 
 RenderRequest request_of(Job const& job, Scene const& scene, std::optional<Vec3> const& turn_center) {
   Job const decided = resolved(job, scene);
-  RenderRequest request = request_through(*scene.cameras.find(decided.camera), decided);
+  Camera const camera = viewpoint(find_camera(decided, scene, {}), job, scene, *decided.size);
+  RenderRequest request = request_through(camera, decided);
   if (job.turn_degrees) {
-    Vec3 const center = turn_center ? *turn_center : center_of_interest(scene, job.root, request.camera);
-    request.camera = orbited(request.camera, center, *job.turn_degrees);
+    Vec3 const center = job.view.look_at ? *job.view.look_at
+                        : turn_center    ? *turn_center
+                                         : center_of_interest(scene, job.root, camera);
+    request.camera = orbited(camera, center, *job.turn_degrees, job.view.up.value_or(Vec3(0, 1, 0)));
   }
   return request;
 }

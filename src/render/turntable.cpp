@@ -14,7 +14,7 @@ bool surrounds(Bounds const& bounds, Vec3 const& point) {
 }  // namespace
 
 // A composite that is shown several times counts as one thing: there may be more paths below it than anyone can walk.
-Vec3 center_of_interest(Scene const& scene, std::string_view root, Camera const& camera) {
+Bounds bounds_of_interest(Scene const& scene, std::string_view root, Camera const& camera) {
   Vec3 const eye = camera.world_from_camera().point(Vec3(0));
   auto const roots = drawn_roots(scene, root);
   GraphOrder const order = order_graph(roots);
@@ -40,14 +40,18 @@ Vec3 center_of_interest(Scene const& scene, std::string_view root, Camera const&
     everything.add(box);
     if (!surrounds(box, eye)) of_interest.add(box);
   }
-  Bounds const& seen = of_interest.is_empty() ? everything : of_interest;
-  return seen.is_empty() ? Vec3(0) : seen.center();
+  return of_interest.is_empty() ? everything : of_interest;
 }
 
-Camera orbited(Camera const& camera, Vec3 const& center, double degrees) {
+Vec3 center_of_interest(Scene const& scene, std::string_view root, Camera const& camera) {
+  Bounds const box = bounds_of_interest(scene, root, camera);
+  return box.is_empty() ? Vec3(0) : box.center();
+}
+
+Camera orbited(Camera const& camera, Vec3 const& center, double degrees, Vec3 const& up) {
   Camera result = camera;
   Transform const turn =
-      Transform::translation(center) * Transform::rotation(degrees, Vec3(0, 1, 0)) * Transform::translation(-center);
+      Transform::translation(center) * Transform::rotation(degrees, up) * Transform::translation(-center);
   result.set_world_from_camera(turn * camera.world_from_camera());
   return result;
 }

@@ -1,5 +1,7 @@
 #include "lichtraum/camera.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/trigonometric.hpp>
 #include <ostream>
 #include <stdexcept>
@@ -10,19 +12,69 @@
 
 namespace lichtraum {
 
+namespace {
+
+void check_fov(double degrees) {
+  if (!(degrees > 0 && degrees < 180)) {
+    throw std::invalid_argument("a camera's opening angle must lie between 0 and 180 degrees");
+  }
+}
+
+/// Half of the picture's width at distance 1.
+double half_width_of(double fov_x_degrees) { return tan_of(glm::radians(fov_x_degrees) / 2); }
+
+double fov_x_of(CameraFit const& fit, Resolution const& size) {
+  bool const is_width =
+      fit.side == CameraFit::Side::width || (fit.side == CameraFit::Side::longer && size.width >= size.height);
+  if (is_width) return fit.fov_degrees;
+  double const fov = glm::degrees(2 * atan2_of(half_width_of(fit.fov_degrees) * size.width, size.height));
+  return std::clamp(fov, 1e-12, std::nextafter(180.0, 0.0));  // roundings must not make it none
+}
+
+/// How far from the center a camera must stand to see all of the box.
+double framing_distance(CameraFit::Framed const& framed, Transform const& rotation, double half_width,
+                        double half_height) {
+  constexpr double margin = 1.03;  // little, as hardly anything fills its box
+  double distance = 0;
+  for (int i = 0; i < 8; ++i) {
+    // As seen from the center: x to the right, y up, z towards the camera.
+    Vec3 const p = rotation.inverse().vector(corner_of(framed.box, i) - framed.center);
+    distance =
+        std::max({distance, p.z + margin * std::abs(p.x) / half_width, p.z + margin * std::abs(p.y) / half_height});
+  }
+  return distance > 0 ? distance : 1;  // a single point
+}
+
+}  // namespace
+
 Camera::Camera(std::string name, double fov_x_degrees, Transform const& world_from_camera,
                std::optional<Resolution> resolution)
     : name_(std::move(name)),
       fov_x_degrees_(fov_x_degrees),
       resolution_(resolution),
       world_from_camera_(world_from_camera) {
-  if (!(fov_x_degrees > 0 && fov_x_degrees < 180)) {
-    throw std::invalid_argument("a camera's opening angle must lie between 0 and 180 degrees");
-  }
+  check_fov(fov_x_degrees);
+}
+
+void Camera::set_fit(CameraFit const& fit) {
+  check_fov(fit.fov_degrees);
+  fit_ = fit;
+}
+
+Camera Camera::fitted(Resolution const& size) const {
+  if (!fit_) return *this;
+  Camera result(name_, fov_x_of(*fit_, size), world_from_camera_, resolution_);
+  if (!fit_->framed) return result;
+  Transform const rotation = Transform::translation(-world_from_camera_.point(Vec3(0))) * world_from_camera_;
+  double const half_width = half_width_of(result.fov_x_degrees());
+  double const distance = framing_distance(*fit_->framed, rotation, half_width, half_width * size.height / size.width);
+  result.set_world_from_camera(
+      Transform::translation(fit_->framed->center + distance * rotation.vector(Vec3(0, 0, 1))) * rotation);
+  return result;
 }
 
 Ray Camera::generate_ray(double x, double y, Resolution const& size) const {
-  double const pixel = 2 * tan_of(glm::radians(fov_x_degrees_) / 2) / size.width;  // its width at distance 1
+  double const pixel = 2 * half_width_of(fov_x_degrees_) / size.width;  // its width at distance 1
   Vec3 const direction((x - size.width / 2.0) * pixel, (size.height / 2.0 - y) * pixel, -1);
   return {world_from_camera_.point(Vec3(0)), unit_vector(world_from_camera_.vector(direction))};
 }

@@ -58,9 +58,18 @@ TEST_CASE("64: what makes no sense is refused in one line that says what to do",
   refused("render a.sdf --transfer sRGB", "expected linear or srgb, not 'sRGB'");
   refused("render a.sdf --environment-rotation north", "expected degrees");
   refused("render a.sdf --environment-brightness -1", "from 0 to 1000000");
+  refused("render a.sdf --eye 1,2", "--eye: expected three numbers, X,Y,Z");
+  refused("render a.sdf --up 0,nan,0", "--up: expected three numbers");
+  refused("render a.sdf --fov-x 180", "--fov-x: expected degrees between 0 and 180");
+  refused("render a.sdf --fov-y nan", "--fov-y: expected degrees between 0 and 180");
+  refused("render a.sdf --orbit 35", "--orbit: expected azimuth and elevation");
+  refused("render a.sdf --orbit 0,91", "--orbit: expected azimuth and elevation");
+  refused("render a.sdf --eye -1,2,3 --look-at -1,2,3 --device reference",
+          "--look-at -1,2,3 is where the camera stands");
+  refused("render a.sdf --eye 0,9,0 --look-at 0,0,0 --device reference", "--up 0,1,0 is parallel");
+  refused("render a.sdf --eye 1,2,3 --orbit 0,0 --device reference", "--eye and --orbit cannot be combined");
   refused("render a.sdf --tonemap filmic", "expected auto, neutral, agx, aces, reinhard or none");
   refused("render a.sdf --integrator photons", "expected whitted or path");
-  refused("render a.sdf --tonemap filmic", "expected auto, none or reinhard");
   refused("render a.sdf --bits 12", "expected 8 or 16");
   refused("render a.sdf --quality 0", "from 1 to 100");
   refused("render a.sdf --rotation up", "expected right or left");

@@ -128,6 +128,8 @@ TEST_CASE("camera, root, depth, tone map and transfer have their effect", "[app]
   DecodedImage const plain = draw(lichtraum, "", scene + render);
   CHECK(red_in_the_middle(plain) == 128);
   CHECK(red_in_the_middle(draw(lichtraum, "--camera back", scene + render)) == 0);
+  CHECK(red_in_the_middle(draw(lichtraum, "--look-at 0,0,5", scene + render)) == 0);
+  CHECK(red_in_the_middle(draw(lichtraum, "--camera back --orbit 0,0", scene + render)) == 128);
   CHECK(red_in_the_middle(draw(lichtraum, "--root wall", scene + render)) == 0);
   // Beside the ball the mirror shows the background; without a mirror ray it is black.
   CHECK(plain.at(0, 15, 1) == 51);

@@ -34,6 +34,13 @@ class RandomJobs {
     while (coin()) job.reading.allowed_paths.emplace_back(word());
     job.picture = whole(0, most);
     maybe([&] { job.camera = word(); });
+    maybe([&] { job.view.eye = point(); });
+    maybe([&] { job.view.look_at = point(); });
+    maybe([&] { job.view.up = point(); });
+    maybe([&] { job.view.fov_x_degrees = std::ldexp(179.0, -whole(0, 1000)); });
+    maybe([&] { job.view.fov_y_degrees = 179.99; });
+    maybe([&] { job.view.orbit = JobView::Orbit{real(), -90, {}}; });
+    maybe([&] { job.view.orbit = JobView::Orbit{real(), 12.5, 1 + std::abs(real())}; });
     maybe([&] { job.root = word(); });
     maybe([&] { job.turn_degrees = real(); });
     maybe([&] { job.size = Resolution{whole(1, most), whole(1, most)}; });
@@ -69,6 +76,7 @@ class RandomJobs {
   bool coin() { return whole(0, 1) == 1; }
   int whole(int low, int high) { return std::uniform_int_distribution(low, high)(random_); }
   double real() { return std::ldexp(std::uniform_real_distribution(-1.0, 1.0)(random_), whole(-1000, 1000)); }
+  Vec3 point() { return {real(), real(), real()}; }
   template <class Action>
   void maybe(Action action) {
     if (coin()) action();
@@ -126,7 +134,9 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
          "material_extras": ["opacity", "ior"]},
          "model": {"scene": "s", "animation": "walk", "time_seconds": 1.5, "max_texture_pixels": 512},
          "environment": {"source": "studio", "rotation_degrees": -90, "brightness": 0.5},
-         "allowed_paths": ["/tmp"], "picture": 3, "camera": "eye", "root": "robot", "turn_degrees": 30,
+         "allowed_paths": ["/tmp"], "picture": 3, "camera": "eye",
+         "view": {"eye": [1, 2, 3], "look_at": [4, 5, 6], "up": [0, 0, 1], "fov_x_degrees": 30, "fov_y_degrees": 20,
+         "orbit": {"azimuth_degrees": 35, "elevation_degrees": 20, "distance": 9}}, "root": "robot", "turn_degrees": 30,
          "size": [640, 480], "region": [1, 2, 3, 4], "integrator": "path", "sampling": {"pattern": "grid", "count": 16},
          "sample_range": [0, 16], "max_depth": 7, "seed": 18446744073709551615, "planes": ["depth", "radiance"],
          "background": [0.1, 0.2, 0.3], "denoising": "builtin", "exposure_ev": -2, "tone_map": "reinhard", "transfer": "srgb",
@@ -141,6 +151,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
   wanted.reading.allowed_paths = {"/tmp"};
   wanted.picture = 3;
   wanted.camera = "eye";
+  wanted.view = {Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(0, 0, 1), 30, 20, JobView::Orbit{35, 20, 9}};
   wanted.root = "robot";
   wanted.turn_degrees = 30;
   wanted.size = Resolution{640, 480};
@@ -171,7 +182,7 @@ TEST_CASE("a job's background is a colour, two, the environment or none", "[unit
 TEST_CASE("docs/JOB.md names every key, and its example is a job", "[unit][job]") {
   std::string const document = test::read_project_file("docs/JOB.md");
   // Only an unknown key tells all known ones.
-  for (std::string const place : {"", "\"esdf\": ", "\"model\": ", "\"encoding\": "}) {
+  for (std::string const place : {"", "\"esdf\": ", "\"model\": ", "\"view\": ", "\"encoding\": "}) {
     std::string const text = refusal(with(place.empty() ? "\"no\": 1" : place + "{\"no\": 1}"));
     std::string keys = text.substr(text.find("there are: ") + 11) + ", ";
     for (std::size_t end; (end = keys.find(", ")) != std::string::npos; keys.erase(0, end + 2)) {
@@ -215,6 +226,14 @@ TEST_CASE("what is wrong in a job is named by its place", "[unit][job]") {
   expect(with(R"("background": [[0, 0, 0], 1])"), "/background/1: expected an array of red, green and blue");
   expect(with(R"("background": [[0, 0, 0], [0, 1, -1]])"), "/background/1/2: expected a number of at least 0");
   expect(with(R"("background": [0, 0, -1])"), "/background/2: expected a number of at least 0");
+  expect(with(R"("view": {"eye": [1, 2]})"), "/view/eye: expected an array of three numbers");
+  expect(with(R"("view": {"up": [1, 2, "z"]})"), "/view/up/2: expected a number");
+  expect(with(R"("view": {"fov_x_degrees": 180})"), "/view/fov_x_degrees: expected degrees between 0 and 180");
+  expect(with(R"("view": {"fov_y_degrees": 0})"), "/view/fov_y_degrees: expected degrees between 0 and 180");
+  expect(with(R"("view": {"orbit": [35, 20]})"), "/view/orbit: expected an object");
+  expect(with(R"("view": {"orbit": {"distance": 0}})"), "/view/orbit/distance: expected a number above 0");
+  expect(with(R"("view": {"orbit": {"azimuth": 0}})"),
+         "/view/orbit/azimuth: unknown key; there are: azimuth_degrees, elevation_degrees, distance");
   expect(with(R"("exposure_ev": 101)"), "/exposure_ev: expected stops from -100 to 100");
   expect(with(R"("exposure_ev": "1")"), "/exposure_ev: expected stops from -100 to 100");
   expect(with(R"("turn_degrees": null)"), "/turn_degrees: expected a number");

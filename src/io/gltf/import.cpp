@@ -12,6 +12,7 @@
 #include "io/gltf/scene_graph.hpp"
 #include "io/gltf/views.hpp"
 #include "lichtraum/gltf.hpp"
+#include "lichtraum/orbit.hpp"
 #include "scene/graph_fold.hpp"
 
 namespace lichtraum {
@@ -112,9 +113,10 @@ struct GltfAnimation::State {
   void add_view(NodeTree const& tree, Scene& scene) {
     Bounds const box = fold_bounds(scene.roots()).total();
     for (Camera& camera : read_cameras(document.model, tree, findings)) scene.cameras.insert(std::move(camera));
-    if (scene.cameras.empty()) scene.cameras.insert(frame_box("default", box));
+    bool const has_camera = !scene.cameras.empty();
+    if (!has_camera) scene.cameras.insert(frame_box("default", box));
     std::vector<Light> lights = read_lights(document.model, tree, box, findings);
-    if (lights.empty()) lights = studio_lights(box);
+    if (lights.empty()) lights = studio_lights(box, has_camera ? 0 : three_quarter_view.azimuth_degrees);
     for (Light& light : lights) scene.lights.insert(std::move(light));
   }
 

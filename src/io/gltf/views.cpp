@@ -44,15 +44,19 @@ std::optional<Camera> make_camera(tinygltf::Camera const& source, std::string na
     // Seen from very far away, rays are as good as parallel.
     double const distance = 200 * std::max(half_width, half_height);
     double const fov = 2 * atan2_of(half_width, distance);
-    return Camera(std::move(name), glm::degrees(fov), world_from_camera * Transform::translation({0, 0, distance}),
+    Camera camera(std::move(name), glm::degrees(fov), world_from_camera * Transform::translation({0, 0, distance}),
                   resolution_for(half_width / half_height));
+    camera.set_fit({CameraFit::Side::height, glm::degrees(2 * atan2_of(half_height, distance)), {}});
+    return camera;
   }
   auto const& lens = source.perspective;
   if (!(lens.yfov > 0 && lens.yfov < pi)) return {};
   bool const has_aspect = lens.aspectRatio > 0 && std::isfinite(lens.aspectRatio);
   Resolution const resolution = resolution_for(has_aspect ? lens.aspectRatio : usual_aspect_ratio);
   double const fov = 2 * atan2_of(tan_of(lens.yfov / 2) * resolution.width, resolution.height);
-  return Camera(std::move(name), glm::degrees(fov), world_from_camera, resolution);
+  Camera camera(std::move(name), glm::degrees(fov), world_from_camera, resolution);
+  camera.set_fit({CameraFit::Side::height, glm::degrees(lens.yfov), {}});
+  return camera;
 }
 
 double const infinity = std::numeric_limits<double>::infinity();

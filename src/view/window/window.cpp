@@ -192,7 +192,7 @@ void Window::close() { glfwSetWindowShouldClose(graphics_->window, GLFW_TRUE); }
 void Window::choose_camera(std::size_t number) {
   if (number >= scene_.cameras.size()) return;
   is_moved_ = true;
-  camera_.emplace(scene_.cameras[number], scene_.center);
+  camera_.emplace(scene_.cameras[number].fitted(shown_size_), scene_.center);
   show();
 }
 

@@ -49,9 +49,10 @@ std::string list_cameras(Scene const& scene) {
 Camera find_camera(Job const& job, Scene const& scene, std::string const& name_in_scene) {
   if (scene.cameras.empty() && has_place(job.view)) return {};
   if (scene.cameras.empty()) {
-    throw Error(ErrorKind::scene, fmt::format("{}: there is no camera, so nothing can be drawn; 'define camera eye 45' "
-                                              "puts one at the origin that looks along -z, and so may --orbit 35,20",
-                                              job.scene));
+    throw Error(ErrorKind::scene,
+                fmt::format("{}: there is no camera, so nothing can be drawn; 'define camera eye 45' "
+                            "puts one at the origin that looks along -z, and --orbit 35,20 needs none",
+                            job.scene));
   }
   std::string const& name = job.camera.empty() ? name_in_scene : job.camera;
   if (name.empty()) return scene.cameras.front();

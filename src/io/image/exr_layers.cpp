@@ -158,9 +158,11 @@ void ExrLayers::set_values(std::vector<std::string_view> const& channels, std::v
 
 std::string ExrLayers::encode() const {
   try {
-    Imf::Header header = contents_->header;
-    header.erase(exr_fingerprint_key);
-    header.erase("tiles");
+    Imf::Header header;
+    for (auto it = contents_->header.begin(); it != contents_->header.end(); ++it) {
+      std::string_view const name = it.name();
+      if (name != exr_fingerprint_key && name != "tiles") header.insert(it.name(), it.attribute());
+    }
     if (header.hasType()) header.setType(Imf::SCANLINEIMAGE);
     header.lineOrder() = Imf::INCREASING_Y;
     header.compression() = Imf::ZIP_COMPRESSION;  // without loss, whatever it was before

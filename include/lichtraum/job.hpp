@@ -122,9 +122,9 @@ RenderRequest request_of(Job const& job, Scene const& scene, std::optional<Vec3>
 /// Same exceptions as request_of.
 RenderRequest view_of(Job job, Scene const& scene);
 
-/// How radiance becomes the job's picture. `automatic` is what the scene says, but for models that another integrator
-/// than Whitted's draws: their highlights are beyond any display, and `neutral` keeps the colours of the rest.
-Development development_of(Job const& job, Scene const& scene, Integrator integrator = Integrator::whitted);
+/// How radiance becomes the job's picture. `automatic` is what the scene says, but for models that are drawn by
+/// paths: their highlights are beyond any display, and `neutral` keeps the colours of the rest.
+Development development_of(Job const& job, Scene const& scene);
 
 /// A JSON object with a key for each member that is not left open; docs/JOB.md lists them. Throws Error{usage} when a
 /// text in it is not UTF-8, as JSON must be.

@@ -31,6 +31,7 @@ struct Scene {
   Registry<std::shared_ptr<Material>> materials;
   Registry<std::shared_ptr<Shape>> shapes;
   Registry<Light> lights;
+  bool has_own_lights = true;  ///< false: a model without any, which was given some to be seen by
   Registry<Camera> cameras;
   std::optional<EnvironmentLight> environment;
   Rgb background{0};                     ///< what a ray sees that hits nothing

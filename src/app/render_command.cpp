@@ -110,6 +110,7 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments&
 
   options.output.allowed_paths = options.job.reading.allowed_paths;
   options.load.models = make_model_cache();
+  options.load.is_for_paths = options.job.integrator == Integrator::path;
   options.load.environments = std::make_shared<EnvironmentMaps>();
   if (std::count(options.scenes.begin(), options.scenes.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input (-) is named more than once");

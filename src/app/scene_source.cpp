@@ -40,8 +40,31 @@ std::vector<double> whole_animation(double duration_seconds, double rate, std::s
   return times;
 }
 
+/// Of the studio, beside lights that a model has itself.
+constexpr double dim = 0.3;
+
+/// What lights a model whose lights are its own, or were made up for integrators that know no environment.
+void light_model(Scene& scene, bool is_studio_chosen) {
+  if (!scene.environment) return;
+  if (!scene.has_own_lights) {
+    scene.lights = {};
+  } else if (!is_studio_chosen) {
+    scene.environment->brightness *= dim;
+  }
+}
+
 /// Gives a scene the environment that was chosen. Empty where nothing was.
-std::function<void(Scene&)> chooser(EnvironmentChoice const& choice, LoadOptions const& options) {
+std::function<void(Scene&)> chooser(EnvironmentChoice choice, bool is_model, LoadOptions const& options) {
+  if (is_model && options.is_for_paths) {
+    bool const is_chosen = !choice.source.empty();
+    if (!is_chosen) choice.source = "studio";
+    LoadOptions plain = options;
+    plain.is_for_paths = false;
+    return [adjust = chooser(choice, false, plain), is_chosen](Scene& scene) {
+      adjust(scene);
+      light_model(scene, is_chosen);
+    };
+  }
   if (choice == EnvironmentChoice()) return {};
   auto const maps = options.environments ? options.environments : std::make_shared<EnvironmentMaps>();
   return [choice, maps, on_read = options.on_read](Scene& scene) {
@@ -61,8 +84,9 @@ SceneSource::SceneSource(std::string argument) : name_(std::move(argument)) {
 std::string SceneSource::stem() const { return text_ ? "stdin" : std::filesystem::path(name_).stem().string(); }
 
 LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& options) const {
-  auto const adjust = chooser(reading.environment, options);
-  if (text_ || !is_model_file(name_)) {
+  bool const is_model = !text_ && is_model_file(name_);
+  auto const adjust = chooser(reading.environment, is_model, options);
+  if (!is_model) {
     EsdfOptions const esdf{reading.dialect, reading.allowed_paths, EsdfOptions().max_diagnostics,
                            options.on_read, options.models,        adjust};
     return LoadedScene(text_ ? EsdfScript::from_text(*text_, name_, esdf) : EsdfScript::from_file(name_, esdf));

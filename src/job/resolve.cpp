@@ -14,6 +14,17 @@ namespace {
 
 constexpr Resolution default_size{640, 480};
 
+bool is_model(Job const& job) { return !job.text && is_model_file(job.scene); }
+
+/// Of pictures by paths: a map that was asked for; before models a quiet grey, from above.
+std::optional<JobBackground> usual_background(Job const& job) {
+  std::string const& environment = job.reading.environment.source;
+  bool const is_map = !environment.empty() && environment != "studio" && environment != "none";
+  if (is_map) return JobBackground{Background::environment()};
+  if (is_model(job)) return JobBackground{Background(Rgb(0.45), Rgb(0.18))};
+  return {};
+}
+
 /// What an integrator draws with unless asked otherwise.
 struct Effort {
   int samples;
@@ -118,6 +129,7 @@ Job resolved(Job job, Scene const& scene) {
   if (!job.size) job.size = scene.resolution.value_or(default_size);
   if (!job.region) job.region = whole_picture(*job.size);
   if (!job.integrator) job.integrator = Integrator::whitted;
+  if (!job.background && job.integrator == Integrator::path) job.background = usual_background(job);
   Effort const usual = usual_effort(*job.integrator);
   if (!job.sampling) job.sampling = sampling_of(command.samples.value_or(usual.samples));
   if (!job.max_depth) job.max_depth = command.depth.value_or(usual.max_depth);
@@ -150,11 +162,11 @@ RenderRequest view_of(Job job, Scene const& scene) {
   return request_of(job, scene);
 }
 
-Development development_of(Job const& job, Scene const& scene, Integrator integrator) {
-  bool const is_model = !job.text && is_model_file(job.scene);
-  ToneMap const usual = is_model && integrator != Integrator::whitted ? ToneMap::neutral : scene.tone_map;
+Development development_of(Job const& job, Scene const& scene) {
+  bool const is_lit_by_paths = is_model(job) && job.integrator == Integrator::path;
+  ToneMap const usual = is_lit_by_paths ? ToneMap::neutral : scene.tone_map;
   return {job.exposure_ev, job.tone_map == ToneMap::automatic ? usual : job.tone_map,
-          job.transfer.value_or(is_model ? Transfer::srgb : Transfer::linear)};
+          job.transfer.value_or(is_model(job) ? Transfer::srgb : Transfer::linear)};
 }
 
 }  // namespace lichtraum

@@ -17,8 +17,9 @@ constexpr auto time_between_looks = std::chrono::milliseconds(50);
 /// of them a second.
 constexpr double moving_pass_seconds = 0.028;
 
-app::LoadOptions observed_by(FileWatch& files) {
+app::LoadOptions observed_by(FileWatch& files, Job const& job) {
   app::LoadOptions options;
+  options.is_for_paths = job.integrator == Integrator::path;
   options.on_read = [&files](std::filesystem::path const& file) { files.add(file); };
   options.models = make_model_cache();
   options.environments = std::make_shared<app::EnvironmentMaps>();
@@ -35,7 +36,7 @@ Worker::Worker(app::SceneSource const& source, app::RenderOptions const& options
       is_watching_(is_watching),
       console_(console),
       wake_(std::move(wake)),
-      load_options_(observed_by(files_)),
+      load_options_(observed_by(files_, job_)),
       thread_([this](std::stop_token const& stop) { work(stop); }) {}
 
 Worker::~Worker() {

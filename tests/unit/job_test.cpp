@@ -214,16 +214,18 @@ TEST_CASE("a view is a whole picture of radiance", "[unit][job]") {
 }
 
 TEST_CASE("models are neutral where light bounces, and scenes as they say", "[unit][job]") {
-  auto const other = Integrator(int(Integrator::whitted) + 1);
   Scene scene = two_pictures();
   scene.tone_map = ToneMap::reinhard;
   Job job = job_of();
-  CHECK(development_of(job, scene, other).tone_map == ToneMap::reinhard);
+  job.integrator = Integrator::path;
+  CHECK(development_of(job, scene).tone_map == ToneMap::reinhard);
   job.scene = "chess.glb";
-  CHECK(development_of(job, scene, Integrator::whitted).tone_map == ToneMap::reinhard);
-  CHECK(development_of(job, scene, other).tone_map == ToneMap::neutral);
+  CHECK(development_of(job, scene).tone_map == ToneMap::neutral);
   job.tone_map = ToneMap::aces;
-  CHECK(development_of(job, scene, other).tone_map == ToneMap::aces);
+  CHECK(development_of(job, scene).tone_map == ToneMap::aces);
+  job.tone_map = ToneMap::automatic;
+  job.integrator = Integrator::whitted;
+  CHECK(development_of(job, scene).tone_map == ToneMap::reinhard);
 }
 
 TEST_CASE("how a job is developed", "[unit][job]") {

@@ -116,6 +116,7 @@ struct GltfAnimation::State {
     bool const has_camera = !scene.cameras.empty();
     if (!has_camera) scene.cameras.insert(frame_box("default", box));
     std::vector<Light> lights = read_lights(document.model, tree, box, findings);
+    scene.has_own_lights = !lights.empty();
     if (lights.empty()) lights = studio_lights(box, has_camera ? 0 : three_quarter_view.azimuth_degrees);
     for (Light& light : lights) scene.lights.insert(std::move(light));
   }

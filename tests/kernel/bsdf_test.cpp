@@ -176,9 +176,12 @@ void check_density(BsdfProbe const& probe, BsdfCase const& surface, double angle
   BsdfProbe::Choices const choices = probe.choices(surface, {to_float4(viewer)}).front();
   CHECK(choices.sum() == Approx(1).margin(1e-6));
   double const n = double(count);
+  CAPTURE(double(lost) / n, 1 - choices.delta() - sum_of(probability));
   auto const is_likely = [&](std::size_t number, double p) {
-    // 5e-4: of the quadrature.
-    return std::abs(double(number) - p * n) <= 4.5 * std::sqrt(std::max(p * (1 - p), 0.0) * n) + 5e-4 * n;
+    // Of the quadrature: what a solid refracts ends sharply at the normals at right angles to the surface's, which are
+    // a line of the grid.
+    double const error = surface.parameters.transmitted[0] > 0 && surface.parameters.ior != 1 ? 4e-3 : 5e-4;
+    return std::abs(double(number) - p * n) <= 4.5 * std::sqrt(std::max(p * (1 - p), 0.0) * n) + error * n;
   };
   CHECK(is_likely(delta, choices.delta()));
   CHECK(is_likely(lost, 1 - choices.delta() - sum_of(probability)));
@@ -248,7 +251,7 @@ TEST_CASE("a solid refracts by Walter's formula, from outside and from within", 
             double const once = refraction(alpha, n_o, n_i, f0, o, l);
             CAPTURE(roughness, ior, from_outside, degrees, i, values[i].x, once, gain);
             if (once < 1e-3) {
-              if (values[i].x > 2e-3) FAIL("light from nowhere");
+              if (values[i].x > 2e-3 * gain) FAIL("light from nowhere");
               continue;
             }
             double const ratio = values[i].x / once;
@@ -257,7 +260,7 @@ TEST_CASE("a solid refracts by Walter's formula, from outside and from within", 
             if (std::abs(ratio - first_ratio) > 4e-3 * first_ratio) FAIL("f");
           }
           CAPTURE(roughness, ior, from_outside, degrees);
-          if (first_ratio > 0) CHECK(first_ratio == Approx(gain).epsilon(0.015));  // of its table
+          if (first_ratio > 0) CHECK(first_ratio == Approx(gain).epsilon(0.04));  // of its table
         }
       }
     }
@@ -274,7 +277,7 @@ TEST_CASE("the BSDF keeps no more light than arrives, by quadrature", "[kernel][
       double const albedo = integrate(probe, surface, viewer_at(angle)).albedo.r;
       double const all =
           p.is_layered != 0 ? std::max(p.diffuse[0] + p.transmitted[0], p.metal[0]) : p.diffuse[0] + p.f0[0];
-      CHECK(albedo <= (p.is_layered != 0 ? 1.002 : all + 1e-3));
+      CHECK(albedo <= (p.is_layered == 0 ? all + 1e-3 : p.ior != 1 ? 1.005 : 1.002));  // of the solids' table
       CHECK(albedo > 0.3 * all);
     }
   }

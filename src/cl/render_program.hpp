@@ -32,12 +32,15 @@ struct RenderProgram {
 };
 
 /// Those that are compiled with lichtraum: of pictures, and of all planes (which the window asks for, too), for scenes
-/// without models and for all, with the layout and the limits that they have unless asked otherwise.
+/// without models and for all; of paths all planes, as denoising takes some of them; with the layout and the limits
+/// that they have unless asked otherwise.
 inline constexpr RenderProgram usual_render_programs[] = {
     {.has_all_planes = false, .without_models = true},
     {.has_all_planes = false, .without_models = false},
     {.has_all_planes = true, .without_models = true},
     {.has_all_planes = true, .without_models = false},
+    {.has_all_planes = true, .without_models = true, .integrator = Integrator::path},
+    {.has_all_planes = true, .without_models = false, .integrator = Integrator::path},
 };
 
 /// kernels/develop.cl.

@@ -91,5 +91,10 @@ TEST_CASE("an environment is shown only by who draws one", "[image][background]"
   Scene const scene = mirror_ball();
   RenderRequest request = whole_picture(scene.cameras.front(), {3, 3});
   request.background = Background::environment();
-  for (DeviceInfo const& device : all_devices()) CHECK_THROWS_AS(render_on(device, scene, request), Error);
+  for (DeviceInfo const& device : all_devices()) {
+    auto const renderer = make_renderer(device);
+    renderer->set_scene(scene);
+    Film film;
+    CHECK_THROWS_AS(renderer->render(request, film), Error);
+  }
 }

@@ -156,6 +156,22 @@ TEST_CASE("paths: a closed body that shines within shows the sum of all bounces"
   check_mean(trace(scene, path_request(scene, {16, 16}, 64, 2)), 0.3 * 1.75);
 }
 
+TEST_CASE("paths: what shines is in the albedo, so that denoising keeps its edges", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene scene = scene_of(
+      "define material m 0 0 0  0.5 0.4 0.3  0 0 0 1\n"
+      "define shape sphere hollow 0 0 0 2 m\ndefine camera eye 60\n");
+  let_shine(scene, "m", Rgb(0.1, 0.2, 3));
+  RenderRequest request = path_request(scene, {8, 8}, 4, 1);
+  request.planes = {FilmPlane::albedo};
+  auto const renderer = make_renderer(opencl_devices().front());
+  renderer->set_scene(scene);
+  Film film;
+  renderer->render(request, film);
+  auto const sums = film.floats(FilmPlane::albedo);
+  for (std::size_t i = 0; i < sums.size(); ++i) CHECK(sums[i] == Approx(4 * std::array{0.6, 0.6, 1.0}[i % 3]));
+}
+
 TEST_CASE("paths: without scattering only what shines and direct light are seen", "[image][path]") {
   REQUIRE_OPENCL_DEVICE();
   Scene const dark = scene_of(ball("1 1 1  1 1 1  0 0 0 1") + ambient_light);

@@ -64,7 +64,7 @@ struct Job {
   std::optional<double> turn_degrees;  ///< the camera is carried around what is looked at, see `orbited`
   std::optional<Resolution> size;
   std::optional<Region> region;          ///< else the whole picture
-  std::optional<Integrator> integrator;  ///< else whitted
+  std::optional<Integrator> integrator;  ///< else usual_integrator
   std::optional<Sampling> sampling;
   std::optional<SampleRange> samples;  ///< of those of `sampling`; else all
   std::optional<int> max_depth;        ///< see RenderRequest::max_depth
@@ -93,6 +93,9 @@ inline constexpr int texture_side = 65536;
 inline constexpr int jpeg_quality = 100;
 }  // namespace job_limits
 
+/// What draws models, or scene files, unless a job says otherwise.
+Integrator usual_integrator(bool is_model);
+
 /// What is done about noise in a picture of that integrator: `asked`, unless that is `automatic`. Whitted's rays make
 /// none.
 Denoising decided(Denoising asked, Integrator integrator);
@@ -105,9 +108,9 @@ PlaneSet traced_planes(Job const& job);
 /// The job with camera (by its name; empty where the scene has none and the job's view says where one stands), size,
 /// region, integrator, sampling, depth and denoising decided: by the job itself, else by the scene's `render` statement
 /// number `picture`, else by the camera, else by the scene's defaults, else 640x480; whitted: one sample a pixel, depth
-/// 5; path: 64 samples, depth 16. `scene` is that at the end of its file. A job that is decided stays as it is. Throws
-/// Error{usage} for what the job asks for and cannot have, Error{scene} for a scene without cameras, or with a `render`
-/// that names an unknown one.
+/// 5; path: 64 samples, of models 16, depth 16. `scene` is that at the end of its file. A job that is decided stays as
+/// it is. Throws Error{usage} for what the job asks for and cannot have, Error{scene} for a scene without cameras, or
+/// with a `render` that names an unknown one.
 Job resolved(Job job, Scene const& scene);
 
 /// What to trace for the job. `scene` is what is drawn, of which the camera is taken: for the picture of a `render`,

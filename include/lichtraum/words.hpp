@@ -63,6 +63,15 @@ Value const* find_value(std::span<Word<Value> const> words, std::string_view tex
   return nullptr;
 }
 
+/// The word that stands for a value; empty where none does.
+template <class Value>
+std::string_view find_word(std::span<Word<Value> const> words, Value const& value) {
+  for (Word<Value> const& entry : words) {
+    if (entry.value == value) return entry.word;
+  }
+  return {};
+}
+
 /// "right or left".
 template <class Value>
 std::string list_of(std::span<Word<Value> const> words) {

@@ -17,7 +17,7 @@ namespace lichtraum::app {
 struct LoadOptions {
   FileObserver on_read;                           ///< may be empty
   std::shared_ptr<ModelCache> models;             ///< null: each scene has one for itself
-  bool is_for_paths = false;                      ///< models stand in the studio unless asked otherwise
+  std::optional<Integrator> integrator;           ///< that was asked for: by paths, models stand in the studio
   std::shared_ptr<EnvironmentMaps> environments;  ///< null: each scene has its maps for itself
   std::vector<double>
       times_seconds;  ///< a picture of a model's animation at each; empty: one, see ModelChoice::time_seconds

@@ -43,7 +43,6 @@ std::optional<TerminalGraphics> parse_graphics(std::string_view text) {
 
 bool parse_preview(Arguments const& arguments, PreviewOptions& options, Console& console) {
   RenderOptions& render = options.render;
-  render.job.sampling = Sampling{Sampling::Pattern::grid, 9};
   std::string scene;
   auto const parser = make_parser("preview", description, examples);
   add_inputs(*parser, scene, "SCENE");
@@ -53,8 +52,8 @@ bool parse_preview(Arguments const& arguments, PreviewOptions& options, Console&
   add_value(*parser, "--graphics", options.graphics, parse_graphics, "NAME",
             "auto (default: ask the terminal), blocks, kitty\nor sixel", group);
   add_viewpoint_options(*parser, render, group);
-  add_value(*parser, "--samples", render.job.sampling, parse_samples, "N|NxN", "Samples per pixel (default: 3x3)",
-            group);
+  add_value(*parser, "--samples", render.job.sampling, parse_samples, "N|NxN",
+            "Samples per pixel (default: 3x3, of models 16)", group);
   add_device_option(*parser, render, group);
   add_language_options(*parser, render.job.reading);
   add_model_options(*parser, render.job.reading.model);
@@ -62,6 +61,28 @@ bool parse_preview(Arguments const& arguments, PreviewOptions& options, Console&
   if (!parse(*parser, arguments)) return false;
   render.scenes = {scene};
   return true;
+}
+
+/// Enough for a picture of a few characters.
+Sampling usual_sampling(Integrator integrator) {
+  return integrator == Integrator::whitted ? Sampling{Sampling::Pattern::grid, 9}
+                                           : Sampling{Sampling::Pattern::seeded, 16};
+}
+
+/// Developed, without the noise that paths leave.
+Image draw(Renderer& renderer, RenderRequest request, Development const& development) {
+  bool const is_noisy = request.integrator == Integrator::path;
+  if (is_noisy) {
+    request.planes.add(FilmPlane::albedo);
+    request.planes.add(FilmPlane::normal);
+  }
+  Film film;
+  renderer.render(request, film);
+  if (is_noisy) {
+    Denoiser denoiser([&](NoisyPicture const& picture) { return renderer.filter_noise(picture); });
+    film = denoiser.denoised(film, Denoising::builtin);
+  }
+  return renderer.develop(std::move(film), development);
 }
 
 /// As large as fits into the area with the picture's proportions, leaving a row for the shell's next line.
@@ -104,9 +125,14 @@ int preview_command(Arguments const& arguments, Console& console) {
   }
 
   SceneSource const source(render.scenes.front());
-  LoadedScene const loaded = source.load(render.job.reading);
+  auto const renderer = choose_renderer(render.device, std::nullopt, console);
+  Job job = source.job(render.job);
+  spare_reference(*renderer, is_model_file(source.name()), job, console);
+  LoadOptions load;
+  load.integrator = job.integrator;
+  LoadedScene const loaded = source.load(job.reading, load);
   console.show(loaded.diagnostics());
-  Job const job = source.job(render.job);
+  if (!job.sampling) job.sampling = usual_sampling(*resolved(job, loaded.scene()).integrator);
   RenderRequest request = view_of(job, loaded.scene());
 
   // A pipe or a file cannot be asked: blocks are text, and every terminal that it is shown in later knows them.
@@ -116,10 +142,8 @@ int preview_command(Arguments const& arguments, Console& console) {
   if (interrupted()) throw Error(ErrorKind::interrupted, "interrupted");
   request.resolution = fit(request.resolution, area, graphics);
   request.region = whole_picture(request.resolution);
-  auto const renderer = choose_renderer(render.device, std::nullopt, console);
   renderer->set_scene(loaded.scene(), job.root);
-  Image image;
-  render_image(*renderer, request, image, development_of(job, loaded.scene()));
+  Image const image = draw(*renderer, request, development_of(job, loaded.scene()));
   write_standard_output(encode(image, graphics));
   return 0;
 }

@@ -100,7 +100,7 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments&
   add_picture_options(*parser, options);
   add_sequence_options(*parser, options);
   add_environment_options(*parser, options.job.reading.environment);
-  add_quality_options(*parser, options, "1, the pixel's centre");
+  add_quality_options(*parser, options, "1; path: 64, of models 16");
   add_denoise_option(*parser, options.job.denoising);
   add_language_options(*parser, options.job.reading);
   add_model_options(*parser, options.job.reading.model);
@@ -110,7 +110,6 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments&
 
   options.output.allowed_paths = options.job.reading.allowed_paths;
   options.load.models = make_model_cache();
-  options.load.is_for_paths = options.job.integrator == Integrator::path;
   options.load.environments = std::make_shared<EnvironmentMaps>();
   if (std::count(options.scenes.begin(), options.scenes.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input (-) is named more than once");
@@ -178,6 +177,10 @@ int render_command(Arguments const& arguments, Console& console) {
   Stopwatch const stopwatch;
   auto const renderer = choose_renderer(options.device, options.traversal, console);
   console.detail(fmt::format("device {}: {}", renderer->device().index, renderer->device().name));
+  spare_reference(*renderer,
+                  std::any_of(inputs.begin(), inputs.end(), [](auto const& input) { return is_model_file(input); }),
+                  options.job, console);
+  options.load.integrator = options.job.integrator;
   RunReport report;
   report.device = renderer->device();
   int const code = draw_sequence(inputs, options, names, *renderer, console, report);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/device_text.hpp"
+#include "lichtraum/words.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -25,6 +26,7 @@ Json picture_json(PictureReport const& report) {
           {"width", job.size->width},
           {"height", job.size->height},
           {"region", {region.x, region.y, region.width, region.height}},
+          {"integrator", find_word<Integrator>(integrator_words, *job.integrator)},
           {"samples", job.sampling->count},
           {"depth", *job.max_depth},
           {"triangles", report.scene.triangles},

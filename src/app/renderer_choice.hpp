@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/console.hpp"
+#include "lichtraum/job.hpp"
 #include "lichtraum/renderer.hpp"
 
 namespace lichtraum::app {
@@ -12,5 +13,9 @@ namespace lichtraum::app {
 /// one that does not. Throws Error{no_device}.
 std::unique_ptr<Renderer> choose_renderer(std::string const& selector, std::optional<Traversal> const& traversal,
                                           Console const& console);
+
+/// Has models drawn by Whitted's rays where nothing was asked and the reference tracer draws: it follows paths too
+/// slowly for pictures.
+void spare_reference(Renderer const& renderer, bool is_model, Job& job, Console const& console);
 
 }  // namespace lichtraum::app

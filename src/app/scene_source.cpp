@@ -54,13 +54,11 @@ void light_model(Scene& scene, bool is_studio_chosen) {
 }
 
 /// Gives a scene the environment that was chosen. Empty where nothing was.
-std::function<void(Scene&)> chooser(EnvironmentChoice choice, bool is_model, LoadOptions const& options) {
-  if (is_model && options.is_for_paths) {
+std::function<void(Scene&)> chooser(EnvironmentChoice choice, bool stands_in_studio, LoadOptions const& options) {
+  if (stands_in_studio) {
     bool const is_chosen = !choice.source.empty();
     if (!is_chosen) choice.source = "studio";
-    LoadOptions plain = options;
-    plain.is_for_paths = false;
-    return [adjust = chooser(choice, false, plain), is_chosen](Scene& scene) {
+    return [adjust = chooser(choice, false, options), is_chosen](Scene& scene) {
       adjust(scene);
       light_model(scene, is_chosen);
     };
@@ -85,7 +83,8 @@ std::string SceneSource::stem() const { return text_ ? "stdin" : std::filesystem
 
 LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& options) const {
   bool const is_model = !text_ && is_model_file(name_);
-  auto const adjust = chooser(reading.environment, is_model, options);
+  bool const is_by_paths = options.integrator.value_or(usual_integrator(is_model)) == Integrator::path;
+  auto const adjust = chooser(reading.environment, is_model && is_by_paths, options);
   if (!is_model) {
     EsdfOptions const esdf{reading.dialect, reading.allowed_paths, EsdfOptions().max_diagnostics,
                            options.on_read, options.models,        adjust};

@@ -30,12 +30,12 @@ struct Effort {
   int samples;
   int max_depth;
 };
-Effort usual_effort(Integrator integrator) {
+Effort usual_effort(Integrator integrator, bool is_model) {
   switch (integrator) {
     case Integrator::whitted:
       return {1, 5};
     case Integrator::path:
-      return {64, 16};
+      return {is_model ? 16 : 64, 16};
   }
   return {};
 }
@@ -99,6 +99,8 @@ RenderRequest request_through(Camera const& camera, Job const& job) {
 
 }  // namespace
 
+Integrator usual_integrator(bool is_model) { return is_model ? Integrator::path : Integrator::whitted; }
+
 Denoising decided(Denoising asked, Integrator integrator) {
   if (asked != Denoising::automatic) return asked;
   return integrator == Integrator::whitted ? Denoising::off : Denoising::on;
@@ -128,9 +130,9 @@ Job resolved(Job job, Scene const& scene) {
   if (!job.size) job.size = camera.resolution();
   if (!job.size) job.size = scene.resolution.value_or(default_size);
   if (!job.region) job.region = whole_picture(*job.size);
-  if (!job.integrator) job.integrator = Integrator::whitted;
+  if (!job.integrator) job.integrator = usual_integrator(is_model(job));
   if (!job.background && job.integrator == Integrator::path) job.background = usual_background(job);
-  Effort const usual = usual_effort(*job.integrator);
+  Effort const usual = usual_effort(*job.integrator, is_model(job));
   if (!job.sampling) job.sampling = sampling_of(command.samples.value_or(usual.samples));
   if (!job.max_depth) job.max_depth = command.depth.value_or(usual.max_depth);
   job.denoising = decided(job.denoising, *job.integrator);
@@ -163,7 +165,8 @@ RenderRequest view_of(Job job, Scene const& scene) {
 }
 
 Development development_of(Job const& job, Scene const& scene) {
-  bool const is_lit_by_paths = is_model(job) && job.integrator == Integrator::path;
+  Integrator const integrator = job.integrator.value_or(usual_integrator(is_model(job)));
+  bool const is_lit_by_paths = is_model(job) && integrator == Integrator::path;
   ToneMap const usual = is_lit_by_paths ? ToneMap::neutral : scene.tone_map;
   return {job.exposure_ev, job.tone_map == ToneMap::automatic ? usual : job.tone_map,
           job.transfer.value_or(is_model(job) ? Transfer::srgb : Transfer::linear)};

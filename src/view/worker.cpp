@@ -19,7 +19,7 @@ constexpr double moving_pass_seconds = 0.028;
 
 app::LoadOptions observed_by(FileWatch& files, Job const& job) {
   app::LoadOptions options;
-  options.is_for_paths = job.integrator == Integrator::path;
+  options.integrator = job.integrator;
   options.on_read = [&files](std::filesystem::path const& file) { files.add(file); };
   options.models = make_model_cache();
   options.environments = std::make_shared<app::EnvironmentMaps>();

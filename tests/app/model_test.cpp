@@ -50,6 +50,43 @@ TEST_CASE("a model is drawn, and its picture is stored in sRGB", "[app][gltf]") 
   CHECK(lichtraum.render("square.glb --time noon").exit_code == 64);
 }
 
+TEST_CASE("models are drawn by paths unless asked otherwise, or by the reference tracer", "[app][gltf]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("square.glb", square().glb());
+  auto const figures = [&](std::string const& words) {
+    auto const result = lichtraum("render square.glb -q --json --size 16x16 " + words);
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    auto const picture = nlohmann::json::parse(result.out)["scenes"][0]["pictures"][0];
+    return std::tuple(std::string(picture["integrator"]), int(picture["samples"]), int(picture["depth"]),
+                      picture["denoiser"].is_null());
+  };
+  CHECK(figures("--device reference") == std::tuple("whitted", 1, 5, true));
+  if (lichtraum("devices --json").out.find("\"cpu\"") == std::string::npos) SKIP_TEST("no OpenCL device");
+  CHECK(figures("") == std::tuple("path", 16, 16, false));
+  CHECK(figures("--denoise off --samples 3") == std::tuple("path", 3, 16, true));
+  CHECK(figures("--integrator whitted") == std::tuple("whitted", 1, 5, true));
+
+  REQUIRE(lichtraum("render square.glb --size 16x16 --integrator path").exit_code == 0);
+  auto const by_name = lichtraum.folder.read("square.png");
+  REQUIRE(lichtraum("render square.glb --size 16x16").exit_code == 0);
+  CHECK(lichtraum.folder.read("square.png") == by_name);
+  // Its camera is close to it; from the side its picture shows the studio's grey, from light at the top to dark.
+  REQUIRE(lichtraum("render square.glb --size 16x16 --orbit 35,20").exit_code == 0);
+  auto const beside = decode(lichtraum.folder.read("square.png"));
+  CHECK(beside.at(0, 0, 0) > beside.at(0, 15, 0) + 20);
+  CHECK(beside.at(0, 15, 0) > 80);
+
+  auto const preview = [&](std::string const& words) {
+    auto const result = lichtraum("preview square.glb --size 12x6 --orbit 35,20 " + words);
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    return result.out;
+  };
+  CHECK(preview("") == preview("--samples 16"));
+  CHECK(preview("") != preview("--device reference"));
+}
+
 TEST_CASE("a model in a scene, several times and in its material", "[app][gltf]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("square.gltf", square().text());

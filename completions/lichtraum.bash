@@ -66,7 +66,7 @@ _lichtraum() {
         ;;
       view)
         options+=" $language --watch --size --camera $view --root --integrator --samples --depth --seed --background"
-        options+=' --exposure --tonemap --transfer --device --traversal --environment --environment-rotation'
+        options+=' --exposure --tonemap --transfer --denoise --device --traversal --environment --environment-rotation'
         options+=' --environment-brightness'
         ;;
       preview) options+=" $language --size --graphics --camera $view --root --samples --device" ;;

@@ -71,6 +71,7 @@ complete -c lichtraum -n $traced -l background -x -a 'environment none' -d 'Radi
 complete -c lichtraum -n $traced -l environment -r -a 'studio none' -d 'Light from all around'
 complete -c lichtraum -n $traced -l environment-rotation -x -d 'Turn it counter-clockwise, seen from above'
 complete -c lichtraum -n $traced -l environment-brightness -x -d 'Multiply its light'
+complete -c lichtraum -n $traced -l denoise -x -a 'auto on off builtin' -d 'Take out noise'
 complete -c lichtraum -n $traced -l exposure -x -d 'Stops brighter or darker'
 complete -c lichtraum -n $traced -l tonemap -x -a 'auto neutral agx aces reinhard none' -d 'How radiance is mapped to displayed values'
 complete -c lichtraum -n $traced -l transfer -x -a 'linear srgb' -d 'How linear values are stored'
@@ -79,8 +80,6 @@ complete -c lichtraum -n $seen -l device -x -a 'cpu gpu reference' -d 'Device to
 
 complete -c lichtraum -n $preview -l size -x -d 'Columns and rows of characters'
 complete -c lichtraum -n $preview -l graphics -x -a 'auto blocks kitty sixel' -d 'What the terminal shows'
-
-complete -c lichtraum -n $render -l denoise -x -a 'auto on off builtin' -d 'Take out noise'
 
 complete -c lichtraum -n $denoise -k -a '(__fish_complete_suffix .exr)'
 complete -c lichtraum -n $denoise -s o -l output -r -F -d 'Write to this file'

@@ -39,6 +39,7 @@ std::unique_ptr<CLI::App> view_parser(ViewOptions& options, Console& console) {
   add_viewpoint_options(*parser, render, group);
   add_environment_options(*parser, render.job.reading.environment);
   add_quality_options(*parser, render, "256");
+  add_denoise_option(*parser, render.job.denoising);
   add_language_options(*parser, render.job.reading);
   add_model_options(*parser, render.job.reading.model);
   add_verbosity(*parser, console);

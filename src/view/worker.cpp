@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "app/renderer_choice.hpp"
 #include "app/stopwatch.hpp"
 #include "lichtraum/turntable.hpp"
@@ -17,9 +19,8 @@ constexpr auto time_between_looks = std::chrono::milliseconds(50);
 /// of them a second.
 constexpr double moving_pass_seconds = 0.028;
 
-app::LoadOptions observed_by(FileWatch& files, Job const& job) {
+app::LoadOptions observed_by(FileWatch& files) {
   app::LoadOptions options;
-  options.integrator = job.integrator;
   options.on_read = [&files](std::filesystem::path const& file) { files.add(file); };
   options.models = make_model_cache();
   options.environments = std::make_shared<app::EnvironmentMaps>();
@@ -36,7 +37,7 @@ Worker::Worker(app::SceneSource const& source, app::RenderOptions const& options
       is_watching_(is_watching),
       console_(console),
       wake_(std::move(wake)),
-      load_options_(observed_by(files_, job_)),
+      load_options_(observed_by(files_)),
       thread_([this](std::stop_token const& stop) { work(stop); }) {}
 
 Worker::~Worker() {
@@ -58,6 +59,13 @@ void Worker::edit(unsigned number, SceneEdits edits) {
   edits_ = Edits{number, std::move(edits)};
   is_new_view_ = true;
   restart_refinement();
+  changed_.notify_all();
+}
+
+void Worker::develop(Development const& development) {
+  std::lock_guard const lock(mutex_);
+  new_development_ = development;
+  has_question_ = true;
   changed_.notify_all();
 }
 
@@ -106,11 +114,14 @@ void Worker::work(std::stop_token const& stop) {
       news_.device = renderer->device().name;
     }
     wake_();
+    app::spare_reference(*renderer, is_model_file(source_.name()), job_, console_);
+    load_options_.integrator = job_.integrator;
     load(*renderer);
     while (!stop.stop_requested()) {
       look_at_files();
       if (files_have_changed_) load(*renderer);
       apply_edits(*renderer);
+      develop_again(*renderer);
       look_at_pixel(*renderer);
       if (is_fine_) trace_marking(*renderer, stop);
       if (trace_next(*renderer, stop)) continue;
@@ -146,6 +157,8 @@ void Worker::load(Renderer& renderer) {
     scene.number = ++scene_number_;
     scene.request = view_of(job_, loaded.scene());
     development_ = development_of(job_, loaded.scene());
+    denoising_ = decided(job_.denoising, scene.request.integrator);
+    scene.development = development_;
     scene.cameras.assign(loaded.scene().cameras.begin(), loaded.scene().cameras.end());
     scene.center = center_of_interest(loaded.scene(), job_.root, scene.request.camera);
     prepared_ = renderer.prepare(loaded.scene(), job_.root, prepared_);
@@ -178,6 +191,18 @@ void Worker::apply_edits(Renderer& renderer) {
   if (!edits || edits->scene_number != scene_number_) return;
   renderer.set_scene(renderer.edit(prepared_, edits->edits));
   film_ = {};
+}
+
+void Worker::develop_again(Renderer& renderer) {
+  {
+    std::lock_guard const lock(mutex_);
+    if (!new_development_) return;
+    development_ = *std::exchange(new_development_, std::nullopt);
+  }
+  if (film_.is_empty() || !film_.planes().has(FilmPlane::radiance)) return;
+  Frame frame = frame_;
+  frame.image = developed(renderer);
+  send(std::move(frame));
 }
 
 void Worker::look_at_pixel(Renderer& renderer) {
@@ -231,6 +256,22 @@ void Worker::trace_marking(Renderer& renderer, std::stop_token const& stop) {
   wake_();
 }
 
+Image Worker::developed(Renderer& renderer) const {
+  if (!film_.planes().has(FilmPlane::radiance)) return show_plane(film_, film_.planes().list().front());
+  if (denoising_ == Denoising::off) return renderer.develop(film_, development_);
+  Denoiser denoiser([&renderer](NoisyPicture const& picture) { return renderer.filter_noise(picture); });
+  return renderer.develop(denoiser.denoised(film_, Denoising::builtin), development_);
+}
+
+void Worker::send(Frame frame) {
+  frame.pixels = display_pixels(frame.image);
+  {
+    std::lock_guard const lock(mutex_);
+    news_.frame = std::move(frame);
+  }
+  wake_();
+}
+
 bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
   RenderRequest request;
   Refinement::Pass pass;
@@ -243,11 +284,12 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
     if (!next) return false;
     pass = *next;
     request = Refinement::request(*view_, pass);
+    if (denoising_ != Denoising::off && request.planes.has(FilmPlane::radiance)) {
+      request.planes.add(FilmPlane::albedo);
+      request.planes.add(FilmPlane::normal);
+    }
     is_new_view_ = false;
   }
-  Frame frame;
-  frame.pass = pass;
-  frame.scene = scene_statistics_;
   bool const grows = Refinement::grows(pass.sampling);
   if (!(grows && is_growing_)) film_ = {};
   is_growing_ = grows;
@@ -266,20 +308,21 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
     return true;
   }
   is_fine_ = pass.pixel_side == 1;
-  frame.statistics = result.statistics;
-  frame.image = film_.planes().has(FilmPlane::radiance) ? renderer.develop(film_, development_)
-                                                        : show_plane(film_, film_.planes().list().front());
-  frame.pixels = display_pixels(frame.image);
-  {
+  frame_ = {};
+  frame_.pass = pass;
+  frame_.scene = scene_statistics_;
+  frame_.statistics = result.statistics;
+  Frame frame = frame_;
+  app::Stopwatch const stopwatch;
+  frame.image = developed(renderer);
+  double const milliseconds = result.statistics.trace_ms + stopwatch.milliseconds();
+  if (pass.sampling.count == 1) {
+    double const pixels = double(request.resolution.width) * double(request.resolution.height);
+    double const seconds = 1e-3 * milliseconds / pixels;
     std::lock_guard const lock(mutex_);
-    if (pass.sampling.count == 1) {
-      double const pixels = double(request.resolution.width) * double(request.resolution.height);
-      double const seconds = 1e-3 * result.statistics.trace_ms / pixels;
-      seconds_per_pixel_ = seconds_per_pixel_ ? 0.5 * (*seconds_per_pixel_ + seconds) : seconds;
-    }
-    news_.frame = std::move(frame);
+    seconds_per_pixel_ = seconds_per_pixel_ ? 0.5 * (*seconds_per_pixel_ + seconds) : seconds;
   }
-  wake_();
+  send(std::move(frame));
   if (pass.pixel_side == 1) trace_marking(renderer, stop);
   return true;
 }

@@ -35,6 +35,7 @@ struct SceneView {
   Bounds bounds;
   std::shared_ptr<DrawnObjects const> objects;
   SceneValues values;
+  Development development;                         ///< as the scene has its picture
   std::shared_ptr<app::LoadedScene const> loaded;  ///< keeps what both of them point to
   unsigned number = 0;                             ///< one more each time it is read
 };
@@ -67,6 +68,8 @@ class Worker {
 
   /// From now on scene `number` has other lights and materials; nothing happens when it was read again meanwhile.
   void edit(unsigned number, SceneEdits edits);
+  /// From now on pictures are developed in this way, also the one that is shown.
+  void develop(Development const& development);
   /// Finds out what is under a pixel of the view.
   void look_at(int x, int y);
   /// Outlines these objects in each view that stays; none when there are none.
@@ -87,10 +90,14 @@ class Worker {
   void work(std::stop_token const& stop);
   void load(Renderer& renderer);
   void apply_edits(Renderer& renderer);
+  void develop_again(Renderer& renderer);
   void look_at_pixel(Renderer& renderer);
   void trace_marking(Renderer& renderer, std::stop_token const& stop);
   /// Whether one was saved; not more often than makes sense.
   void look_at_files();
+  /// What the window shows of film_.
+  Image developed(Renderer& renderer) const;
+  void send(Frame frame);
   /// Whether there was something to trace.
   bool trace_next(Renderer& renderer, std::stop_token const& stop);
   void restart_refinement();
@@ -112,7 +119,9 @@ class Worker {
   unsigned scene_number_ = 0;
   bool is_fine_ = false;  // the picture that is shown has a ray for each pixel
   Development development_;
+  Denoising denoising_ = Denoising::off;
   Film film_;                // of the last pass
+  Frame frame_;              // what is known of film_, but for the picture
   bool is_growing_ = false;  // its samples are the first of the next pass
   std::chrono::steady_clock::time_point files_looked_at_;
   bool files_have_changed_ = false;
@@ -129,6 +138,7 @@ class Worker {
     SceneEdits edits;
   };
   std::optional<Edits> edits_;  // to be applied
+  std::optional<Development> new_development_;
   struct Pixel {
     int x, y;
   };

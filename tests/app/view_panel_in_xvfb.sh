@@ -43,6 +43,11 @@ click 60 413  # the only one
 until_true changed materials.png picture.png || exit 1
 drag 60 455 5 455 # the red of its kd, by 55 of 255
 until_true changed material.png materials.png || exit 1
+click 100 393 # the materials are folded up
+click 100 416 # the picture
+until_true changed development.png material.png || exit 1
+click 25 439 # its exposure: the least
+until_true changed underexposed.png development.png || exit 1
 press q
 wait $window
 echo $? >exit_code

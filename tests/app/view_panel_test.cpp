@@ -105,5 +105,8 @@ TEST_CASE("the panel selects objects, changes lights and shows depth, normals an
   CHECK(material.at(490, 220, 0) < 0.85f * opened.at(490, 220, 0));
   CHECK(material.at(490, 220, 0) > 0.5f * opened.at(490, 220, 0));
   CHECK(material.at(490, 220, 1) == opened.at(490, 220, 1));
+  // Exposure develops the same picture again.
+  CHECK(difference(shot("development"), material, picture) < 0.1);
+  CHECK(shot("underexposed").at(490, 220, 0) < 0.1f * material.at(490, 220, 0));
 }
 #endif

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "lichtraum/words.hpp"
 #include "view/window/object_rows.hpp"
 #include "view/window/sliders.hpp"
 
@@ -14,6 +15,7 @@ namespace lichtraum::view {
 void Panel::set_scene(SceneView const& scene) {
   tree_ = ObjectTree(scene.objects);
   values_ = scene.values;
+  development = original_development_ = scene.development;
   loaded_ = scene.loaded;
   seen_.reset();
   double const size = glm::distance(scene.bounds.min, scene.bounds.max);
@@ -41,7 +43,13 @@ Panel::Changes Panel::draw() {
     changes.selection = draw_objects();
     changes.values = draw_lights();
     changes.values |= draw_materials();
-    changes.values |= draw_reset();
+    changes.values |= draw_environment();
+    changes.development = draw_development();
+    if (ImGui::Button("reset all")) {
+      values_.reset();
+      development = original_development_;
+      changes.values = changes.development = true;
+    }
     ImGui::PopItemWidth();
   }
   ImGui::End();
@@ -100,6 +108,30 @@ void Panel::draw_selection() const {
   ImGui::Text("normal   %.3f %.3f %.3f", seen_->normal.x, seen_->normal.y, seen_->normal.z);
 }
 
+bool Panel::draw_development() {
+  if (plane != FilmPlane::radiance || !ImGui::CollapsingHeader("Picture")) return false;
+  bool has_changed = edit_number("exposure", development.exposure_ev, -8, 8);
+  auto const current = std::ranges::find(tone_map_words, development.tone_map, &Word<ToneMap>::value);
+  if (!ImGui::BeginCombo("tones", current->word.data())) return has_changed;
+  for (Word<ToneMap> const& curve : tone_map_words) {
+    if (curve.value == ToneMap::automatic) continue;
+    if (!ImGui::Selectable(curve.word.data(), curve.value == development.tone_map)) continue;
+    development.tone_map = curve.value;
+    has_changed = true;
+  }
+  ImGui::EndCombo();
+  return has_changed;
+}
+
+bool Panel::draw_environment() {
+  if (!values_.environment || !ImGui::CollapsingHeader("Environment")) return false;
+  ImGui::PushID("environment");
+  bool has_changed = edit_number("rotation", values_.environment->rotation_degrees, -180, 180);
+  has_changed |= edit_number("brightness", values_.environment->brightness, 0, 10, ImGuiSliderFlags_Logarithmic);
+  ImGui::PopID();
+  return has_changed;
+}
+
 bool Panel::draw_lights() {
   if (values_.lights.empty() || !ImGui::CollapsingHeader("Lights")) return false;
   bool has_changed = false;
@@ -139,12 +171,6 @@ bool Panel::draw_materials() {
     ImGui::PopID();
   }
   return has_changed;
-}
-
-bool Panel::draw_reset() {
-  if (!ImGui::Button("reset all")) return false;
-  values_.reset();
-  return true;
 }
 
 }  // namespace lichtraum::view

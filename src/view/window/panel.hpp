@@ -6,7 +6,8 @@
 
 namespace lichtraum::view {
 
-/// What is shown beside the picture: numbers, the objects as a tree, what is selected, lights and materials to change.
+/// What is shown beside the picture: numbers, the objects as a tree, what is selected, and what can be changed: how the
+/// picture is developed, environment, lights and materials.
 class Panel {
  public:
   /// Another scene, or the same read again: nothing is selected or changed.
@@ -19,11 +20,13 @@ class Panel {
     bool plane = false;
     bool values = false;
     bool selection = false;
+    bool development = false;
   };
   /// In the current frame of Dear ImGui.
   Changes draw();
 
   FilmPlane plane = FilmPlane::radiance;
+  Development development;
   SceneValues const& values() const { return values_; }
   ObjectTree::Objects selected_objects() const { return tree_.selected_objects(); }
 
@@ -31,13 +34,15 @@ class Panel {
   bool draw_views();
   bool draw_objects();
   void draw_selection() const;
+  bool draw_development();
+  bool draw_environment();
   bool draw_lights();
   bool draw_materials();
-  bool draw_reset();
 
   std::shared_ptr<app::LoadedScene const> loaded_;  // keeps the tree's shapes
   ObjectTree tree_;
   SceneValues values_;
+  Development original_development_;
   double scene_size_ = 1;
   std::optional<SeenPoint> seen_;  // of the selected object, when it was selected in the picture
   bool scrolls_ = false;

@@ -13,9 +13,8 @@
 #include "view/scene_values.hpp"
 
 namespace lichtraum::view {
-namespace {
 
-bool edit_number(char const* label, double& value, double low, double high, ImGuiSliderFlags flags = 0) {
+bool edit_number(char const* label, double& value, double low, double high, int flags) {
   auto number = float(value);
   if (!ImGui::SliderFloat(label, &number, float(low), float(high), "%.3g", flags | ImGuiSliderFlags_AlwaysClamp)) {
     return false;
@@ -23,6 +22,8 @@ bool edit_number(char const* label, double& value, double low, double high, ImGu
   value = double(number);
   return true;
 }
+
+namespace {
 
 /// Numbers can be typed as well, of any size.
 bool are_finite(float const (&numbers)[3]) {

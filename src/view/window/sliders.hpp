@@ -5,6 +5,9 @@
 
 namespace lichtraum::view {
 
+/// A slider. `flags`: ImGuiSliderFlags.
+bool edit_number(char const* label, double& value, double low, double high, int flags = 0);
+
 /// Widgets for all that may be changed of a light. `original`: as the scene has it; `scene_size` in units of the world.
 /// Whether it was.
 bool edit_light(Light& light, Light const& original, double scene_size);

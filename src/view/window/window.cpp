@@ -255,6 +255,7 @@ void Window::draw_panel() {
   ImGui::End();
   Panel::Changes const changes = panel_.draw();
   if (changes.values) worker_->edit(scene_.number, panel_.values().edits());
+  if (changes.development) worker_->develop(panel_.development);
   if (changes.selection) mark_selection();
   if (changes.plane) show();
 }

@@ -56,7 +56,7 @@ _lichtraum() {
   fi
 
   if [[ $current == -* ]]; then
-    local options=$general view='--eye --look-at --up --orbit --fov-x --fov-y'
+    local options=$general view='--eye --look-at --up --orbit --fov-x --fov-y --aperture --focus'
     case ${COMP_WORDS[1]} in
       render)
         options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"

@@ -61,6 +61,8 @@ complete -c lichtraum -n $seen -l up -x -a '0,1,0 0,0,1' -d 'What is up for the 
 complete -c lichtraum -n $seen -l orbit -x -a '35,20 0,0 90,0 0,90' -d 'Where the camera stands: azimuth, elevation, distance'
 complete -c lichtraum -n $seen -l fov-x -x -a '25 45 60' -d 'Opening angle across the picture'
 complete -c lichtraum -n $seen -l fov-y -x -a '25 45 60' -d 'Opening angle from top to bottom'
+complete -c lichtraum -n $seen -l aperture -x -d 'Diameter of the lens'
+complete -c lichtraum -n $seen -l focus -x -d 'What is sharp: a distance, or X,Y,Z'
 complete -c lichtraum -n $seen -l root -x -d 'Draw this shape only'
 complete -c lichtraum -n $render -l planes -x -a 'radiance alpha depth normal albedo position object instance material' -d 'What is stored of each pixel'
 complete -c lichtraum -n $seen -l samples -x -a '1 2x2 4x4 8x8 16 64' -d 'Samples per pixel'

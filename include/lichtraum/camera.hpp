@@ -29,7 +29,14 @@ struct CameraFit {
   std::optional<Framed> framed;  ///< the camera steps back, without turning, until it sees all of this
 };
 
-/// A pinhole camera. In its own frame it sits at the origin and looks along -z with +y up.
+/// What makes a picture sharp at one distance only.
+struct Lens {
+  double aperture = 0;        ///< diameter in units of the world, >= 0; 0: a pinhole, everything is sharp
+  double focus_distance = 1;  ///< of the plane that is sharp, along the camera's axis in units of the world, > 0
+  friend bool operator==(Lens const&, Lens const&) = default;
+};
+
+/// A pinhole camera, or one with a thin lens. In its own frame it sits at the origin and looks along -z with +y up.
 class Camera {
  public:
   /// 45 degrees wide at the origin, without a name.
@@ -51,9 +58,14 @@ class Camera {
   /// no longer has.
   Camera fitted(Resolution const& size) const;
 
+  Lens const& lens() const { return lens_; }
+  /// Throws std::invalid_argument for numbers that are out of range or not finite.
+  void set_lens(Lens const& lens);
+
   /// The world-space ray (unit direction) through the image point (x, y) of a `size` picture. Coordinates are in
-  /// pixels from the top left corner: the centre of the first pixel is (0.5, 0.5). Pixels are square.
-  Ray generate_ray(double x, double y, Resolution const& size) const;
+  /// pixels from the top left corner: the centre of the first pixel is (0.5, 0.5). Pixels are square. `lens_x`,
+  /// `lens_y`: where it goes through the lens, in its unit disc, +y up (pbrt 5.2.3).
+  Ray generate_ray(double x, double y, Resolution const& size, double lens_x = 0, double lens_y = 0) const;
 
  private:
   std::string name_;
@@ -61,6 +73,7 @@ class Camera {
   std::optional<Resolution> resolution_;
   Transform world_from_camera_;
   std::optional<CameraFit> fit_;
+  Lens lens_;
 };
 
 std::ostream& operator<<(std::ostream& out, Camera const& camera);

@@ -74,7 +74,8 @@ class Denoiser {
   std::string take_note();
 
   /// The film's radiance without noise, as the one sample of a film that has alpha as well where `film` has it.
-  Film denoised(Film const& film, Denoising denoising);
+  /// `has_noisy_guides`: see NoisyPicture.
+  Film denoised(Film const& film, Denoising denoising, bool has_noisy_guides = false);
   /// The same for any picture.
   std::vector<float> denoised(NoisyPicture const& picture, Denoising denoising);
 

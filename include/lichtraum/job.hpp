@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "lichtraum/denoise.hpp"
@@ -41,6 +42,10 @@ struct JobView {
   std::optional<double> fov_x_degrees;  ///< 0 < fov < 180
   std::optional<double> fov_y_degrees;  ///< the same; not with `fov_x_degrees`
   std::optional<Orbit> orbit;
+  /// Of the lens, see lichtraum::Lens: the distance of what is sharp, or a point.
+  using Focus = std::variant<double, Vec3>;
+  std::optional<double> aperture;
+  std::optional<Focus> focus;  ///< only with an aperture, the camera's or this one; else what is looked at
   friend bool operator==(JobView const&, JobView const&) = default;
 };
 

@@ -15,6 +15,20 @@ typedef struct {
 } PinholeCamera;
 DEVICE_STRUCT_SIZE(PinholeCamera, 64);
 
+/* A thin lens, in the world: its points are the camera's origin + u * across + v * up in the unit disc, and all rays
+ * through the image point (x, y) meet at origin + focus * (corner + x * step_x + y * step_y) (pbrt 5.2.3). */
+typedef struct {
+  float4 across; /* as long as the lens's radius, 0 of a pinhole; w unused */
+  float4 up;     /* the same; w unused */
+  float focus;   /* in units of the directions to image points */
+  uint has_area; /* 0: a pinhole */
+  uint padding[2];
+} ThinLens;
+DEVICE_STRUCT_SIZE(ThinLens, 48);
+
+/* The dimension of Sobol's points on the lens, beyond all of a path's. */
+#define LENS_DIMENSION 0x40000000u
+
 #define SAMPLING_GRID 0u
 #define SAMPLING_SEEDED 1u
 #define SAMPLING_SOBOL 2u
@@ -25,6 +39,7 @@ DEVICE_STRUCT_SIZE(PinholeCamera, 64);
 /* Everything about the picture that is the same for each of its pixels. */
 typedef struct {
   PinholeCamera camera;
+  ThinLens lens;
   float4 ambient;         /* sum of all La; w unused */
   float4 background;      /* what mirrors and glass show where nothing is; w unused */
   float4 background_top;  /* what the camera's rays see, at the picture's upper edge; w unused */
@@ -41,7 +56,7 @@ typedef struct {
   uint background_kind; /* BACKGROUND_... */
   uint padding[2];
 } FrameParameters;
-DEVICE_STRUCT_SIZE(FrameParameters, 176);
+DEVICE_STRUCT_SIZE(FrameParameters, 224);
 
 /* What one launch computes: a rectangle of pixels, a range of their samples. */
 typedef struct {

@@ -225,7 +225,8 @@ class Sequence {
   Film denoised(Film const& film, PictureReady const& ready, PictureReport& picture) {
     Denoising const denoising = picture.plan.job.denoising;
     Stopwatch const stopwatch;
-    Film result = denoiser_.denoised(film, denoising);
+    bool const has_lens = ready.request.camera.lens().aperture > 0;  // whose blur is noise in albedo and normals, too
+    Film result = denoiser_.denoised(film, denoising, has_lens);
     picture.denoise_ms = stopwatch.milliseconds();
     picture.denoiser = denoiser_.name(denoising);
     if (picture.denoiser != ready.denoiser) picture.plan.fingerprint.clear();  // it failed with this picture

@@ -170,6 +170,24 @@ Vec3 parse_point(std::string_view text) {
   return {point[0], point[1], point[2]};
 }
 
+double parse_aperture(std::string_view text) {
+  auto const diameter = number<double>(text);
+  if (!diameter || !(*diameter >= 0) || !std::isfinite(*diameter)) {
+    throw std::invalid_argument("expected a diameter of at least 0, in units of the scene, such as 0.1");
+  }
+  return *diameter;
+}
+
+JobView::Focus parse_focus(std::string_view text) {
+  std::array<double, 3> point{};
+  if (read_numbers(text, point)) return Vec3(point[0], point[1], point[2]);
+  double distance = 0;
+  if (!read_numbers(text, std::span(&distance, 1)) || distance <= 0) {
+    throw std::invalid_argument("expected a distance above 0, such as 2.5, or a point X,Y,Z");
+  }
+  return distance;
+}
+
 double parse_fov(std::string_view text) {
   auto const degrees = number<double>(text);
   if (!degrees || !(*degrees > 0 && *degrees < 180)) {

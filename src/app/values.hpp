@@ -22,20 +22,22 @@ struct FrameRange {
 
 namespace lichtraum::app {
 
-Resolution parse_size(std::string_view text);                             ///< 640x480
-Region parse_region(std::string_view text);                               ///< x,y,width,height
-Sampling parse_samples(std::string_view text);                            ///< 16: seeded; 4x4: a grid
-int parse_depth(std::string_view text);                                   ///< 0..1000
-std::uint64_t parse_seed(std::string_view text);                          ///< any 64-bit number
-double parse_time(std::string_view text);                                 ///< seconds
-FrameRange parse_frames(std::string_view text);                           ///< 0..99, both included
-double parse_frame_rate(std::string_view text);                           ///< frames a second: > 0, <= 1000
-int parse_turntable(std::string_view text);                               ///< 1..100000
-int parse_texture_size(std::string_view text);                            ///< 1..65536
-int parse_bits(std::string_view text);                                    ///< 8 or 16
-int parse_quality(std::string_view text);                                 ///< 1..100
-PlaneSet parse_planes(std::string_view text);                             ///< names of planes, commas between
-Vec3 parse_point(std::string_view text);                                  ///< three finite numbers
+Resolution parse_size(std::string_view text);     ///< 640x480
+Region parse_region(std::string_view text);       ///< x,y,width,height
+Sampling parse_samples(std::string_view text);    ///< 16: seeded; 4x4: a grid
+int parse_depth(std::string_view text);           ///< 0..1000
+std::uint64_t parse_seed(std::string_view text);  ///< any 64-bit number
+double parse_time(std::string_view text);         ///< seconds
+FrameRange parse_frames(std::string_view text);   ///< 0..99, both included
+double parse_frame_rate(std::string_view text);   ///< frames a second: > 0, <= 1000
+int parse_turntable(std::string_view text);       ///< 1..100000
+int parse_texture_size(std::string_view text);    ///< 1..65536
+int parse_bits(std::string_view text);            ///< 8 or 16
+int parse_quality(std::string_view text);         ///< 1..100
+PlaneSet parse_planes(std::string_view text);     ///< names of planes, commas between
+Vec3 parse_point(std::string_view text);          ///< three finite numbers
+double parse_aperture(std::string_view text);
+JobView::Focus parse_focus(std::string_view text);
 double parse_fov(std::string_view text);                                  ///< degrees: > 0, < 180
 JobView::Orbit parse_orbit(std::string_view text);                        ///< two angles, or these and a distance
 JobBackground parse_background(std::string_view text);                    ///< none, environment, one colour or two

@@ -53,11 +53,13 @@ std::vector<float> Denoiser::denoised(NoisyPicture const& picture, Denoising den
   return builtin_(picture);
 }
 
-Film Denoiser::denoised(Film const& film, Denoising denoising) {
+Film Denoiser::denoised(Film const& film, Denoising denoising, bool has_noisy_guides) {
   PlaneSet planes{FilmPlane::radiance};
   if (film.planes().has(FilmPlane::alpha)) planes.add(FilmPlane::alpha);
   Film result(film.region(), planes);
-  std::ranges::copy(denoised(noisy_picture(film), denoising), result.floats(FilmPlane::radiance).begin());
+  NoisyPicture picture = noisy_picture(film);
+  picture.has_noisy_guides = has_noisy_guides;
+  std::ranges::copy(denoised(picture, denoising), result.floats(FilmPlane::radiance).begin());
   if (planes.has(FilmPlane::alpha)) {
     std::ranges::copy(film.values(FilmPlane::alpha), result.floats(FilmPlane::alpha).begin());
   }

@@ -131,11 +131,27 @@ Number number_between(double low, double high, std::string what) {
   return {std::nextafter(low, high), std::nextafter(high, low), fmt::format("{} between {} and {}", what, low, high)};
 }
 
+Number above_zero() {
+  return {std::numeric_limits<double>::min(), std::numeric_limits<double>::max(), "a number above 0"};
+}
+
+struct FocusValue {
+  static Json write(JobView::Focus const& focus) {
+    if (auto const* const point = std::get_if<Vec3>(&focus)) return Point::write(*point);
+    return std::get<double>(focus);
+  }
+  static JobView::Focus read(Json const& json, Pointer const& at) {
+    if (json.is_array()) return Point::read(json, at);
+    return Number{std::numeric_limits<double>::min(), std::numeric_limits<double>::max(),
+                  "a distance above 0, or an array of three numbers"}
+        .read(json, at);
+  }
+};
+
 constexpr auto orbit_fields = [](auto& orbit, auto&& field) {
   field("azimuth_degrees", orbit.azimuth_degrees, any_number());
   field("elevation_degrees", orbit.elevation_degrees, Number{-90, 90, "degrees from -90 to 90"});
-  field("distance", orbit.distance,
-        Number{std::numeric_limits<double>::min(), std::numeric_limits<double>::max(), "a number above 0"});
+  field("distance", orbit.distance, above_zero());
 };
 
 constexpr auto view_fields = [](auto& view, auto&& field) {
@@ -145,6 +161,8 @@ constexpr auto view_fields = [](auto& view, auto&& field) {
   field("fov_x_degrees", view.fov_x_degrees, number_between(0, 180, "degrees"));
   field("fov_y_degrees", view.fov_y_degrees, number_between(0, 180, "degrees"));
   field("orbit", view.orbit, Object{orbit_fields});
+  field("aperture", view.aperture, Number{0, std::numeric_limits<double>::max(), "a number of at least 0"});
+  field("focus", view.focus, FocusValue{});
 };
 
 /// Every member of a job: what it is called, and what it may be.

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <stdexcept>
 
 #include "lichtraum/error.hpp"
 #include "lichtraum/orbit.hpp"
 #include "lichtraum/turntable.hpp"
+#include "scene/unit_vector.hpp"
 
 namespace lichtraum {
 namespace {
@@ -62,6 +64,31 @@ CameraFit fit_of(Camera const& camera, JobView const& view) {
   return fit;
 }
 
+/// Of a camera that stands where it will.
+Lens lens_of(Camera const& camera, Job const& job, Scene const& scene) {
+  JobView const& view = job.view;
+  Lens lens = camera.lens();
+  bool const has_focus = lens.aperture > 0;
+  if (view.aperture) lens.aperture = *view.aperture;
+  require(lens.aperture > 0 || !view.focus,
+          "--focus: without a lens everything is sharp; --aperture says how wide it is, in units of the scene");
+  if (lens.aperture == 0) return lens;
+  auto const* const distance = view.focus ? std::get_if<double>(&*view.focus) : nullptr;
+  if (distance) lens.focus_distance = *distance;
+  if (distance || (has_focus && !view.focus)) return lens;
+  Vec3 const point = view.focus     ? std::get<Vec3>(*view.focus)
+                     : view.look_at ? *view.look_at
+                                    : subject_of(camera, job, scene).center();
+  Transform const& world_from_camera = camera.world_from_camera();
+  Vec3 const eye = world_from_camera.point(Vec3(0));
+  double const ahead = glm::dot(point - eye, unit_vector(world_from_camera.vector({0, 0, -1})));
+  require(ahead > 0, view.focus ? fmt::format("--focus {} is not before the camera", text_of(point))
+                                : "--aperture: the middle of what is in view is not before the camera: --focus "
+                                  "says at what distance the picture is sharp");
+  lens.focus_distance = ahead;
+  return lens;
+}
+
 }  // namespace
 
 void check_view(JobView const& view) {
@@ -77,6 +104,14 @@ void check_view(JobView const& view) {
   require(!view.fov_x_degrees || !view.fov_y_degrees,
           "--fov-x and --fov-y cannot be combined: pixels are square, so one of them decides the other");
   require(!view.eye || !view.orbit, "--eye and --orbit cannot be combined: both say where the camera stands");
+  require(!view.aperture || (*view.aperture >= 0 && std::isfinite(*view.aperture)),
+          "--aperture: a lens has a diameter of at least 0");
+  if (view.focus) {
+    auto const* const point = std::get_if<Vec3>(&*view.focus);
+    double const distance = point ? 1 : std::get<double>(*view.focus);
+    require(distance > 0 && std::isfinite(distance), "--focus: a distance must be above 0");
+    if (point) check_point("--focus", *point);
+  }
   if (!view.orbit) return;
   auto const& [azimuth, elevation, distance] = *view.orbit;
   require(std::isfinite(azimuth), "--orbit: its azimuth must be finite");
@@ -113,7 +148,9 @@ Camera viewpoint(Camera camera, Job const& job, Scene const& scene, Resolution c
     camera.set_world_from_camera(look_along(eye, camera.world_from_camera().vector(Vec3(0, 0, -1)), up));
   }
   camera.set_fit(fit);
-  return camera.fitted(size);
+  camera = camera.fitted(size);
+  camera.set_lens(lens_of(camera, job, scene));
+  return camera;
 }
 
 }  // namespace lichtraum

@@ -1,10 +1,14 @@
 #include "reference/pixel_tracer.hpp"
 
 #include <cmath>
+#include <numbers>
 
+#include "core/elementary.hpp"
 #include "lichtraum/error.hpp"
 #include "reference/integrator.hpp"
+#include "shared/frame.h"
 #include "shared/sampling.h"
+#include "shared/sobol.h"
 
 namespace lichtraum {
 namespace {
@@ -20,6 +24,15 @@ glm::dvec2 sample_offset(RenderRequest const& request, int x, int y, int index) 
       static_cast<device::uint>(x), static_cast<device::uint>(y), static_cast<device::uint>(index),
       static_cast<device::uint>(request.seed), static_cast<device::uint>(request.seed >> 32));
   return {offset.x, offset.y};
+}
+
+/// Where the ray of a sample goes through the lens, in its unit disc.
+glm::dvec2 lens_point(RenderRequest const& request, int x, int y, int index) {
+  if (request.camera.lens().aperture == 0) return glm::dvec2(0);
+  auto const random = device::sobol_point(device::uint(x), device::uint(y), LENS_DIMENSION, device::uint(index),
+                                          device::uint(request.seed), device::uint(request.seed >> 32));
+  double const angle = 2 * std::numbers::pi * random.y;
+  return std::sqrt(double(random.x)) * glm::dvec2(cos_of(angle), sin_of(angle));
 }
 
 bool is_finite(Rgb const& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
@@ -85,7 +98,8 @@ void PixelTracer::trace_samples(int x, int y, Pixel& pixel, RayCounts& counts) c
   Rgb const background = background_.top + share_of_height * (background_.bottom - background_.top);
   for (int i = samples_.first; i < samples_.end; ++i) {
     auto const offset = sample_offset(request_, x, y, i);
-    Ray const ray = request_.camera.generate_ray(x + offset.x, y + offset.y, request_.resolution);
+    auto const lens = lens_point(request_, x, y, i);
+    Ray const ray = request_.camera.generate_ray(x + offset.x, y + offset.y, request_.resolution, lens.x, lens.y);
     bool is_hit = false;
     if (has_surfaces) {
       auto const surface = surfaces_.sample(ray);

@@ -1,10 +1,12 @@
 #include "render/frame_parameters.hpp"
 
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "core/elementary.hpp"
 #include "film/check_request.hpp"
 #include "scene/device_conversion.hpp"
+#include "scene/unit_vector.hpp"
 
 namespace lichtraum {
 namespace {
@@ -19,6 +21,19 @@ device::PinholeCamera pinhole_camera(Camera const& camera, Resolution const& siz
           device_float4(world_from_camera.vector({0, -2 * half_height / size.height, 0}))};
 }
 
+device::ThinLens thin_lens(Camera const& camera) {
+  Transform const& world_from_camera = camera.world_from_camera();
+  Lens const& lens = camera.lens();
+  auto const axis = [&](Vec3 const& direction) {
+    return device_float4(0.5 * lens.aperture * unit_vector(world_from_camera.vector(direction)));
+  };
+  return {axis({1, 0, 0}),
+          axis({0, 1, 0}),
+          float(lens.focus_distance / glm::length(world_from_camera.vector({0, 0, -1}))),
+          lens.aperture > 0,
+          {}};
+}
+
 /// Paths need samples that are even in all of their dimensions.
 device::uint sampling_of(RenderRequest const& request) {
   if (request.sampling.pattern == Sampling::Pattern::grid) return SAMPLING_GRID;
@@ -31,6 +46,7 @@ device::FrameParameters frame_parameters(RenderRequest const& request, SceneShad
   check_request(request);
   device::FrameParameters frame{};
   frame.camera = pinhole_camera(request.camera, request.resolution);
+  frame.lens = thin_lens(request.camera);
   frame.ambient = device_float4(scene.ambient);
   Background const background = request.background.value_or(scene.background);
   frame.background = device_float4(background.mean());

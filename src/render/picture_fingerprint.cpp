@@ -11,6 +11,8 @@ std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const&
   hasher.add(std::string_view(scene.fingerprint));
   hasher.add(request.camera.fov_x_degrees());
   hasher.add(request.camera.world_from_camera().matrix());
+  hasher.add(request.camera.lens().aperture);
+  hasher.add(request.camera.lens().focus_distance);
   hasher.add(request.resolution);
   hasher.add(request.region);
   hasher.add(int(request.sampling.pattern));

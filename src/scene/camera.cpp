@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <ostream>
 #include <stdexcept>
@@ -61,9 +62,17 @@ void Camera::set_fit(CameraFit const& fit) {
   fit_ = fit;
 }
 
+void Camera::set_lens(Lens const& lens) {
+  bool const is_good = lens.aperture >= 0 && std::isfinite(lens.aperture) && lens.focus_distance > 0 &&
+                       std::isfinite(lens.focus_distance);
+  if (!is_good) throw std::invalid_argument("a lens needs an aperture of at least 0 and a focus distance above 0");
+  lens_ = lens;
+}
+
 Camera Camera::fitted(Resolution const& size) const {
   if (!fit_) return *this;
   Camera result(name_, fov_x_of(*fit_, size), world_from_camera_, resolution_);
+  result.lens_ = lens_;
   if (!fit_->framed) return result;
   Transform const rotation = Transform::translation(-world_from_camera_.point(Vec3(0))) * world_from_camera_;
   double const half_width = half_width_of(result.fov_x_degrees());
@@ -73,10 +82,16 @@ Camera Camera::fitted(Resolution const& size) const {
   return result;
 }
 
-Ray Camera::generate_ray(double x, double y, Resolution const& size) const {
+Ray Camera::generate_ray(double x, double y, Resolution const& size, double lens_x, double lens_y) const {
   double const pixel = 2 * half_width_of(fov_x_degrees_) / size.width;  // its width at distance 1
   Vec3 const direction((x - size.width / 2.0) * pixel, (size.height / 2.0 - y) * pixel, -1);
-  return {world_from_camera_.point(Vec3(0)), unit_vector(world_from_camera_.vector(direction))};
+  Vec3 const center = world_from_camera_.point(Vec3(0)), ahead = world_from_camera_.vector(direction);
+  if (lens_.aperture == 0) return {center, unit_vector(ahead)};
+  Vec3 const right = unit_vector(world_from_camera_.vector({1, 0, 0}));
+  Vec3 const up = unit_vector(world_from_camera_.vector({0, 1, 0}));
+  Vec3 const from_center = 0.5 * lens_.aperture * (lens_x * right + lens_y * up);
+  double const focus = lens_.focus_distance / glm::length(world_from_camera_.vector({0, 0, -1}));
+  return {center + from_center, unit_vector(focus * ahead - from_center)};
 }
 
 std::ostream& operator<<(std::ostream& out, Camera const& camera) {

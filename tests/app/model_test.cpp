@@ -77,6 +77,22 @@ TEST_CASE("models are drawn by paths unless asked otherwise, or by the reference
   CHECK(beside.at(0, 0, 0) > beside.at(0, 15, 0) + 20);
   CHECK(beside.at(0, 15, 0) > 80);
 
+  // Through a lens: out of focus the edge is soft.
+  auto const soft_edge = [&](std::string const& words) {
+    auto const result =
+        lichtraum("render square.glb --size 32x32 --camera far --background 0,0,0 --denoise builtin " + words);
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK(result.err.find("sees nothing") == std::string::npos);
+    auto const image = decode(lichtraum.folder.read("square.png"));
+    int between = 0;
+    for (int x = 0; x < 32; ++x) between += image.at(x, 16, 0) > 20 && image.at(x, 16, 0) < 0.8f * image.at(16, 16, 0);
+    return between;
+  };
+  CHECK(soft_edge("--aperture 2") <= 2);
+  CHECK(soft_edge("--aperture 2 --focus 4") > 4);
+  CHECK_THAT(lichtraum("render square.glb --focus 4").err, contains_text("without a lens everything is sharp"));
+
   auto const preview = [&](std::string const& words) {
     auto const result = lichtraum("preview square.glb --size 12x6 --orbit 35,20 " + words);
     INFO(result.err);

@@ -52,6 +52,46 @@ TEST_CASE("Camera rays go through the image point", "[kernel]") {
   }
 }
 
+TEST_CASE("Rays through a lens spread over its disc and meet in focus", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  Random random(2);
+  std::size_t const count = scaled_count(20000);
+  struct Pixel {
+    device::uint x, y;
+  };
+  std::vector<device::FrameParameters> frames(count);
+  std::vector<Pixel> pixels;
+  std::vector<float4> origins(count), directions(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    frames[i].camera = {to_float4(random.in_cube(10)), to_float4({-0.4, 0.3, -1}), to_float4({0.001, 0, 0}),
+                        to_float4({0, -0.001, 0})};
+    frames[i].lens = {to_float4({0.2, 0, 0}), to_float4({0, 0.2, 0}), float(random.uniform(0.5, 5)), 1, {}};
+    frames[i].sample_count = 1;
+    frames[i].seed_low = device::uint(i);
+    pixels.push_back({device::uint(random.index(800)), device::uint(random.index(600))});
+  }
+  ProbeProgram("camera.cl").run("probe_camera_ray", count, {in(frames), in(pixels), out(origins), out(directions)});
+  double quarters[2][2] = {}, inner = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    auto const& camera = frames[i].camera;
+    auto const& lens = frames[i].lens;
+    Vec3 const from_center = (to_vec3(origins[i]) - to_vec3(camera.origin)) / 0.2;
+    Vec3 const ahead = to_vec3(camera.corner) + (pixels[i].x + 0.5) * to_vec3(camera.step_x) +
+                       (pixels[i].y + 0.5) * to_vec3(camera.step_y);
+    Vec3 const sharp = to_vec3(camera.origin) + double(lens.focus) * ahead;
+    Vec3 const direction = to_vec3(directions[i]), way = sharp - to_vec3(origins[i]);
+    if (glm::length(way - glm::dot(way, direction) * direction) > 1e-5) FAIL("ray " << i << " misses its focus");
+    if (glm::length(from_center) > 1 + 1e-4 || std::abs(from_center.z) > 1e-4) FAIL("ray " << i << " misses the lens");
+    ++quarters[from_center.x > 0][from_center.y > 0];
+    inner += glm::length(from_center) < std::sqrt(0.5);
+  }
+  double const deviation = 4.5 * std::sqrt(double(count));
+  for (auto const& half : quarters) {
+    for (double const quarter : half) CHECK(std::abs(quarter - 0.25 * double(count)) < 0.44 * deviation);
+  }
+  CHECK(std::abs(inner - 0.5 * double(count)) < 0.5 * deviation);
+}
+
 TEST_CASE("Samples lie in the middles of the grid's cells, one in the centre", "[kernel]") {
   NEEDS_OPENCL_DEVICE();
   ProbeProgram const program("camera.cl");

@@ -41,6 +41,9 @@ class RandomJobs {
     maybe([&] { job.view.fov_y_degrees = 179.99; });
     maybe([&] { job.view.orbit = JobView::Orbit{real(), -90, {}}; });
     maybe([&] { job.view.orbit = JobView::Orbit{real(), 12.5, 1 + std::abs(real())}; });
+    maybe([&] { job.view.aperture = std::abs(real()); });
+    maybe([&] { job.view.focus = 1 + std::abs(real()); });
+    maybe([&] { job.view.focus = point(); });
     maybe([&] { job.root = word(); });
     maybe([&] { job.turn_degrees = real(); });
     maybe([&] { job.size = Resolution{whole(1, most), whole(1, most)}; });
@@ -136,7 +139,8 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
          "environment": {"source": "studio", "rotation_degrees": -90, "brightness": 0.5},
          "allowed_paths": ["/tmp"], "picture": 3, "camera": "eye",
          "view": {"eye": [1, 2, 3], "look_at": [4, 5, 6], "up": [0, 0, 1], "fov_x_degrees": 30, "fov_y_degrees": 20,
-         "orbit": {"azimuth_degrees": 35, "elevation_degrees": 20, "distance": 9}}, "root": "robot", "turn_degrees": 30,
+         "orbit": {"azimuth_degrees": 35, "elevation_degrees": 20, "distance": 9},
+         "aperture": 0.5, "focus": [7, 8, 9]}, "root": "robot", "turn_degrees": 30,
          "size": [640, 480], "region": [1, 2, 3, 4], "integrator": "path", "sampling": {"pattern": "grid", "count": 16},
          "sample_range": [0, 16], "max_depth": 7, "seed": 18446744073709551615, "planes": ["depth", "radiance"],
          "background": [0.1, 0.2, 0.3], "denoising": "builtin", "exposure_ev": -2, "tone_map": "reinhard", "transfer": "srgb",
@@ -151,7 +155,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
   wanted.reading.allowed_paths = {"/tmp"};
   wanted.picture = 3;
   wanted.camera = "eye";
-  wanted.view = {Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(0, 0, 1), 30, 20, JobView::Orbit{35, 20, 9}};
+  wanted.view = {Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(0, 0, 1), 30, 20, JobView::Orbit{35, 20, 9}, 0.5, Vec3(7, 8, 9)};
   wanted.root = "robot";
   wanted.turn_degrees = 30;
   wanted.size = Resolution{640, 480};
@@ -230,6 +234,9 @@ TEST_CASE("what is wrong in a job is named by its place", "[unit][job]") {
   expect(with(R"("view": {"up": [1, 2, "z"]})"), "/view/up/2: expected a number");
   expect(with(R"("view": {"fov_x_degrees": 180})"), "/view/fov_x_degrees: expected degrees between 0 and 180");
   expect(with(R"("view": {"fov_y_degrees": 0})"), "/view/fov_y_degrees: expected degrees between 0 and 180");
+  expect(with(R"("view": {"aperture": -1})"), "/view/aperture: expected a number of at least 0");
+  expect(with(R"("view": {"focus": 0})"), "/view/focus: expected a distance above 0, or an array of three numbers");
+  expect(with(R"("view": {"focus": [1, 2]})"), "/view/focus: expected an array of three numbers");
   expect(with(R"("view": {"orbit": [35, 20]})"), "/view/orbit: expected an object");
   expect(with(R"("view": {"orbit": {"distance": 0}})"), "/view/orbit/distance: expected a number above 0");
   expect(with(R"("view": {"orbit": {"azimuth": 0}})"),

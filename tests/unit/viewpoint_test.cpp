@@ -49,7 +49,7 @@ struct View {
   std::optional<Vec3> eye{}, look_at{}, up{};
   std::optional<double> fov_x_degrees{}, fov_y_degrees{};
   std::optional<JobView::Orbit> orbit{};
-  JobView view() const { return {eye, look_at, up, fov_x_degrees, fov_y_degrees, orbit}; }
+  JobView view() const { return {eye, look_at, up, fov_x_degrees, fov_y_degrees, orbit, {}, {}}; }
 };
 
 Camera seen_from(View const& view, Scene const& scene = ball_scene()) {
@@ -165,6 +165,49 @@ TEST_CASE("a job may put the camera anywhere", "[unit][view]") {
   CHECK(seen_from({.fov_x_degrees = 70}).fov_x_degrees() == 70);
   CHECK(std::tan(glm::radians(seen_from({.fov_y_degrees = 60}).fov_x_degrees()) / 2) ==
         Approx(4.0 / 3 * std::tan(glm::radians(30.0))));
+}
+
+TEST_CASE("a lens is focused on what is looked at, or what is said", "[unit][view]") {
+  auto const lens_of = [](JobView const& view, std::optional<Lens> const& own = {}) {
+    Scene scene = ball_scene();
+    if (own) {
+      Camera camera = scene.cameras.front();
+      camera.set_lens(*own);
+      scene.cameras = {};
+      scene.cameras.insert(camera);
+    }
+    Job job;
+    job.view = view;
+    return request_of(job, scene).camera.lens();
+  };
+  auto const with = [](double aperture, std::optional<JobView::Focus> focus = {}) {
+    JobView view;
+    view.aperture = aperture;
+    view.focus = focus;
+    return view;
+  };
+  CHECK(lens_of({}) == Lens());
+  CHECK(lens_of(with(0.5)).aperture == 0.5);
+  CHECK(lens_of(with(0.5)).focus_distance == Approx(5));  // the ball's middle
+  CHECK(lens_of(with(0.5, 3.0)).focus_distance == 3);
+  CHECK(lens_of(with(0.5, Vec3(7, 1, -4))).focus_distance == Approx(4));
+  JobView aside = with(0.5);
+  aside.eye = Vec3(3, 0, -5);
+  aside.look_at = Vec3(1, 0, -5);
+  CHECK(lens_of(aside).focus_distance == Approx(2));
+  CHECK(lens_of({}, Lens{0.5, 9}) == Lens{0.5, 9});
+  CHECK(lens_of(with(0.25), Lens{0.5, 9}) == Lens{0.25, 9});
+  CHECK(lens_of(with(0), Lens{0.5, 9}).aperture == 0);
+  JobView focused;
+  focused.focus = 2.0;
+  CHECK(lens_of(focused, Lens{0.5, 9}) == Lens{0.5, 2});
+  CHECK_THROWS_WITH(lens_of(focused), contains_text("without a lens everything is sharp"));
+  CHECK_THROWS_WITH(lens_of(with(0.5, Vec3(0, 0, 1))), contains_text("--focus 0,0,1 is not before the camera"));
+  for (double const wrong : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+    CHECK_THROWS_AS(lens_of(with(0.5, wrong)), Error);
+    CHECK_THROWS_AS(Camera().set_lens({0.5, wrong}), std::invalid_argument);
+  }
+  CHECK_THROWS_AS(lens_of(with(-1)), Error);
 }
 
 TEST_CASE("an orbit is around what is in view, at a distance or where all of it is seen", "[unit][view]") {

@@ -16,6 +16,7 @@ void Panel::set_scene(SceneView const& scene) {
   tree_ = ObjectTree(scene.objects);
   values_ = scene.values;
   development = original_development_ = scene.development;
+  aperture = original_aperture_ = scene.request.camera.lens().aperture;
   loaded_ = scene.loaded;
   seen_.reset();
   double const size = glm::distance(scene.bounds.min, scene.bounds.max);
@@ -44,11 +45,12 @@ Panel::Changes Panel::draw() {
     changes.values = draw_lights();
     changes.values |= draw_materials();
     changes.values |= draw_environment();
-    changes.development = draw_development();
+    draw_picture(changes);
     if (ImGui::Button("reset all")) {
       values_.reset();
       development = original_development_;
-      changes.values = changes.development = true;
+      aperture = original_aperture_;
+      changes.values = changes.development = changes.aperture = true;
     }
     ImGui::PopItemWidth();
   }
@@ -108,19 +110,20 @@ void Panel::draw_selection() const {
   ImGui::Text("normal   %.3f %.3f %.3f", seen_->normal.x, seen_->normal.y, seen_->normal.z);
 }
 
-bool Panel::draw_development() {
-  if (plane != FilmPlane::radiance || !ImGui::CollapsingHeader("Picture")) return false;
-  bool has_changed = edit_number("exposure", development.exposure_ev, -8, 8);
+void Panel::draw_picture(Changes& changes) {
+  if (plane != FilmPlane::radiance || !ImGui::CollapsingHeader("Picture")) return;
+  changes.development = edit_number("exposure", development.exposure_ev, -8, 8);
+  changes.aperture = edit_number("aperture", aperture, 0, 0.2 * scene_size_, ImGuiSliderFlags_Logarithmic);
+  if (aperture > 0) ImGui::TextDisabled("a click on the picture focuses");
   auto const current = std::ranges::find(tone_map_words, development.tone_map, &Word<ToneMap>::value);
-  if (!ImGui::BeginCombo("tones", current->word.data())) return has_changed;
+  if (!ImGui::BeginCombo("tones", current->word.data())) return;
   for (Word<ToneMap> const& curve : tone_map_words) {
     if (curve.value == ToneMap::automatic) continue;
     if (!ImGui::Selectable(curve.word.data(), curve.value == development.tone_map)) continue;
     development.tone_map = curve.value;
-    has_changed = true;
+    changes.development = true;
   }
   ImGui::EndCombo();
-  return has_changed;
 }
 
 bool Panel::draw_environment() {

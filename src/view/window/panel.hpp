@@ -21,12 +21,14 @@ class Panel {
     bool values = false;
     bool selection = false;
     bool development = false;
+    bool aperture = false;
   };
   /// In the current frame of Dear ImGui.
   Changes draw();
 
   FilmPlane plane = FilmPlane::radiance;
   Development development;
+  double aperture = 0;  ///< of the camera's lens, in units of the world
   SceneValues const& values() const { return values_; }
   ObjectTree::Objects selected_objects() const { return tree_.selected_objects(); }
 
@@ -34,7 +36,7 @@ class Panel {
   bool draw_views();
   bool draw_objects();
   void draw_selection() const;
-  bool draw_development();
+  void draw_picture(Changes& changes);
   bool draw_environment();
   bool draw_lights();
   bool draw_materials();
@@ -43,6 +45,7 @@ class Panel {
   ObjectTree tree_;
   SceneValues values_;
   Development original_development_;
+  double original_aperture_ = 0;
   double scene_size_ = 1;
   std::optional<SeenPoint> seen_;  // of the selected object, when it was selected in the picture
   bool scrolls_ = false;

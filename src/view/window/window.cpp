@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "lichtraum/image_io.hpp"
@@ -21,6 +22,23 @@ constexpr double seconds_between_looks = 1;
 constexpr ImGuiWindowFlags overlay = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove;
+
+/// Along the camera's axis; of what is not before it, as the crow flies.
+double distance_ahead(Camera const& camera, Vec3 const& point) {
+  Vec3 const eye = camera.world_from_camera().point(Vec3(0));
+  double const ahead = glm::dot(point - eye, glm::normalize(camera.world_from_camera().vector({0, 0, -1})));
+  if (ahead > 0) return ahead;
+  double const distance = glm::distance(point, eye);
+  return distance > 0 ? distance : 1;
+}
+
+/// A point that the scene's camera shows sharp; without a lens, what it looks at.
+Vec3 focus_of(SceneView const& scene) {
+  Camera const& camera = scene.request.camera;
+  if (camera.lens().aperture == 0) return scene.center;
+  Vec3 const ahead = glm::normalize(camera.world_from_camera().vector({0, 0, -1}));
+  return camera.world_from_camera().point(Vec3(0)) + camera.lens().focus_distance * ahead;
+}
 
 }  // namespace
 
@@ -71,6 +89,7 @@ bool Window::take_news() {
       glfwSetWindowSize(graphics_->window, scene_.request.resolution.width, scene_.request.resolution.height);
     }
     panel_.set_scene(scene_);
+    focus_ = focus_of(scene_);
     mark_selection();  // of nothing: what was selected was of the scene before
     if (!is_moved_) camera_.emplace(scene_.request.camera, scene_.center);
     show();
@@ -83,7 +102,13 @@ bool Window::take_news() {
     has_marking_ = true;
     graphics_->marking.upload(news.marking->size, news.marking->pixels);
   }
-  if (news.look && news.look->scene_number == scene_.number && panel_.select(news.look->seen)) mark_selection();
+  if (news.look && news.look->scene_number == scene_.number) {
+    if (panel_.select(news.look->seen)) mark_selection();
+    if (news.look->seen && panel_.aperture > 0) {
+      focus_ = news.look->seen->position;
+      show();
+    }
+  }
   return news.look || news.marking || news.frame || news.problem || news.scene;
 }
 
@@ -91,6 +116,7 @@ void Window::show() {
   shown_size_ = graphics_->framebuffer_size();
   RenderRequest view = scene_.request;
   view.camera = camera_->camera();
+  view.camera.set_lens({panel_.aperture, distance_ahead(view.camera, focus_)});
   view.resolution = shown_size_;
   view.planes = {panel_.plane};
   has_marking_ = false;
@@ -257,7 +283,7 @@ void Window::draw_panel() {
   if (changes.values) worker_->edit(scene_.number, panel_.values().edits());
   if (changes.development) worker_->develop(panel_.development);
   if (changes.selection) mark_selection();
-  if (changes.plane) show();
+  if (changes.plane || changes.aperture) show();
 }
 
 std::string Window::statistics() const {

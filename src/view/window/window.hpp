@@ -49,6 +49,7 @@ class Window {
   app::Console const& console_;
   std::unique_ptr<Graphics> graphics_;
   SceneView scene_;
+  Vec3 focus_{0};  // what a lens shows sharp, wherever the camera moves
   std::optional<OrbitCamera> camera_;
   bool is_moved_ = false;  // by hand: then it stays where it is when the scene is read again
   Resolution shown_size_;

@@ -185,6 +185,30 @@ TEST_CASE("paths: without scattering only what shines and direct light are seen"
   CHECK(mean_of(trace(empty, path_request(empty, {8, 8}, 4, 0))).value == Approx(0.2));
 }
 
+TEST_CASE("paths: what ends before it meets a lamp is not lit by it, whichever way the lamp is found",
+          "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  std::string const floor =
+      "define material grey 0 0 0  0.5 0.5 0.5  0 0 0 1\ndefine shape plane floor 0 -1 0  0 1 0 grey\n"
+      "define camera eye 50\ntransform eye rotate -20 1 0 0\n";
+  SECTION("environment") {
+    Scene scene = scene_of(floor);
+    EnvironmentMap map{4, 2, std::vector<float>(24, 0.1f)};
+    map.radiance[3] = 20;  // what is brighter than the mean is looked for
+    scene.environment = EnvironmentLight{"made here", std::make_shared<EnvironmentMap const>(map), 0, 1};
+    CHECK(mean_of(trace(scene, path_request(scene, {16, 16}, 16, 0))).most == 0);
+    CHECK(mean_of(trace(scene, path_request(scene, {16, 16}, 16, 1))).value > 0.01);
+  }
+  SECTION("triangle") {
+    Scene scene = scene_of(floor +
+                           "define material lamp 0 0 0  0 0 0  0 0 0 1\n"
+                           "define shape triangle lamp -1 3 -4  1 3 -4  0 3 -2 lamp\n");
+    let_shine(scene, "lamp", Rgb(5));
+    CHECK(mean_of(trace(scene, path_request(scene, {16, 16}, 16, 0))).most == 0);
+    CHECK(mean_of(trace(scene, path_request(scene, {16, 16}, 16, 1))).value > 0.01);
+  }
+}
+
 TEST_CASE("paths: direct light of point lights on matt surfaces is Whitted's", "[image][path]") {
   REQUIRE_OPENCL_DEVICE();
   std::string const things = R"(

@@ -4,21 +4,19 @@
 #include <glm/common.hpp>
 
 #include "scene/device_conversion.hpp"
-#include "scene/texture_lookup.hpp"
 
 namespace lichtraum {
 namespace {
 
-/// All ones for an empty slot, and for one whose texture coordinates the mesh lacks.
-glm::dvec4 sample(TextureSlot const& slot, MeshPoint const& point, TexelContent content) {
+double unit(double x) { return std::clamp(x, 0.0, 1.0); }
+
+}  // namespace
+
+glm::dvec4 texel_at(TextureSlot const& slot, MeshPoint const& point, TexelContent content) {
   if (!slot) return glm::dvec4(1);
   auto const uv = point.texcoord(slot.texcoord);
   return uv ? look_up(slot, *uv, content) : glm::dvec4(1);
 }
-
-double unit(double x) { return std::clamp(x, 0.0, 1.0); }
-
-}  // namespace
 
 bool varies(PbrModel const& m) {
   return m.base_color_texture || m.metallic_roughness_texture || m.occlusion_texture || m.emissive_texture ||
@@ -34,7 +32,7 @@ bool filters(PbrModel const& m) {
 }
 
 double base_alpha(PbrModel const& m, MeshPoint const& point) {
-  return m.alpha * point.color().a * sample(m.base_color_texture, point, TexelContent::color).a;
+  return m.alpha * point.color().a * texel_at(m.base_color_texture, point, TexelContent::color).a;
 }
 
 bool is_cut_out(PbrModel const& m, double alpha) {
@@ -44,10 +42,10 @@ bool is_cut_out(PbrModel const& m, double alpha) {
 
 device::PbrPoint evaluate(PbrModel const& m, MeshPoint const& point) {
   glm::dvec4 const base =
-      glm::dvec4(m.base_color, m.alpha) * point.color() * sample(m.base_color_texture, point, TexelContent::color);
-  glm::dvec4 const surface = sample(m.metallic_roughness_texture, point, TexelContent::data);
-  double const transmission = unit(m.transmission * sample(m.transmission_texture, point, TexelContent::data).r);
-  double const occlusion = sample(m.occlusion_texture, point, TexelContent::data).r;
+      glm::dvec4(m.base_color, m.alpha) * point.color() * texel_at(m.base_color_texture, point, TexelContent::color);
+  glm::dvec4 const surface = texel_at(m.metallic_roughness_texture, point, TexelContent::data);
+  double const transmission = unit(m.transmission * texel_at(m.transmission_texture, point, TexelContent::data).r);
+  double const occlusion = texel_at(m.occlusion_texture, point, TexelContent::data).r;
   device::PbrPoint result{};
   store(glm::clamp(Rgb(base), Rgb(0), Rgb(1)), result.color);
   result.alpha = m.alpha_mode == AlphaMode::blend ? float(unit(base.a)) : 1.0f;
@@ -55,11 +53,11 @@ device::PbrPoint evaluate(PbrModel const& m, MeshPoint const& point) {
   result.roughness = float(unit(m.roughness * surface.g));
   result.transmission = float(transmission);
   result.occlusion = float(1 + m.occlusion_strength * (occlusion - 1));
-  store(m.emissive * Rgb(sample(m.emissive_texture, point, TexelContent::color)), result.emission);
+  store(m.emissive * Rgb(texel_at(m.emissive_texture, point, TexelContent::color)), result.emission);
   result.ior = float(m.ior);
   result.refraction_ior = m.thickness > 0 && transmission > 0 && m.ior > 0 ? float(m.ior) : 1.0f;
-  result.specular = float(m.specular * sample(m.specular_texture, point, TexelContent::data).a);
-  store(m.specular_color * Rgb(sample(m.specular_color_texture, point, TexelContent::color)), result.specular_color);
+  result.specular = float(m.specular * texel_at(m.specular_texture, point, TexelContent::data).a);
+  store(m.specular_color * Rgb(texel_at(m.specular_color_texture, point, TexelContent::color)), result.specular_color);
   result.is_unlit = m.unlit ? 1 : 0;
   return result;
 }

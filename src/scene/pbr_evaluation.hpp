@@ -3,6 +3,7 @@
 #include "lichtraum/pbr_model.hpp"
 #include "lichtraum/phong_model.hpp"
 #include "scene/mesh_point.hpp"
+#include "scene/texture_lookup.hpp"
 #include "shared/phong_from_pbr.h"
 
 namespace lichtraum {
@@ -13,6 +14,9 @@ bool varies(PbrModel const& material);
 bool has_cutouts(PbrModel const& material);
 /// Whether textures or vertices decide how much light it lets through.
 bool filters(PbrModel const& material);
+
+/// What a slot shows at a point: all ones where it is empty, or where the mesh lacks its texture coordinates.
+glm::dvec4 texel_at(TextureSlot const& slot, MeshPoint const& point, TexelContent content);
 
 /// Alpha, whatever the mode makes of it: factor times texture times vertex colour.
 double base_alpha(PbrModel const& material, MeshPoint const& point);

@@ -4,8 +4,9 @@
 #include <numbers>
 
 #include "core/elementary.hpp"
-#include "lichtraum/error.hpp"
 #include "reference/integrator.hpp"
+#include "reference/path_integrator.hpp"
+#include "reference/scattering_point.hpp"
 #include "shared/frame.h"
 #include "shared/sampling.h"
 #include "shared/sobol.h"
@@ -66,8 +67,11 @@ PixelTracer::PixelTracer(ReferenceScene const& scene, ReferenceNumbers const& nu
       background_(request.background.value_or(scene.background)),
       samples_(samples),
       film_(film) {
-  if (request.integrator != Integrator::whitted) {
-    throw Error(ErrorKind::usage, "the reference tracer has no integrator 'path' yet: try another --device");
+  if (scene.environment) environment_ = ReferenceEnvironment(*scene.environment);
+  if (request.integrator == Integrator::path) {
+    for (auto const& [material, number] : numbers.materials) {
+      if (material) check_is_known(*material);
+    }
   }
   scene_.background = background_.mean();
 }
@@ -90,35 +94,50 @@ void PixelTracer::trace_center(int x, int y, Pixel& pixel, RayCounts& counts) co
   pixel.set(FilmPlane::material, center.material);
 }
 
+PathSample PixelTracer::whitted_sample(int y, Ray const& ray, RayCounts& counts) const {
+  PlaneSet const& planes = film_.planes();
+  PathSample sample;
+  if (planes.has(FilmPlane::alpha) || planes.has(FilmPlane::albedo) || planes.has(FilmPlane::normal)) {
+    sample.surface = surfaces_.sample(ray);
+  }
+  if (planes.has(FilmPlane::radiance)) {
+    sample.radiance = trace_radiance(scene_, ray, background_at(y), request_.max_depth, counts);
+  } else {
+    ++counts.camera;
+    counts.camera_hits += sample.surface.alpha > 0;
+  }
+  return sample;
+}
+
+PathSample PixelTracer::path_sample(int x, int y, int index, Ray const& ray, RayCounts& counts) const {
+  bool const sees_environment = environment_ && background_.kind == Background::Kind::environment;
+  Rgb const background = sees_environment ? environment_.radiance(ray.direction) : background_at(y);
+  ReferenceRandom random(x, y, index, request_.seed);
+  return trace_path(scene_, environment_, ray, background, request_.max_depth, random, counts);
+}
+
+Rgb PixelTracer::background_at(int y) const {
+  double const share_of_height = (y + 0.5) / request_.resolution.height;
+  return background_.top + share_of_height * (background_.bottom - background_.top);
+}
+
 void PixelTracer::trace_samples(int x, int y, Pixel& pixel, RayCounts& counts) const {
   PlaneSet const& planes = film_.planes();
-  bool const has_surfaces =
-      planes.has(FilmPlane::alpha) || planes.has(FilmPlane::albedo) || planes.has(FilmPlane::normal);
-  double const share_of_height = (y + 0.5) / request_.resolution.height;
-  Rgb const background = background_.top + share_of_height * (background_.bottom - background_.top);
   for (int i = samples_.first; i < samples_.end; ++i) {
     auto const offset = sample_offset(request_, x, y, i);
     auto const lens = lens_point(request_, x, y, i);
     Ray const ray = request_.camera.generate_ray(x + offset.x, y + offset.y, request_.resolution, lens.x, lens.y);
-    bool is_hit = false;
-    if (has_surfaces) {
-      auto const surface = surfaces_.sample(ray);
-      is_hit = surface.alpha > 0;
-      pixel.add(FilmPlane::alpha, Vec3(surface.alpha));
-      pixel.add(FilmPlane::albedo, surface.albedo);
-      pixel.add(FilmPlane::normal, surface.normal);
-    }
-    if (planes.has(FilmPlane::radiance)) {
-      Rgb const radiance = trace_radiance(scene_, ray, background, request_.max_depth, counts);
-      if (planes.has(FilmPlane::alpha) && !is_hit) continue;
-      if (is_finite(radiance)) {
-        pixel.add(FilmPlane::radiance, radiance);
-      } else {
-        ++counts.not_finite;
-      }
+    auto const [radiance, surface] =
+        request_.integrator == Integrator::path ? path_sample(x, y, i, ray, counts) : whitted_sample(y, ray, counts);
+    pixel.add(FilmPlane::alpha, Vec3(surface.alpha));
+    pixel.add(FilmPlane::albedo, surface.albedo);
+    pixel.add(FilmPlane::normal, surface.normal);
+    // With alpha, what is seen through the picture is somebody else's.
+    if (planes.has(FilmPlane::alpha) && surface.alpha == 0) continue;
+    if (is_finite(radiance)) {
+      pixel.add(FilmPlane::radiance, radiance);
     } else {
-      ++counts.camera;
-      counts.camera_hits += is_hit;
+      ++counts.not_finite;
     }
   }
 }

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "lichtraum/renderer.hpp"
-#include "reference/scene.hpp"
-#include "reference/surfaces.hpp"
+#include "reference/path_integrator.hpp"
 
 namespace lichtraum {
 
@@ -20,8 +19,13 @@ class PixelTracer {
   class Pixel;
   void trace_center(int x, int y, Pixel& pixel, RayCounts& counts) const;
   void trace_samples(int x, int y, Pixel& pixel, RayCounts& counts) const;
+  PathSample whitted_sample(int y, Ray const& ray, RayCounts& counts) const;
+  PathSample path_sample(int x, int y, int index, Ray const& ray, RayCounts& counts) const;
+  /// What the camera's rays through a row of pixels see where they hit nothing.
+  Rgb background_at(int y) const;
 
   ReferenceScene scene_;
+  ReferenceEnvironment environment_;
   ReferenceSurfaces surfaces_;
   RenderRequest const& request_;
   Background background_;

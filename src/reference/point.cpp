@@ -10,14 +10,15 @@
 #include "scene/unit_vector.hpp"
 
 namespace lichtraum {
-namespace {
-
-double largest_coordinate(Vec3 const& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
 
 Material const& material_of(Shape const& shape) {
   static Material const matt_grey;
   return shape.material() ? *shape.material() : matt_grey;
 }
+
+namespace {
+
+double largest_coordinate(Vec3 const& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
 
 PhongModel coefficients(Material const& material, MeshPoint const& point) {
   PbrModel const* const pbr = material.pbr();

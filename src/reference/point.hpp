@@ -26,6 +26,9 @@ inline constexpr double reference_ray_epsilon = 1e-9;
 /// `hit` is what was found for `ray`, whose direction has unit length.
 ReferencePoint find_reference_point(Ray const& ray, Hit const& hit);
 
+/// Light grey where the shape has none.
+Material const& material_of(Shape const& shape);
+
 /// Whether nothing is there where a hit is: an alpha mask cuts it out, or it is wholly transparent.
 bool is_absent(Hit const& hit);
 /// How much light gets straight through there.

@@ -74,6 +74,7 @@ class ReferenceRenderer final : public Renderer {
     auto edited = std::make_shared<PreparedGraph>(*graph);
     edited->graph.ambient = ambient(edits.lights);
     edited->graph.lights = casting_shadows(edits.lights);
+    edited->graph.environment = edits.environment;
     auto const copies = copy_graph(graph->graph.roots, edits.materials);
     edited->graph.roots.assign(copies.begin(), copies.end());
     identify(*edited, edits.lights, edits.environment);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace lichtraum {
 struct ReferenceScene : SceneShading {
   std::vector<std::shared_ptr<Shape const>> roots;
   std::vector<Light> lights;  ///< all but ambient ones
+  std::optional<EnvironmentLight> environment;
 };
 
 /// All but ambient ones.

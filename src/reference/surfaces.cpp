@@ -61,7 +61,7 @@ std::uint64_t ReferenceSurfaces::object_number(Ray const& ray) const {
   return number;
 }
 
-ReferenceSurfaces::Means ReferenceSurfaces::sample(Ray const& ray) const {
+FirstSurface ReferenceSurfaces::sample(Ray const& ray) const {
   Hit hit;
   if (!find_closest(scene_, ray, 0, hit)) return {};
   ReferencePoint const point = find_reference_point(ray, hit);

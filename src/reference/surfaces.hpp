@@ -14,19 +14,21 @@ struct ReferenceNumbers {
   std::unordered_map<Material const*, std::uint32_t> materials;  ///< from 1
 };
 
+/// What one sample adds to the planes that are means; nothing where its ray hits nothing.
+struct FirstSurface {
+  double alpha = 0;
+  Rgb albedo{0};
+  Vec3 normal{0};
+};
+
 /// What a film holds of first surfaces, from the graph itself: the definition of its planes.
 class ReferenceSurfaces {
  public:
   /// All must outlive it. Object numbers need a list of all that is drawn: 16 bytes an object.
   ReferenceSurfaces(ReferenceScene const& scene, ReferenceNumbers const& numbers, PlaneSet const& planes);
 
-  /// Of a camera ray of unit direction. Returns whether it hit something.
-  struct Means {
-    double alpha = 0;
-    Rgb albedo{0};
-    Vec3 normal{0};
-  };
-  Means sample(Ray const& ray) const;
+  /// Of a camera ray of unit direction, for Whitted's integrator.
+  FirstSurface sample(Ray const& ray) const;
 
   struct Center {
     double depth = std::numeric_limits<double>::infinity();

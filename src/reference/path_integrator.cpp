@@ -1,0 +1,123 @@
+#include "reference/path_integrator.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/elementary.hpp"
+#include "reference/integrator.hpp"
+#include "reference/scattering_point.hpp"
+
+namespace lichtraum {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Vec3 uniform_direction(ReferenceRandom& random) {
+  double const z = 1 - 2 * random.uniform();
+  double const radius = std::sqrt(1 - z * z);
+  double const angle = 2 * pi * random.uniform();
+  return glm::normalize(Vec3(radius * cos_of(angle), radius * sin_of(angle), z));
+}
+
+/// The share of a light that gets to the ray's origin.
+double visibility(ReferenceScene const& scene, Ray const& ray, double t_max) {
+  double share = 1;
+  double t_min = 0;
+  while (share > 0) {
+    Hit hit;
+    hit.t = t_max;
+    if (!find_closest(scene, ray, t_min, hit)) break;
+    share *= uncovered_share(hit);
+    t_min = hit.t;
+  }
+  return share;
+}
+
+/// What the surface reflects of lights without extent: no ray would meet them.
+Rgb light_of_points(ReferenceScene const& scene, ReferenceScatteringPoint const& point,
+                    ReferenceScattering const& scattering, RayCounts& counts) {
+  Rgb radiance(0);
+  for (Light const& light : scene.lights) {
+    Vec3 const way = light.way_from(point.position);
+    if (way == Vec3(0)) continue;
+    Vec3 const to_light = glm::normalize(way);
+    // Brightness is what a white matt surface shows: pi times what arrives.
+    Rgb const reflected =
+        pi * light.arriving_at(point.position) * scattering.evaluate(to_light, ReferenceScattering::Lobes::all);
+    if (reflected == Rgb(0) || !point.is_consistent(to_light)) continue;
+    ++counts.shadow;
+    double const t_max =
+        light.position() ? glm::length(way) * (1 - reference_ray_epsilon) : std::numeric_limits<double>::infinity();
+    radiance += reflected * visibility(scene, point.leave(to_light), t_max);
+  }
+  return radiance;
+}
+
+/// How a path goes on.
+struct Continuation {
+  Vec3 direction{0};
+  Rgb weight{0};
+  bool is_mirror_or_glass = false;
+};
+
+/// One of the smooth rays, or a uniform direction for all that is spread, each with the same probability.
+Continuation choose_continuation(ReferenceScattering const& scattering, Vec3 const& normal, ReferenceRandom& random) {
+  auto const rays = scattering.smooth_rays();
+  std::size_t const choices = rays.size() + (scattering.has_spread() ? 1 : 0);
+  if (choices == 0) return {};
+  auto const choice = std::size_t(random.uniform() * double(choices));
+  if (choice < rays.size()) {
+    auto const& [direction, weight, is_mirror_or_glass] = rays[choice];
+    return {direction, double(choices) * weight, is_mirror_or_glass};
+  }
+  Vec3 direction = uniform_direction(random);
+  double solid_angle = 4 * pi;
+  if (!scattering.transmits()) {
+    solid_angle = 2 * pi;
+    if (glm::dot(direction, normal) < 0) direction = -direction;
+  }
+  Rgb const reflected = scattering.evaluate(direction, ReferenceScattering::Lobes::spread);
+  return {direction, double(choices) * solid_angle * reflected};
+}
+
+}  // namespace
+
+PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& environment, Ray ray,
+                      Rgb const& background, int max_depth, ReferenceRandom& random, RayCounts& counts) {
+  PathSample sample;
+  Rgb throughput(1);
+  bool sees_background = false;  // by a mirror or through glass
+  int depth = 0;
+  for (bool is_first_ray = true;; is_first_ray = false) {
+    ++(is_first_ray ? counts.camera : counts.secondary);
+    Hit hit;
+    if (!find_closest(scene, ray, 0, hit)) {
+      Rgb const from_afar = environment       ? environment.radiance(ray.direction)
+                            : sees_background ? scene.background
+                                              : scene.ambient;
+      sample.radiance += throughput * (depth == 0 ? background : from_afar);
+      return sample;
+    }
+    counts.camera_hits += is_first_ray;
+    auto const point = find_scattering_point(ray, hit);
+    bool const is_hidden_back = depth == 0 && !point.from_outside && !point.shows_back;
+    if (is_hidden_back || random.uniform() >= point.opacity) {
+      ray = {point.below(), ray.direction};
+      continue;
+    }
+    if (depth == 0) sample.surface = {1, point.albedo(), point.normal};
+    throughput *= point.attenuation;
+    sample.radiance += throughput * point.emission;
+    auto const scattering = point.scattering();
+    sample.radiance += throughput * light_of_points(scene, point, scattering, counts);
+    if (depth == max_depth) return sample;
+    auto const next = choose_continuation(scattering, point.normal, random);
+    throughput *= next.weight;
+    if (throughput == Rgb(0) || !point.is_consistent(next.direction)) return sample;
+    ray = point.leave(next.direction);
+    sees_background = next.is_mirror_or_glass;
+    ++depth;
+  }
+}
+
+}  // namespace lichtraum

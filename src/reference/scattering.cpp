@@ -1,0 +1,138 @@
+#include "reference/scattering.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "reference/albedo_tables.hpp"
+#include "reference/microfacets.hpp"
+
+namespace lichtraum {
+namespace {
+
+constexpr double coat_f0 = 0.04;  // of index 1.5
+
+/// Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994.
+Rgb schlick(Rgb const& f0, Rgb const& f90, double cosine) {
+  double const c = 1 - cosine;
+  return f0 + (f90 - f0) * (c * c * c * c * c);
+}
+
+/// The square of the cosine beyond the surface, by Snell's law; negative where all is reflected.
+double cosine_beyond_squared(double eta, double cosine) { return 1 - eta * eta * (1 - cosine * cosine); }
+
+}  // namespace
+
+ReferenceScattering::ReferenceScattering(ReferenceBsdf const& bsdf, Vec3 const& normal, Vec3 const& to_viewer,
+                                         bool from_outside)
+    : bsdf_(bsdf), normal_(normal), to_viewer_(to_viewer), eta_(from_outside ? 1 / bsdf.ior : bsdf.ior) {
+  double const cosine = glm::dot(normal, to_viewer);
+  if (bsdf.coat > 0) {
+    auto const coat = reflection_albedo(bsdf.coat_alpha, cosine);
+    below_coat_ = 1 - bsdf.coat * (coat_f0 * coat.a + coat.b);
+  }
+  base_ = Rgb(below_coat_);
+  auto const gloss = reflection_albedo(bsdf.alpha, cosine);
+  gloss_albedo_ = gloss.a + gloss.b;
+  if (!bsdf.is_layered) return;
+  double const again = 1 / gloss_albedo_ - 1;
+  metal_gain_ = 1.0 + again * bsdf.metal;
+  dielectric_gain_ = 1.0 + again * bsdf.f0;
+  Rgb reflected = dielectric_gain_ * (gloss.a * bsdf.f0 + gloss.b * bsdf.f90);
+  if (is_solid()) {
+    auto const solid = solid_albedo(eta_, bsdf.alpha, cosine);
+    refraction_gain_ = 1 / solid.total;
+    dielectric_gain_ = Rgb(refraction_gain_);
+    reflected = refraction_gain_ * (eta_ > 1 ? Rgb(solid.reflected) : gloss.a * bsdf.f0 + gloss.b * bsdf.f90);
+  }
+  base_ *= glm::max(1.0 - reflected, Rgb(0));
+}
+
+bool ReferenceScattering::is_solid() const { return bsdf_.is_layered && std::abs(eta_ - 1) > 1e-3; }
+
+/// What a microfacet reflects. Within a denser body a dielectric's angle is the one outside.
+Rgb ReferenceScattering::fresnel(double cosine) const {
+  double const beyond = cosine_beyond_squared(eta_, cosine);
+  Rgb dielectric = schlick(bsdf_.f0, bsdf_.f90, eta_ > 1 ? std::sqrt(std::max(beyond, 0.0)) : cosine);
+  if (is_solid() && beyond <= 0) dielectric = Rgb(1);
+  return (1 - bsdf_.metallic) * dielectric_gain_ * dielectric +
+         bsdf_.metallic * metal_gain_ * schlick(bsdf_.metal, Rgb(1), cosine);
+}
+
+/// What a microfacet of a solid refracts.
+Rgb ReferenceScattering::refracted_share(double cosine) const {
+  double const beyond = cosine_beyond_squared(eta_, cosine);
+  if (beyond <= 0) return Rgb(0);
+  Rgb const reflected = schlick(bsdf_.f0, bsdf_.f90, eta_ > 1 ? std::sqrt(beyond) : cosine);
+  return below_coat_ * refraction_gain_ * bsdf_.transmitted * (1.0 - reflected);
+}
+
+Rgb ReferenceScattering::transmitted(Vec3 const& to_light) const {
+  if (is_solid()) {
+    Vec3 const h = refracting_normal(normal_, to_viewer_, to_light, eta_);
+    return refracted_share(glm::dot(to_viewer_, h)) *
+           microfacet_refraction(bsdf_.alpha, normal_, to_viewer_, to_light, h, eta_);
+  }
+  Vec3 const mirrored = to_light - 2 * glm::dot(to_light, normal_) * normal_;
+  return base_ * bsdf_.transmitted * microfacet_reflection(bsdf_.alpha, normal_, to_viewer_, mirrored) / gloss_albedo_;
+}
+
+Rgb ReferenceScattering::evaluate(Vec3 const& to_light, Lobes lobes) const {
+  double const cosine = glm::dot(normal_, to_light);
+  bool const counts_gloss = lobes == Lobes::all || bsdf_.alpha > smooth_alpha;
+  bool const counts_coat = lobes == Lobes::all || bsdf_.coat_alpha > smooth_alpha;
+  if (cosine == 0) return Rgb(0);
+  if (cosine < 0) {
+    bool const is_black = bsdf_.transmitted == Rgb(0) || !counts_gloss;
+    return is_black ? Rgb(0) : -cosine * transmitted(to_light);
+  }
+  Rgb f = base_ * bsdf_.diffuse / std::numbers::pi;
+  double const facet_cosine = glm::dot(to_viewer_, glm::normalize(to_viewer_ + to_light));
+  if (counts_gloss) {
+    f += below_coat_ * fresnel(facet_cosine) * microfacet_reflection(bsdf_.alpha, normal_, to_viewer_, to_light);
+  }
+  if (counts_coat && bsdf_.coat > 0) {
+    f += bsdf_.coat * schlick(Rgb(coat_f0), Rgb(1), facet_cosine) *
+         microfacet_reflection(bsdf_.coat_alpha, normal_, to_viewer_, to_light);
+  }
+  return cosine * f;
+}
+
+bool ReferenceScattering::has_spread() const {
+  bool const is_glossy = bsdf_.f90 != Rgb(0) || bsdf_.f0 != Rgb(0) || bsdf_.metallic > 0;
+  return bsdf_.diffuse != Rgb(0) || (is_glossy && bsdf_.alpha > smooth_alpha) || transmits() ||
+         (bsdf_.coat > 0 && bsdf_.coat_alpha > smooth_alpha);
+}
+
+bool ReferenceScattering::transmits() const { return bsdf_.transmitted != Rgb(0) && bsdf_.alpha > smooth_alpha; }
+
+Vec3 ReferenceScattering::mirrored() const { return 2 * glm::dot(normal_, to_viewer_) * normal_ - to_viewer_; }
+
+Vec3 ReferenceScattering::refracted() const {
+  double const cosine = glm::dot(normal_, to_viewer_);
+  double const beyond = cosine_beyond_squared(eta_, cosine);
+  return beyond > 0 ? -eta_ * to_viewer_ + (eta_ * cosine - std::sqrt(beyond)) * normal_ : mirrored();
+}
+
+std::vector<ReferenceScattering::Ray> ReferenceScattering::smooth_rays() const {
+  std::vector<Ray> rays;
+  double const cosine = glm::dot(normal_, to_viewer_);
+  auto const add = [&](Vec3 const& direction, Rgb const& weight, bool is_mirror_or_glass) {
+    if (weight != Rgb(0)) rays.push_back({glm::normalize(direction), weight, is_mirror_or_glass});
+  };
+  add(mirrored(), Rgb(bsdf_.mirror), true);
+  add(refracted(), Rgb(bsdf_.glass), true);
+  if (bsdf_.alpha <= smooth_alpha) {
+    add(mirrored(), below_coat_ * fresnel(cosine), false);
+    if (is_solid()) {
+      add(refracted(), refracted_share(cosine), false);
+    } else {
+      add(-to_viewer_, base_ * bsdf_.transmitted, false);
+    }
+  }
+  if (bsdf_.coat_alpha <= smooth_alpha) {
+    add(mirrored(), bsdf_.coat * schlick(Rgb(coat_f0), Rgb(1), cosine), false);
+  }
+  return rays;
+}
+
+}  // namespace lichtraum

@@ -1,0 +1,118 @@
+#include "reference/scattering_point.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/elementary.hpp"
+#include "lichtraum/error.hpp"
+#include "scene/pbr_evaluation.hpp"
+
+namespace lichtraum {
+namespace {
+
+double square(double x) { return x * x; }
+Rgb color_of(float const (&values)[3]) { return {values[0], values[1], values[2]}; }
+
+void set_phong(PhongModel const& phong, ReferenceScatteringPoint& point) {
+  ReferenceBsdf& bsdf = point.bsdf;
+  bsdf.diffuse = std::max(1 - phong.reflect - phong.transmit, 0.0) * phong.kd;
+  bsdf.f0 = bsdf.f90 = phong.ks;
+  bsdf.alpha = std::max(std::sqrt(2 / (phong.m + 2)), smooth_alpha);
+  bsdf.ior = phong.transmit > 0 ? phong.ior : 1;
+  bsdf.mirror = phong.reflect;
+  bsdf.glass = phong.transmit;
+  point.emission = phong.emission;
+}
+
+/// glTF 2.0, appendix B.
+void set_pbr(PbrModel const& material, MeshPoint const& at, double distance, ReferenceScatteringPoint& point) {
+  device::PbrPoint const p = evaluate(material, at);
+  point.opacity = p.alpha;
+  point.shows_back = material.double_sided || p.transmission > 0;
+  if (material.unlit) {
+    point.emission = color_of(p.color);
+    return;
+  }
+  point.emission = color_of(p.emission);
+  ReferenceBsdf& bsdf = point.bsdf;
+  Rgb const color = color_of(p.color);
+  double const dielectric = 1 - double(p.metallic);
+  double const transmission = p.transmission;
+  double const specular = p.specular;
+  double const head_on = square((double(p.ior) - 1) / (double(p.ior) + 1));
+  bsdf.diffuse = dielectric * (1 - transmission) * color;
+  bsdf.transmitted = dielectric * transmission * color;
+  bsdf.f0 = specular * glm::min(head_on * color_of(p.specular_color), Rgb(1));
+  bsdf.f90 = Rgb(specular);
+  bsdf.metal = color;
+  bsdf.metallic = p.metallic;
+  bsdf.alpha = std::max(square(p.roughness), smooth_alpha);
+  bsdf.is_layered = true;
+  bsdf.ior = p.refraction_ior;
+  bsdf.coat = std::clamp(material.clearcoat * texel_at(material.clearcoat_texture, at, TexelContent::data).r, 0., 1.);
+  double const coat_roughness =
+      material.clearcoat_roughness * texel_at(material.clearcoat_roughness_texture, at, TexelContent::data).g;
+  bsdf.coat_alpha = std::max(square(std::clamp(coat_roughness, 0., 1.)), smooth_alpha);
+  if (!point.from_outside && transmission > 0 && material.thickness > 0) {
+    for (int c = 0; c < 3; ++c) {
+      double const left = std::clamp(material.attenuation_color[c], 0., 1.);
+      point.attenuation[c] = pow_of(left, distance / material.attenuation_distance);
+    }
+  }
+}
+
+}  // namespace
+
+Rgb ReferenceScatteringPoint::albedo() const {
+  Rgb const glossy = (1 - bsdf.metallic) * bsdf.f0 + bsdf.metallic * bsdf.metal;
+  return glm::min(bsdf.diffuse + glossy + bsdf.transmitted + bsdf.mirror + bsdf.glass + emission, Rgb(1));
+}
+
+bool ReferenceScatteringPoint::is_consistent(Vec3 const& direction) const {
+  return (glm::dot(geometric_normal, direction) > 0) == (glm::dot(normal, direction) > 0);
+}
+
+Ray ReferenceScatteringPoint::leave(Vec3 const& direction) const {
+  return {glm::dot(geometric_normal, direction) < 0 ? below() : above(), direction};
+}
+
+ReferenceScatteringPoint find_scattering_point(Ray const& ray, Hit const& hit) {
+  ReferenceScatteringPoint point{find_reference_point(ray, hit), {}};
+  if (!(glm::dot(point.normal, point.to_viewer) > 1e-4)) point.normal = point.geometric_normal;
+  Material const& material = material_of(*hit.shape);
+  if (PbrModel const* const pbr = material.pbr()) {
+    set_pbr(*pbr, MeshPoint(hit), hit.t, point);
+  } else {
+    set_phong(material.phong(), point);
+  }
+  return point;
+}
+
+double uncovered_share(Hit const& hit) {
+  PbrModel const* const pbr = material_of(*hit.shape).pbr();
+  if (!pbr || pbr->alpha_mode != AlphaMode::blend) return 0;
+  return 1 - std::clamp(base_alpha(*pbr, MeshPoint(hit)), 0.0, 1.0);
+}
+
+void check_is_known(Material const& material) {
+  PbrModel const* const pbr = material.pbr();
+  if (!pbr || pbr->unlit) return;
+  std::pair<bool, char const*> const unknown[] = {
+      {pbr->sheen_color != Rgb(0), "sheen"},
+      {pbr->anisotropy != 0, "anisotropy"},
+      {pbr->iridescence != 0, "iridescence"},
+      {pbr->dispersion != 0 && pbr->transmission > 0 && pbr->thickness > 0, "dispersion"},
+      {pbr->clearcoat != 0 && pbr->clearcoat_normal_texture, "normal maps of clear coats"},
+  };
+  for (auto const& [is_used, name] : unknown) {
+    if (!is_used) continue;
+    throw Error(ErrorKind::no_device,
+                fmt::format("the reference tracer's paths know no {}, which material '{}' has: try another --device, "
+                            "or --integrator whitted",
+                            name, material.name()));
+  }
+}
+
+}  // namespace lichtraum

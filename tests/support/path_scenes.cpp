@@ -1,0 +1,251 @@
+#include "support/path_scenes.hpp"
+
+#include <cmath>
+#include <memory>
+
+#include "support/esdf.hpp"
+#include "support/textured_meshes.hpp"
+
+namespace lichtraum::test {
+namespace {
+
+void set_material(Scene& scene, char const* name, Material::Model const& model) {
+  *(*scene.materials.find(name)) = Material(name, model);
+}
+
+/// eSDF has no word for it.
+void let_shine(Scene& scene, char const* name, Rgb const& emission) {
+  PhongModel model = (*scene.materials.find(name))->phong();
+  model.emission = emission;
+  set_material(scene, name, model);
+}
+
+EnvironmentLight around(EnvironmentMap map) {
+  return {"made here", std::make_shared<EnvironmentMap const>(std::move(map)), 0, 1};
+}
+
+EnvironmentLight uniform_environment(Rgb const& color) {
+  return around({1, 1, {float(color.r), float(color.g), float(color.b)}});
+}
+
+/// A blue sky over brown ground, and a window of four texels that is some ten times as bright.
+EnvironmentLight window_environment() {
+  EnvironmentMap map{16, 8, {}};
+  for (int row = 0; row < map.height; ++row) {
+    for (int column = 0; column < map.width; ++column) {
+      bool const is_window = row >= 2 && row < 4 && column >= 10 && column < 12;
+      Rgb const color = is_window ? Rgb(9, 8, 6) : row < 4 ? Rgb(0.5, 0.7, 1.0) : Rgb(0.4, 0.3, 0.2);
+      for (int c = 0; c < 3; ++c) map.radiance.push_back(float(color[c]));
+    }
+  }
+  EnvironmentLight light = around(std::move(map));
+  light.rotation_degrees = 40;
+  light.brightness = 0.8;
+  return light;
+}
+
+constexpr char const* things = R"(
+define material floor  0 0 0  0.6 0.5 0.4  0 0 0 1
+define material a 0 0 0  0.5 0.5 0.5  0 0 0 1
+define material b 0 0 0  0.5 0.5 0.5  0 0 0 1
+define material c 0 0 0  0.5 0.5 0.5  0 0 0 1
+define material d 0 0 0  0.5 0.5 0.5  0 0 0 1
+define camera eye 45
+transform eye rotate -15 1 0 0
+transform eye translate 0 1.4 5
+)";
+
+std::string const four_balls = std::string(things) + R"(
+define shape sphere a -1.1 0.8 0 0.75 a
+define shape sphere b 1.1 0.8 0 0.75 b
+define shape sphere c -1.1 -0.8 0.4 0.75 c
+define shape sphere d 1.1 -0.8 0.4 0.75 d
+)";
+
+PbrModel pbr(Rgb const& color, double metallic, double roughness) {
+  PbrModel model;
+  model.base_color = color;
+  model.metallic = metallic;
+  model.roughness = roughness;
+  return model;
+}
+
+/// A room whose lamps are a panel of two triangles, a ball, and two points; matt and glossy.
+PathScene room() {
+  Scene scene = scene_of(std::string(things) + R"(
+define material panel 0 0 0  0.2 0.2 0.2  0 0 0 1
+define shape box floor -3 -1.2 -4  3 -1 3 floor
+define shape box left  -3 -1 -4  -2.8 3 3 a
+define shape box back  -3 -1 -4.2  3 3 -4 floor
+define shape sphere glossy 0.9 -0.2 0 0.8 b
+define shape sphere matt -1 -0.3 -0.5 0.7 c
+define shape sphere bulb 2 1.2 -1 0.5 d
+define shape triangle panel1 -2 2.8 -2  2 2.8 -2  2 2.8 2 panel
+define shape triangle panel2 -2 2.8 -2  2 2.8 2  -2 2.8 2 panel
+define light diffuse key 1 2 3  0.3 0.3 0.25
+define light diffuse fill -2 1 3  0.1 0.1 0.2
+define light ambient sky 0.1 0.15 0.2
+define background 0.1 0.2 0.3
+)");
+  set_material(scene, "a", PhongModel{.kd = {0.7, 0.2, 0.1}});
+  set_material(scene, "b", PhongModel{.kd = {0.2, 0.3, 0.4}, .ks = Rgb(0.5), .m = 20});
+  let_shine(scene, "d", {1.5, 1.2, 0.9});
+  let_shine(scene, "panel", {3, 3, 2.5});
+  return {"room with lamps", std::move(scene), 4};
+}
+
+PathScene mirrors_and_glass() {
+  Scene scene = scene_of(std::string(things) + R"(
+define shape box floor -3 -1.2 -4  3 -1 3 floor
+define shape sphere mirror -1 0 0 0.9 a
+define shape sphere glass 1 0 0.3 0.9 b
+define shape sphere lamp 0 1.5 -2 0.8 c
+define shape box slab -0.4 -1 0.8  0.4 -0.4 1.2 d
+define light ambient sky 0.3 0.4 0.5
+define light diffuse key -4 5 5  0.4 0.4 0.4
+define background 0.6 0.5 0.7
+)");
+  set_material(scene, "a", PhongModel{.kd = {0.5, 0.3, 0.2}, .reflect = 0.7});
+  set_material(scene, "b", PhongModel{.kd = Rgb(0), .reflect = 0.1, .transmit = 0.85, .ior = 1.5});
+  set_material(scene, "d", PhongModel{.kd = Rgb(0.2), .ks = Rgb(0.2), .m = 10, .transmit = 0.6, .ior = 1.3});
+  let_shine(scene, "c", {2, 2, 1.6});
+  return {"mirrors and glass", std::move(scene), 5};
+}
+
+PathScene metal_and_rough(char const* name, EnvironmentLight const& environment) {
+  Scene scene = scene_of(four_balls);
+  set_material(scene, "a", pbr({0.9, 0.6, 0.3}, 1, 0.8));
+  set_material(scene, "b", pbr({0.2, 0.5, 0.8}, 0, 0.6));
+  set_material(scene, "c", pbr({0.8, 0.8, 0.8}, 0.5, 1));
+  PbrModel special = pbr({0.9, 0.9, 0.9}, 0, 0.7);
+  special.ior = 1.8;
+  special.specular = 0.8;
+  special.specular_color = {1, 0.5, 0.2};
+  set_material(scene, "d", special);
+  scene.environment = environment;
+  return {name, std::move(scene), 3, false, true};
+}
+
+PathScene rough_glass() {
+  Scene scene = scene_of(four_balls + "define shape box back -3 -2 -2  3 3 -1.6 floor\n");
+  // The less the index, or the roughness, the fewer are the directions that refraction prefers.
+  PbrModel solid = pbr({1, 0.9, 0.8}, 0, 0.9);
+  solid.transmission = 1;
+  solid.thickness = 1;
+  solid.ior = 2;
+  solid.attenuation_color = {0.3, 0.7, 0.9};
+  solid.attenuation_distance = 1.2;
+  set_material(scene, "a", solid);
+  solid.roughness = 1;
+  solid.ior = 1.5;
+  solid.transmission = 0.6;
+  set_material(scene, "b", solid);
+  solid.ior = 1.8;
+  solid.specular = 0.7;
+  solid.transmission = 0.9;
+  solid.attenuation_distance = 0.8;
+  set_material(scene, "c", solid);
+  PbrModel thin = pbr({0.5, 0.9, 0.6}, 0.2, 0.7);
+  thin.transmission = 0.8;
+  set_material(scene, "d", thin);
+  scene.environment = uniform_environment({0.5, 0.7, 1.0});
+  return {"rough glass", std::move(scene), 3};
+}
+
+PathScene coats() {
+  Scene scene = scene_of(four_balls + R"(
+define light diffuse key -4 5 5  0.5 0.5 0.5
+)");
+  PbrModel coated = pbr({0.7, 0.2, 0.2}, 0, 0.8);
+  coated.clearcoat = 1;
+  coated.clearcoat_roughness = 0.5;
+  set_material(scene, "a", coated);
+  coated.metallic = 0.7;
+  coated.clearcoat_roughness = 0.8;
+  set_material(scene, "b", coated);
+  coated.clearcoat = 0.4;
+  coated.roughness = 0.5;
+  set_material(scene, "c", coated);
+  coated.metallic = 0;
+  coated.transmission = 0.7;
+  coated.roughness = 0.9;
+  set_material(scene, "d", coated);
+  scene.environment = window_environment();
+  return {"coats", std::move(scene), 3, false, true};
+}
+
+/// Without lights of no size: their images in it would be seen once in a million samples.
+PathScene smooth() {
+  Scene scene = scene_of(four_balls + "define shape box back -3 -2 -2  3 3 -1.6 floor\n");
+  PbrModel glass = pbr({0.9, 1, 1}, 0, 0);
+  glass.transmission = 1;
+  glass.thickness = 1;
+  glass.ior = 1.33;
+  glass.attenuation_color = {0.3, 0.7, 0.9};
+  glass.attenuation_distance = 2;
+  set_material(scene, "a", glass);
+  glass.thickness = 0;
+  set_material(scene, "b", glass);
+  PbrModel coated = pbr({0.7, 0.2, 0.2}, 0.3, 0.9);
+  coated.clearcoat = 0.8;
+  set_material(scene, "c", coated);
+  set_material(scene, "d", pbr({0.9, 0.8, 0.6}, 1, 0));
+  scene.environment = window_environment();
+  return {"smooth", std::move(scene), 4, false, true};
+}
+
+/// Triangles that shine, are half there, or have no back.
+PathScene sheets() {
+  Scene scene = scene_of(std::string(things) + R"(
+define shape plane floor 0 -1 0  0 1 0 floor
+define shape triangle veil1 -2 -1 0.5  0 -1 0.5  -1 1.5 0.5 a
+define shape triangle veil2 -1.5 -1 0.9  0.5 -1 0.9  -0.5 1 0.9 a
+define shape triangle back 0.2 -0.8 0  1.2 1.4 0  2.2 -0.8 0 b
+define shape triangle lamp -1 1.8 -1  1.5 1.8 -2  0 2.4 1 c
+define shape triangle glowing_veil 0.4 0.2 1  1.8 0.2 1  1 1.3 1.4 d
+define light diffuse key 2 4 4  0.4 0.4 0.4
+)");
+  PbrModel veil = pbr({0.8, 0.4, 0.3}, 0, 0.9);
+  veil.alpha = 0.6;
+  veil.alpha_mode = AlphaMode::blend;
+  veil.double_sided = true;
+  set_material(scene, "a", veil);
+  set_material(scene, "b", pbr({0.2, 0.6, 0.3}, 0, 0.9));
+  PbrModel lamp = pbr({0.5, 0.5, 0.5}, 0, 1);
+  lamp.emissive = {6, 5, 4};
+  lamp.double_sided = true;
+  set_material(scene, "c", lamp);
+  veil.alpha = 0.5;
+  veil.emissive = {0.4, 1.2, 2};
+  set_material(scene, "d", veil);
+  scene.environment = uniform_environment({0.2, 0.25, 0.3});
+  return {"sheets that shine and blend", std::move(scene), 4, true};
+}
+
+/// What textures and vertices do to materials, under the lights of glTF.
+PathScene textures() {
+  Scene scene = make_textured_scene();
+  PbrModel clear = *(*scene.materials.find("clear"))->pbr();
+  clear.roughness = 0.8;  // sharper refraction is too improbable
+  set_material(scene, "clear", clear);
+  scene.environment = window_environment();
+  return {"textured meshes", std::move(scene), 3, false, false, 8};
+}
+
+}  // namespace
+
+std::vector<PathScene> path_scenes() {
+  std::vector<PathScene> scenes;
+  scenes.push_back(room());
+  scenes.push_back(mirrors_and_glass());
+  scenes.push_back(metal_and_rough("metal and rough, uniform environment", uniform_environment({0.8, 0.9, 1.0})));
+  scenes.push_back(metal_and_rough("metal and rough, window", window_environment()));
+  scenes.push_back(rough_glass());
+  scenes.push_back(coats());
+  scenes.push_back(smooth());
+  scenes.push_back(sheets());
+  scenes.push_back(textures());
+  return scenes;
+}
+
+}  // namespace lichtraum::test

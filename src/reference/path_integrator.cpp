@@ -86,7 +86,8 @@ PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& e
                       Rgb const& background, int max_depth, ReferenceRandom& random, RayCounts& counts) {
   PathSample sample;
   Rgb throughput(1);
-  bool sees_background = false;  // by a mirror or through glass
+  bool sees_background = false;       // by a mirror or through glass
+  PbrModel const* entered = nullptr;  // the solid that the path is in, as far as it has been seen to enter one
   int depth = 0;
   for (bool is_first_ray = true;; is_first_ray = false) {
     ++(is_first_ray ? counts.camera : counts.secondary);
@@ -100,13 +101,14 @@ PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& e
     }
     counts.camera_hits += is_first_ray;
     auto const point = find_scattering_point(ray, hit);
+    if (entered) throughput *= attenuation(*entered, hit.t);
     bool const is_hidden_back = depth == 0 && !point.from_outside && !point.shows_back;
     if (is_hidden_back || random.uniform() >= point.opacity) {
       ray = {point.below(), ray.direction};
       continue;
     }
     if (depth == 0) sample.surface = {1, point.albedo(), point.normal};
-    throughput *= point.attenuation;
+    if (!entered && point.solid && !point.from_outside) throughput *= attenuation(*point.solid, hit.t);
     sample.radiance += throughput * point.emission;
     auto const scattering = point.scattering();
     sample.radiance += throughput * light_of_points(scene, point, scattering, counts);
@@ -115,6 +117,8 @@ PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& e
     throughput *= next.weight;
     if (throughput == Rgb(0) || !point.is_consistent(next.direction)) return sample;
     ray = point.leave(next.direction);
+    bool const gets_through = glm::dot(point.geometric_normal, next.direction) < 0;
+    if (gets_through && point.solid) entered = point.from_outside ? point.solid : nullptr;
     sees_background = next.is_mirror_or_glass;
     ++depth;
   }

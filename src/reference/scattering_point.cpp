@@ -27,7 +27,7 @@ void set_phong(PhongModel const& phong, ReferenceScatteringPoint& point) {
 }
 
 /// glTF 2.0, appendix B.
-void set_pbr(PbrModel const& material, MeshPoint const& at, double distance, ReferenceScatteringPoint& point) {
+void set_pbr(PbrModel const& material, MeshPoint const& at, ReferenceScatteringPoint& point) {
   device::PbrPoint const p = evaluate(material, at);
   point.opacity = p.alpha;
   point.shows_back = material.double_sided || p.transmission > 0;
@@ -55,12 +55,7 @@ void set_pbr(PbrModel const& material, MeshPoint const& at, double distance, Ref
   double const coat_roughness =
       material.clearcoat_roughness * texel_at(material.clearcoat_roughness_texture, at, TexelContent::data).g;
   bsdf.coat_alpha = std::max(square(std::clamp(coat_roughness, 0., 1.)), smooth_alpha);
-  if (!point.from_outside && transmission > 0 && material.thickness > 0) {
-    for (int c = 0; c < 3; ++c) {
-      double const left = std::clamp(material.attenuation_color[c], 0., 1.);
-      point.attenuation[c] = pow_of(left, distance / material.attenuation_distance);
-    }
-  }
+  if (transmission > 0 && material.thickness > 0) point.solid = &material;
 }
 
 }  // namespace
@@ -78,12 +73,20 @@ Ray ReferenceScatteringPoint::leave(Vec3 const& direction) const {
   return {glm::dot(geometric_normal, direction) < 0 ? below() : above(), direction};
 }
 
+Rgb attenuation(PbrModel const& solid, double distance) {
+  Rgb left;
+  for (int c = 0; c < 3; ++c) {
+    left[c] = pow_of(std::clamp(solid.attenuation_color[c], 0., 1.), distance / solid.attenuation_distance);
+  }
+  return left;
+}
+
 ReferenceScatteringPoint find_scattering_point(Ray const& ray, Hit const& hit) {
   ReferenceScatteringPoint point{find_reference_point(ray, hit), {}};
   if (!(glm::dot(point.normal, point.to_viewer) > 1e-4)) point.normal = point.geometric_normal;
   Material const& material = material_of(*hit.shape);
   if (PbrModel const* const pbr = material.pbr()) {
-    set_pbr(*pbr, MeshPoint(hit), hit.t, point);
+    set_pbr(*pbr, MeshPoint(hit), point);
   } else {
     set_phong(material.phong(), point);
   }

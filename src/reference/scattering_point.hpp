@@ -10,9 +10,9 @@ namespace lichtraum {
 struct ReferenceScatteringPoint : ReferencePoint {
   ReferenceBsdf bsdf;
   Rgb emission{0};
-  double opacity = 1;      ///< the share of rays that meet the surface; the others go straight on
-  bool shows_back = true;  ///< false: seen from behind, it is not there for the camera
-  Rgb attenuation{1};      ///< what is left of light on the ray's way to the point, where that was within a solid
+  double opacity = 1;               ///< the share of rays that meet the surface; the others go straight on
+  bool shows_back = true;           ///< false: seen from behind, it is not there for the camera
+  PbrModel const* solid = nullptr;  ///< the body that the surface encloses, if light gets into it
 
   /// By the normal of shading, unless that faces away from the viewer.
   ReferenceScattering scattering() const { return {bsdf, normal, to_viewer, from_outside}; }
@@ -22,6 +22,9 @@ struct ReferenceScatteringPoint : ReferencePoint {
   bool is_consistent(Vec3 const& direction) const;
   Ray leave(Vec3 const& direction) const;
 };
+
+/// What is left of light after a way in a solid (KHR_materials_volume).
+Rgb attenuation(PbrModel const& solid, double distance);
 
 /// As find_reference_point.
 ReferenceScatteringPoint find_scattering_point(Ray const& ray, Hit const& hit);

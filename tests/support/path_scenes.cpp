@@ -176,13 +176,15 @@ define light diffuse key -4 5 5  0.5 0.5 0.5
 
 /// Without lights of no size: their images in it would be seen once in a million samples.
 PathScene smooth() {
-  Scene scene = scene_of(four_balls + "define shape box back -3 -2 -2  3 3 -1.6 floor\n");
+  Scene scene = scene_of(four_balls +
+                         "define shape box back -3 -2 -2  3 3 -1.6 floor\n"
+                         "define shape sphere enclosed -1.1 0.8 0 0.25 floor\n");
   PbrModel glass = pbr({0.9, 1, 1}, 0, 0);
   glass.transmission = 1;
   glass.thickness = 1;
   glass.ior = 1.33;
-  glass.attenuation_color = {0.3, 0.7, 0.9};
-  glass.attenuation_distance = 2;
+  glass.attenuation_color = {0.4, 0.5, 0.6};
+  glass.attenuation_distance = 0.6;
   set_material(scene, "a", glass);
   glass.thickness = 0;
   set_material(scene, "b", glass);

@@ -6,6 +6,7 @@
 
 #include "core/parse_number.hpp"
 #include "io/esdf/interpreter.hpp"
+#include "io/esdf/keys.hpp"
 #include "io/esdf/statements.hpp"
 
 // define material <name> [Ka] [Kd] [Ks] <m> [reflect=<0..1>] [transmit=<0..1>] [ior=<n>]
@@ -27,68 +28,37 @@ struct OptionalTerms {
 #undef LICHTRAUM_TERM
 };
 
-struct Key {
-  std::string_view word;
-  std::optional<double> OptionalTerms::*term;
-  bool is_share;
-};
-constexpr Key keys[] = {
-#define LICHTRAUM_SHARE(name, initial) {#name, &OptionalTerms::name, true},
-#define LICHTRAUM_NUMBER(name, initial, least, most) {#name, &OptionalTerms::name, false},
-    PHONG_OPTIONAL_FIELDS(LICHTRAUM_NONE, LICHTRAUM_SHARE, LICHTRAUM_NUMBER)
-#undef LICHTRAUM_SHARE
-#undef LICHTRAUM_NUMBER
-};
-
-/// "reflect=, transmit= and ior="
-std::string list_of_keys() {
-  std::string text;
-  for (std::size_t i = 0; i < std::size(keys); ++i) {
-    text += fmt::format("{}{}=", i == 0 ? "" : i + 1 < std::size(keys) ? ", " : " and ", keys[i].word);
-  }
-  return text;
+/// A term in its range.
+std::optional<double> read_share(Interpreter& interpreter, std::string_view word, Token value) {
+  auto const share = read_number(interpreter, value);
+  if (!share || (*share >= 0 && *share <= 1)) return share;
+  interpreter.error(value, fmt::format("material: {} must lie between 0 and 1, not {}", word, in_quotes(value)));
+  return std::nullopt;
+}
+std::optional<double> read_positive(Interpreter& interpreter, std::string_view word, Token value) {
+  auto const number = read_number(interpreter, value);
+  if (!number || *number > 0) return number;
+  interpreter.error(value, fmt::format("material: {} must be greater than 0, not {}", word, in_quotes(value)),
+                    word == "ior" ? "air is 1, water 1.33, glass 1.5" : "");
+  return std::nullopt;
 }
 
-bool read_key(Interpreter& interpreter, Token argument, OptionalTerms& terms) {
-  std::size_t const equals = std::min(argument.find('='), argument.size() - 1);
-  Token const key = argument.substr(0, equals);
-  Token const value = argument.substr(equals + 1);
-  auto const* const found =
-      std::find_if(std::begin(keys), std::end(keys), [&](Key const& known) { return known.word == key; });
-  if (argument[equals] != '=') {
-    interpreter.error(argument, fmt::format("material: expected key=value, found {}", in_quotes(argument)),
-                      "numbers come before " + list_of_keys());
-    return false;
-  }
-  if (found == std::end(keys)) {
-    std::vector<std::string_view> words;
-    for (Key const& known : keys) words.push_back(known.word);
-    std::string const hint = interpreter.suggest(key, words);
-    interpreter.error(key.empty() ? argument : key, fmt::format("material: unknown key {}", in_quotes(key)),
-                      hint.empty() ? "a material takes " + list_of_keys() : hint);
-    return false;
-  }
-  std::optional<double>& place = terms.*found->term;
-  if (place) {
-    interpreter.error(argument, fmt::format("material: {} is given twice", key));
-    return false;
-  }
-  if (value.empty()) {
-    interpreter.error(argument, fmt::format("material: {}= has no value", key), "write it without spaces around '='");
-    return false;
-  }
-  place = read_number(interpreter, value);
-  if (!place) return false;
-  if (found->is_share && (*place < 0 || *place > 1)) {
-    interpreter.error(value, fmt::format("material: {} must lie between 0 and 1, not {}", key, in_quotes(value)));
-    return false;
-  }
-  if (!found->is_share && *place <= 0) {
-    interpreter.error(value, fmt::format("material: {} must be greater than 0, not {}", key, in_quotes(value)),
-                      key == "ior" ? "air is 1, water 1.33, glass 1.5" : "");
-    return false;
-  }
-  return true;
+/// What fills `terms`.
+auto keys_of(Interpreter& interpreter, OptionalTerms& terms) {
+  using Read = std::optional<double> (*)(Interpreter&, std::string_view, Token);
+  auto const key = [&interpreter](std::string_view word, std::optional<double>& term, Read read) {
+    return Key{word, [&interpreter, &term, word, read](Token value) {
+                 term = read(interpreter, word, value);
+                 return term.has_value();
+               }};
+  };
+  return std::to_array<Key>({
+#define LICHTRAUM_SHARE(name, initial) key(#name, terms.name, read_share),
+#define LICHTRAUM_NUMBER(name, initial, least, most) key(#name, terms.name, read_positive),
+      PHONG_OPTIONAL_FIELDS(LICHTRAUM_NONE, LICHTRAUM_SHARE, LICHTRAUM_NUMBER)
+#undef LICHTRAUM_SHARE
+#undef LICHTRAUM_NUMBER
+  });
 }
 
 // Extra numbers have no fixed meaning and come from programs with other ranges: they are brought into range.
@@ -143,8 +113,7 @@ bool read_extras(Interpreter& interpreter, std::span<Token const> tokens, Option
 
 bool read_material(Interpreter& interpreter, Statement const& statement) {
   auto const& arguments = statement.arguments;
-  auto const first_key = std::find_if(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end(),
-                                      [](Token token) { return token.find('=') != Token::npos; });
+  auto const first_key = std::find_if(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end(), has_key);
   auto const positional = static_cast<std::size_t>(first_key - arguments.begin());
   if (positional < 1 + number_count || positional > 1 + most_numbers) {
     report_wrong_count(interpreter, {statement.what, statement.keyword, arguments.first(positional)}, signature);
@@ -159,7 +128,10 @@ bool read_material(Interpreter& interpreter, Statement const& statement) {
   }
   // A key says it clearly, so it wins over an extra number.
   OptionalTerms named;
-  for (Token const argument : arguments.subspan(positional)) good &= read_key(interpreter, argument, named);
+  if (first_key != arguments.end()) {
+    auto const keys = keys_of(interpreter, named);
+    good &= read_keys(interpreter, statement, positional, keys, "numbers come before " + list_of(keys));
+  }
   if (good && v[9] < 0) {
     interpreter.error(arguments[number_count],
                       fmt::format("material: m must not be negative, not {}", in_quotes(arguments[number_count])));

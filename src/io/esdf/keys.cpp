@@ -1,0 +1,65 @@
+#include "io/esdf/keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_set>
+#include <vector>
+
+#include "io/esdf/interpreter.hpp"
+
+namespace lichtraum::esdf {
+namespace {
+
+bool read_key(Interpreter& interpreter, std::string_view what, Token argument, std::span<Key const> keys,
+              std::string const& usage, std::unordered_set<std::string_view>& seen) {
+  if (!has_key(argument)) {
+    interpreter.error(argument, fmt::format("{}: expected key=value, found {}", what, in_quotes(argument)), usage);
+    return false;
+  }
+  std::size_t const equals = argument.find('=');
+  Token const word = argument.substr(0, equals);
+  Token const value = argument.substr(equals + 1);
+  auto const known = std::find_if(keys.begin(), keys.end(), [&](Key const& key) { return key.word == word; });
+  if (known == keys.end()) {
+    std::vector<std::string_view> words;
+    for (Key const& key : keys) words.push_back(key.word);
+    std::string const hint = interpreter.suggest(word, words);
+    bool const has_vowel = std::string_view("aeiou").find(what.front()) != std::string_view::npos;
+    interpreter.error(word.empty() ? argument : word, fmt::format("{}: unknown key {}", what, in_quotes(word)),
+                      hint.empty() ? fmt::format("{} {} takes {}", has_vowel ? "an" : "a", what, list_of(keys)) : hint);
+    return false;
+  }
+  if (!seen.insert(word).second) {
+    interpreter.error(argument, fmt::format("{}: {} is given twice", what, word));
+    return false;
+  }
+  if (value.empty()) {
+    interpreter.error(argument, fmt::format("{}: {}= has no value", what, word), "write it without spaces around '='");
+    return false;
+  }
+  if (known->is_dialect && !interpreter.dialect(argument, fmt::format("{}=", word))) return false;
+  return known->read(value);
+}
+
+}  // namespace
+
+std::string list_of(std::span<Key const> keys) {
+  std::string text;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    text += fmt::format("{}{}=", i == 0 ? "" : i + 1 < keys.size() ? ", " : " and ", keys[i].word);
+  }
+  return text;
+}
+
+bool read_keys(Interpreter& interpreter, Statement const& statement, std::size_t first, std::span<Key const> keys,
+               std::string const& usage) {
+  std::unordered_set<std::string_view> seen;
+  bool good = true;
+  for (Token const argument : statement.arguments.subspan(first)) {
+    good &= read_key(interpreter, statement.what, argument, keys, usage, seen);
+  }
+  return good;
+}
+
+}  // namespace lichtraum::esdf

@@ -69,7 +69,7 @@ struct Job {
   std::optional<double> turn_degrees;  ///< the camera is carried around what is looked at, see `orbited`
   std::optional<Resolution> size;
   std::optional<Region> region;          ///< else the whole picture
-  std::optional<Integrator> integrator;  ///< else usual_integrator
+  std::optional<Integrator> integrator;  ///< else see chosen_integrator
   std::optional<Sampling> sampling;
   std::optional<SampleRange> samples;  ///< of those of `sampling`; else all
   std::optional<int> max_depth;        ///< see RenderRequest::max_depth
@@ -98,8 +98,18 @@ inline constexpr int texture_side = 65536;
 inline constexpr int jpeg_quality = 100;
 }  // namespace job_limits
 
-/// What draws models, or scene files, unless a job says otherwise.
+/// What draws models, or scene files, unless a job or the file says otherwise.
 Integrator usual_integrator(bool is_model);
+
+/// What draws a picture, and why.
+struct IntegratorChoice {
+  Integrator integrator;
+  std::string_view reason;  ///< reads on after "drawn by path, as "
+};
+
+/// The job's integrator; else that of the scene's `render`; else path for a scene that holds what only paths show (an
+/// environment); else usual_integrator. Throws Error{usage} for a picture that there is not.
+IntegratorChoice chosen_integrator(Job const& job, Scene const& scene);
 
 /// What is done about noise in a picture of that integrator: `asked`, unless that is `automatic`. Whitted's rays make
 /// none.

@@ -14,10 +14,10 @@
 #include "lichtraum/device.hpp"
 #include "lichtraum/film.hpp"
 #include "lichtraum/image.hpp"
+#include "lichtraum/integrator.hpp"
 #include "lichtraum/scene.hpp"
 #include "lichtraum/scene_edits.hpp"
 #include "lichtraum/traversal.hpp"
-#include "shared/integrators.h"
 
 namespace lichtraum {
 
@@ -30,13 +30,6 @@ struct Sampling {
   Pattern pattern = Pattern::grid;
   int count = 1;  ///< per pixel; a square number for a grid
   friend bool operator==(Sampling const&, Sampling const&) = default;
-};
-
-/// How the radiance along the camera's rays is found: kernels/shared/integrators.h says what each is.
-enum class Integrator {
-#define LICHTRAUM_ENUMERATOR(name) name,
-  INTEGRATORS(LICHTRAUM_ENUMERATOR)
-#undef LICHTRAUM_ENUMERATOR
 };
 
 /// Which picture of a scene to compute: planes of a region of pixels, of a range of samples.

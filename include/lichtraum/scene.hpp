@@ -8,6 +8,7 @@
 #include "lichtraum/camera.hpp"
 #include "lichtraum/environment.hpp"
 #include "lichtraum/error.hpp"
+#include "lichtraum/integrator.hpp"
 #include "lichtraum/light.hpp"
 #include "lichtraum/material.hpp"
 #include "lichtraum/registry.hpp"
@@ -21,8 +22,9 @@ struct RenderCommand {
   std::string camera;
   std::string file;
   std::optional<Resolution> resolution;  ///< else the camera's
+  std::optional<Integrator> integrator;  ///< else see chosen_integrator (lichtraum/job.hpp)
   std::optional<int> samples;            ///< per pixel
-  std::optional<int> depth;              ///< of the tree of mirror and glass rays
+  std::optional<int> depth;              ///< of the tree of mirror and glass rays, or of paths
   SourceLocation location;
 };
 

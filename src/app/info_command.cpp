@@ -36,7 +36,7 @@ int info_command(Arguments const& arguments, Console& console) {
   SceneSource const source(file);
   LoadedScene const script = source.load(reading);
   console.show(script.diagnostics());
-  SceneSummary summary = summarise(script.scene());
+  SceneSummary summary = summarise(script.scene(), source.job({}));
   summary.contents = script.contents();
   write_standard_output(json ? to_json(summary, source.name()) : to_text(summary, source.name()));
   return 0;

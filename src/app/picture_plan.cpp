@@ -53,6 +53,7 @@ PicturePlan plan_picture(Scene const& scene, RenderCommand const& command, Job c
                          bool is_one_of_many) {
   PicturePlan plan;
   plan.job = resolved(job, scene);
+  plan.integrator_reason = chosen_integrator(job, scene).reason;
   plan.output = names.next(command.file, is_one_of_many);
   // What stores planes stores them as they were traced; other planes have no noise.
   bool const is_developed = plan.output.format->encode && plan.job.planes.has(FilmPlane::radiance);

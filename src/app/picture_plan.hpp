@@ -11,8 +11,9 @@ namespace lichtraum::app {
 
 /// One picture of a scene, everything decided and checked before anything is drawn.
 struct PicturePlan {
-  std::size_t scene_number = 0;  ///< which of the scenes that LoadedScene::play shows
-  Job job;                       ///< decided (see `resolved`), without the text of standard input
+  std::size_t scene_number = 0;        ///< which of the scenes that LoadedScene::play shows
+  Job job;                             ///< decided (see `resolved`), without the text of standard input
+  std::string_view integrator_reason;  ///< see IntegratorChoice
   Output output;
   std::string fingerprint;  ///< for the file, once it is known; empty: none
 };

@@ -127,7 +127,7 @@ int preview_command(Arguments const& arguments, Console& console) {
   SceneSource const source(render.scenes.front());
   auto const renderer = choose_renderer(render.device, std::nullopt, console);
   Job job = source.job(render.job);
-  spare_reference(*renderer, is_model_file(source.name()), job, console);
+  spare_reference(*renderer, job, console);
   LoadOptions load;
   load.integrator = job.integrator;
   LoadedScene const loaded = source.load(job.reading, load);

@@ -177,9 +177,7 @@ int render_command(Arguments const& arguments, Console& console) {
   Stopwatch const stopwatch;
   auto const renderer = choose_renderer(options.device, options.traversal, console);
   console.detail(fmt::format("device {}: {}", renderer->device().index, renderer->device().name));
-  spare_reference(*renderer,
-                  std::any_of(inputs.begin(), inputs.end(), [](auto const& input) { return is_model_file(input); }),
-                  options.job, console);
+  spare_reference(*renderer, options.job, console);
   options.load.integrator = options.job.integrator;
   RunReport report;
   report.device = renderer->device();

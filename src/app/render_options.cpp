@@ -54,7 +54,9 @@ void add_denoise_option(CLI::App& parser, Denoising& denoising) {
 void add_quality_options(CLI::App& parser, RenderOptions& options, std::string const& default_samples) {
   std::string const group = "Quality";
   add_value(parser, "--integrator", options.job.integrator, parse_integrator, "NAME",
-            "whitted (default for scenes): direct light,\nmirrors and glass; path (for models): all light", group);
+            "whitted: direct light, mirrors and glass;\npath: all light (default: what the scene asks for;\npath for "
+            "models and with an environment)",
+            group);
   add_value(parser, "--samples", options.job.sampling, parse_samples, "N|NxN",
             "Samples per pixel: 16 random ones, or a grid such\nas 4x4 (default: " + default_samples + ")", group);
   add_value(parser, "--depth", options.job.max_depth, parse_depth, "N",

@@ -27,6 +27,7 @@ Json picture_json(PictureReport const& report) {
           {"height", job.size->height},
           {"region", {region.x, region.y, region.width, region.height}},
           {"integrator", find_word<Integrator>(integrator_words, *job.integrator)},
+          {"integrator_reason", report.plan.integrator_reason},
           {"samples", job.sampling->count},
           {"depth", *job.max_depth},
           {"triangles", report.scene.triangles},
@@ -90,10 +91,12 @@ std::string details(PictureReport const& report) {
   RayCounts const& rays = report.render.rays;
   std::string const denoiser = report.denoiser.empty() ? "" : fmt::format("\n  denoised by {}", report.denoiser);
   return fmt::format(
+      "  drawn by {}, as {}\n"
       "  scene: {} triangles, {} spheres, {} boxes, {} instances, {} nodes, {} bytes on the device\n"
       "  flatten {:.1f} ms, build {:.1f} ms, upload {:.1f} ms, program {:.1f} ms, trace {:.1f} ms, write {:.1f} ms\n"
       "  rays: {} camera ({} hit something), {} shadow, {} mirror and glass{}",
-      s.triangles, s.spheres, s.boxes, s.instances, s.bvh_nodes, s.device_bytes, s.flatten_ms, s.build_ms, s.upload_ms,
+      find_word<Integrator>(integrator_words, *report.plan.job.integrator), report.plan.integrator_reason, s.triangles,
+      s.spheres, s.boxes, s.instances, s.bvh_nodes, s.device_bytes, s.flatten_ms, s.build_ms, s.upload_ms,
       report.render.program_ms, report.render.trace_ms, report.write_ms, rays.camera, rays.camera_hits, rays.shadow,
       rays.secondary, denoiser);
 }

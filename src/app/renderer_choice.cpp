@@ -27,10 +27,10 @@ std::unique_ptr<Renderer> choose_renderer(std::string const& selector, std::opti
   return make_renderer(reference_device());
 }
 
-void spare_reference(Renderer const& renderer, bool is_model, Job& job, Console const& console) {
-  if (!is_model || job.integrator || renderer.device().kind != DeviceKind::reference) return;
+void spare_reference(Renderer const& renderer, Job& job, Console const& console) {
+  if (job.integrator || renderer.device().kind != DeviceKind::reference) return;
   job.integrator = Integrator::whitted;
-  console.detail("the reference tracer draws models by --integrator whitted unless asked otherwise");
+  console.detail("the reference tracer draws by --integrator whitted unless asked otherwise");
 }
 
 }  // namespace lichtraum::app

@@ -14,8 +14,8 @@ namespace lichtraum::app {
 std::unique_ptr<Renderer> choose_renderer(std::string const& selector, std::optional<Traversal> const& traversal,
                                           Console const& console);
 
-/// Has models drawn by Whitted's rays where nothing was asked and the reference tracer draws: it follows paths too
-/// slowly for pictures.
-void spare_reference(Renderer const& renderer, bool is_model, Job& job, Console const& console);
+/// Has everything drawn by Whitted's rays where the job leaves that open and the reference tracer draws: it follows
+/// paths too slowly for pictures.
+void spare_reference(Renderer const& renderer, Job& job, Console const& console);
 
 }  // namespace lichtraum::app

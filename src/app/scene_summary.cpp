@@ -1,5 +1,6 @@
 #include "app/scene_summary.hpp"
 
+#include <algorithm>
 #include <unordered_set>
 
 namespace lichtraum::app {
@@ -21,7 +22,7 @@ std::vector<TextureImage const*> textures_of(Scene const& scene) {
 
 }  // namespace
 
-SceneSummary summarise(Scene const& scene) {
+SceneSummary summarise(Scene const& scene, Job job) {
   GraphSummary const drawn = lichtraum::summarise(scene.roots());
   SceneSummary summary;
   summary.defined = lichtraum::summarise({scene.shapes.begin(), scene.shapes.end()}).defined;
@@ -29,6 +30,10 @@ SceneSummary summarise(Scene const& scene) {
   summary.bounds = drawn.bounds;
   summary.textures = textures_of(scene);
   summary.scene = &scene;
+  std::size_t const pictures = std::max<std::size_t>(1, scene.renders.size());
+  for (job.picture = 0; std::size_t(job.picture) < pictures; ++job.picture) {
+    summary.integrators.push_back(chosen_integrator(job, scene));
+  }
   return summary;
 }
 

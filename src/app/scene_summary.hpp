@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lichtraum/graph_summary.hpp"
+#include "lichtraum/job.hpp"
 #include "lichtraum/model.hpp"
 
 namespace lichtraum::app {
@@ -15,12 +16,15 @@ struct SceneSummary {
   ShapeCounts drawn;                          ///< once for each path from a root: with all instances
   Bounds bounds;                              ///< of all that is drawn
   std::vector<TextureImage const*> textures;  ///< of all materials, each once, as they are in memory
+  std::vector<IntegratorChoice>
+      integrators;  ///< of the pictures that the scene asks for; of one where it asks for none
   Scene const* scene = nullptr;
   ModelContents const* contents = nullptr;  ///< null: it is not a model
 };
 
-/// Linear in the size of the graph, however many instances it unfolds to. `scene` must outlive the result.
-SceneSummary summarise(Scene const& scene);
+/// Linear in the size of the graph, however many instances it unfolds to. `scene` must outlive the result; `job` is for
+/// it, and says the rest.
+SceneSummary summarise(Scene const& scene, Job job);
 
 std::string to_text(SceneSummary const& summary, std::string const& file);
 std::string to_json(SceneSummary const& summary, std::string const& file);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/scene_summary.hpp"
+#include "lichtraum/words.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -51,6 +52,14 @@ std::string size_text(std::optional<Resolution> const& size) {
 }
 
 Json size_json(std::optional<Resolution> const& size) { return size ? Json{size->width, size->height} : Json(); }
+
+std::string integrator_text(IntegratorChoice const& choice) {
+  return fmt::format("by {}, as {}", find_word<Integrator>(integrator_words, choice.integrator), choice.reason);
+}
+
+Json integrator_json(IntegratorChoice const& choice) {
+  return {{"name", find_word<Integrator>(integrator_words, choice.integrator)}, {"reason", choice.reason}};
+}
 
 double megabytes(TextureImage const& image) { return double(image.rgba.size()) / 1e6; }
 
@@ -121,10 +130,12 @@ std::string to_text(SceneSummary const& summary, std::string const& file) {
     text += fmt::format("  camera          {}, {:g} degrees wide{}\n", camera.name(), camera.fov_x_degrees(),
                         size_text(camera.resolution()));
   }
-  for (RenderCommand const& command : scene.renders) {
-    text +=
-        fmt::format("  picture         {} through {}{}\n", command.file, command.camera, size_text(command.resolution));
+  for (std::size_t i = 0; i < scene.renders.size(); ++i) {
+    RenderCommand const& command = scene.renders[i];
+    text += fmt::format("  picture         {} through {}{}, {}\n", command.file, command.camera,
+                        size_text(command.resolution), integrator_text(summary.integrators[i]));
   }
+  if (scene.renders.empty()) text += fmt::format("  drawn           {}\n", integrator_text(summary.integrators[0]));
   if (summary.contents) text += contents_text(*summary.contents);
   text += fmt::format("  ambient light   {}\n", triple(scene.ambient()));
   text += fmt::format("  background      {}\n", triple(scene.background));
@@ -152,8 +163,12 @@ std::string to_json(SceneSummary const& summary, std::string const& file) {
                        {"size", size_json(camera.resolution())}});
   }
   Json renders = Json::array();
-  for (RenderCommand const& command : scene.renders) {
-    renders.push_back({{"camera", command.camera}, {"file", command.file}, {"size", size_json(command.resolution)}});
+  for (std::size_t i = 0; i < scene.renders.size(); ++i) {
+    RenderCommand const& command = scene.renders[i];
+    renders.push_back({{"camera", command.camera},
+                       {"file", command.file},
+                       {"size", size_json(command.resolution)},
+                       {"integrator", integrator_json(summary.integrators[i])}});
   }
   Json textures = Json::array();
   for (TextureImage const* image : summary.textures) {
@@ -169,6 +184,7 @@ std::string to_json(SceneSummary const& summary, std::string const& file) {
                   {"lights", lights},
                   {"cameras", cameras},
                   {"renders", renders},
+                  {"integrator", integrator_json(summary.integrators[0])},
                   {"ambient", triple_json(scene.ambient())},
                   {"background", triple_json(scene.background)},
                   {"bounds", bounds},

@@ -101,6 +101,14 @@ RenderRequest request_through(Camera const& camera, Job const& job) {
 
 Integrator usual_integrator(bool is_model) { return is_model ? Integrator::path : Integrator::whitted; }
 
+IntegratorChoice chosen_integrator(Job const& job, Scene const& scene) {
+  if (job.integrator) return {*job.integrator, "that is asked for"};
+  if (auto const asked = command_of(job, scene).integrator) return {*asked, "the scene's render asks for it"};
+  if (is_model(job)) return {usual_integrator(true), "models are, unless asked otherwise"};
+  if (scene.environment) return {Integrator::path, "only paths show an environment's light"};
+  return {usual_integrator(false), "scenes are, unless asked otherwise"};
+}
+
 Denoising decided(Denoising asked, Integrator integrator) {
   if (asked != Denoising::automatic) return asked;
   return integrator == Integrator::whitted ? Denoising::off : Denoising::on;
@@ -130,7 +138,7 @@ Job resolved(Job job, Scene const& scene) {
   if (!job.size) job.size = camera.resolution();
   if (!job.size) job.size = scene.resolution.value_or(default_size);
   if (!job.region) job.region = whole_picture(*job.size);
-  if (!job.integrator) job.integrator = usual_integrator(is_model(job));
+  job.integrator = chosen_integrator(job, scene).integrator;
   if (!job.background && job.integrator == Integrator::path) job.background = usual_background(job);
   Effort const usual = usual_effort(*job.integrator, is_model(job));
   if (!job.sampling) job.sampling = sampling_of(command.samples.value_or(usual.samples));

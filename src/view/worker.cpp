@@ -114,7 +114,7 @@ void Worker::work(std::stop_token const& stop) {
       news_.device = renderer->device().name;
     }
     wake_();
-    app::spare_reference(*renderer, is_model_file(source_.name()), job_, console_);
+    app::spare_reference(*renderer, job_, console_);
     load_options_.integrator = job_.integrator;
     load(*renderer);
     while (!stop.stop_requested()) {

@@ -43,6 +43,19 @@ TEST_CASE("info counts shapes, defined and drawn, and bounds them", "[app][info]
   CHECK_THAT(text, contains_text("spheres") && contains_text("eye, 60 degrees wide, 4x3") && contains_text("11 2 3"));
 }
 
+TEST_CASE("info says what draws each picture, and why", "[app][info]") {
+  Lichtraum const lichtraum;
+  std::string const scene = "define camera eye 60 4 3\nrender eye a.ppm\nrender eye b.ppm integrator=path\n";
+  Json const renders = Json::parse(lichtraum("info - --json", scene).out)["renders"];
+  CHECK(renders[0]["integrator"]["name"] == "whitted");
+  CHECK(renders[1]["integrator"] == Json({{"name", "path"}, {"reason", "the scene's render asks for it"}}));
+  CHECK_THAT(lichtraum("info -", scene).out,
+             contains_text("a.ppm through eye, by whitted, as scenes are, unless asked otherwise\n"));
+  std::string const no_picture = "define camera eye 60 4 3\n";
+  CHECK_THAT(lichtraum("info -", no_picture).out, contains_text("drawn           by whitted, as "));
+  CHECK(Json::parse(lichtraum("info - --json", no_picture).out)["integrator"]["name"] == "whitted");
+}
+
 TEST_CASE("info does not unfold a graph of 2^200 spheres, nor recurse down 100,000 composites", "[app][info]") {
   Lichtraum const lichtraum;
   std::string const start = "define material m 1 1 1 1 1 1 0 0 0 1\ndefine shape sphere s0 0 0 0 1 m\n";

@@ -99,6 +99,19 @@ TEST_CASE("paths are traced when asked for, with samples and a depth of their ow
   CHECK(paths != picture(""));
   CHECK(picture("--integrator path --samples 64 --depth 16") == paths);
   CHECK(picture("--integrator path --samples 63") != paths);
+
+  auto const asked_by_scene = [&](std::string const& words) {
+    std::string scene = ball_scene;
+    scene.insert(scene.size() - 1, " integrator=path samples=8 depth=3");
+    auto const result = lichtraum("render - -q -o ball.png --json --denoise off " + words, scene);
+    REQUIRE(result.exit_code == 0);
+    Json const drawn = Json::parse(result.out)["scenes"][0]["pictures"][0];
+    return std::tuple(drawn["integrator"].get<std::string>(), int(drawn["samples"]), int(drawn["depth"]));
+  };
+  CHECK(asked_by_scene("") == std::tuple("path", 8, 3));
+  CHECK(asked_by_scene("--samples 2 --depth 4") == std::tuple("path", 2, 4));
+  CHECK(asked_by_scene("--integrator whitted") == std::tuple("whitted", 8, 3));
+  CHECK(asked_by_scene("--device reference") == std::tuple("whitted", 8, 3));
 }
 
 TEST_CASE("samples are seeded or a grid; one is the pixel's centre", "[app][render]") {

@@ -282,6 +282,7 @@ TEST_CASE("render in every form", "[unit][esdf]") {
     std::optional<Resolution> resolution;
     std::optional<int> samples;
     std::optional<int> depth;
+    std::optional<Integrator> integrator = {};
   };
   std::string const cameras = "define camera eye 45 16 9\n";
   Resolution const size{640, 480};
@@ -294,6 +295,13 @@ TEST_CASE("render in every form", "[unit][esdf]") {
                         {"render eye a.png 640 480 1", "eye", "a.png", size, 1, {}},
                         {"render eye a.png 640 480 4 3", "eye", "a.png", size, 4, 3},
                         {"render eye a.png 640 480 0 3", "eye", "a.png", size, {}, 3},
+                        {"render eye a.png 640 480 integrator=path", "eye", "a.png", size, {}, {}, Integrator::path},
+                        {"render eye a.png samples=9 depth=0", "eye", "a.png", {}, 9, 0},
+                        {"render eye a.png 640 480 4 3 samples=9", "eye", "a.png", size, 9, 3},
+                        {"render eye a=b.png", "eye", "a=b.png", {}, {}, {}},
+                        {"render eye a=b.png integrator=whitted", "eye", "a=b.png", {}, {}, {}, Integrator::whitted},
+                        {"render a.png integrator=path", "eye", "a.png", {}, {}, {}, Integrator::path},
+                        {"define filename f.png\nrender eye depth=1", "eye", "f.png", {}, {}, 1},
                         {"render eye image . ppm 640 480", "eye", "image.ppm", size, {}, {}},
                         {"render eye image .ppm", "eye", "image.ppm", {}, {}, {}},
                         {"render someone a.png 640 480", "eye", "a.png", size, {}, {}},
@@ -313,6 +321,7 @@ TEST_CASE("render in every form", "[unit][esdf]") {
     CHECK(command.resolution == c.resolution);
     CHECK(command.samples == c.samples);
     CHECK(command.depth == c.depth);
+    CHECK(command.integrator == c.integrator);
     CHECK(command.location.file == "s.sdf");
     CHECK(command.location.line == (c.text.find('\n') == std::string::npos ? 2 : 3));
   }

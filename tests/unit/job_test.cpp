@@ -69,6 +69,33 @@ TEST_CASE("paths take more samples and go deeper, unless somebody says otherwise
   CHECK(resolved(job, two_pictures()).max_depth == 2);
 }
 
+TEST_CASE("the integrator is the job's, the render's, or what the scene needs", "[unit][job]") {
+  Scene scene = two_pictures();
+  auto const choice = [&](Job const& job) {
+    IntegratorChoice const chosen = chosen_integrator(job, scene);
+    CHECK(resolved(job, scene).integrator == chosen.integrator);
+    return std::pair(chosen.integrator, std::string(chosen.reason));
+  };
+  using Choice = std::pair<Integrator, std::string>;
+  CHECK(choice(job_of()) == Choice(Integrator::whitted, "scenes are, unless asked otherwise"));
+  scene.environment = EnvironmentLight{"studio", std::make_shared<EnvironmentMap>(EnvironmentMap{1, 1, {1, 1, 1}})};
+  CHECK(choice(job_of()) == Choice(Integrator::path, "only paths show an environment's light"));
+  scene.renders[1].integrator = Integrator::whitted;
+  CHECK(choice(job_of(1)) == Choice(Integrator::whitted, "the scene's render asks for it"));
+  scene.environment.reset();
+  scene.renders[1].integrator = Integrator::path;
+  CHECK(choice(job_of(1)) == Choice(Integrator::path, "the scene's render asks for it"));
+  CHECK(choice(job_of(0)).first == Integrator::whitted);
+  Job job = job_of(1);
+  job.integrator = Integrator::whitted;
+  CHECK(choice(job) == Choice(Integrator::whitted, "that is asked for"));
+  job.integrator.reset();
+  job.scene = "model.glb";
+  scene.renders.clear();
+  job.picture = 0;
+  CHECK(choice(job) == Choice(Integrator::path, "models are, unless asked otherwise"));
+}
+
 TEST_CASE("what a job says wins over the scene", "[unit][job]") {
   Job job = job_of(1);
   job.camera = "eye";

@@ -5,9 +5,11 @@
 
 #include "core/parse_number.hpp"
 #include "io/esdf/interpreter.hpp"
+#include "io/esdf/keys.hpp"
 #include "io/esdf/statements.hpp"
+#include "lichtraum/words.hpp"
 
-// render <camera> <file> [<x-res> <y-res>]
+// render <camera> <file> [<x-res> <y-res>] [integrator=<name>] [samples=<n>] [depth=<n>]
 // Dialects: samples and depth after the resolution, a file name in pieces, a camera that is missing or not defined, a
 // file that `define filename` gave.
 
@@ -113,9 +115,59 @@ bool read_extra_numbers(Interpreter& interpreter, std::span<Token const> extra, 
   return command.depth.has_value();
 }
 
+std::optional<Integrator> read_integrator(Interpreter& interpreter, Token value) {
+  std::span<Word<Integrator> const> const words = integrator_words;
+  if (Integrator const* const found = find_value(words, value)) return *found;
+  std::vector<std::string_view> known;
+  for (auto const& entry : words) known.push_back(entry.word);
+  std::string const hint = interpreter.suggest(value, known);
+  interpreter.error(value, fmt::format("render: unknown integrator {}", in_quotes(value)),
+                    hint.empty() ? list_of(words) : hint);
+  return std::nullopt;
+}
+
+/// What fills `command`; as keys say it clearly, they win over extra numbers.
+auto keys_of(Interpreter& interpreter, RenderCommand& command) {
+  return std::to_array<Key>({{"integrator",
+                              [&](Token value) {
+                                command.integrator = read_integrator(interpreter, value);
+                                return command.integrator.has_value();
+                              },
+                              true},
+                             {"samples",
+                              [&](Token value) {
+                                command.samples = read_whole_number(interpreter, value, "the number of samples", 1);
+                                return command.samples.has_value();
+                              },
+                              true},
+                             {"depth",
+                              [&](Token value) {
+                                command.depth = read_whole_number(interpreter, value, "the depth", 0);
+                                return command.depth.has_value();
+                              },
+                              true}});
+}
+
+/// How many of the arguments come before the keys. A file's name may hold a '=', too: the first two arguments are keys
+/// only where their words are known.
+std::size_t count_without_keys(std::span<Token const> arguments, std::span<Key const> keys) {
+  std::size_t count = arguments.size();
+  auto const is_key = [&](Token argument) {
+    return has_key(argument) && (count > 2 || std::any_of(keys.begin(), keys.end(), [&](Key const& key) {
+                                   return key.word == argument.substr(0, argument.find('='));
+                                 }));
+  };
+  while (count > 0 && is_key(arguments[count - 1])) --count;
+  return count;
+}
+
 }  // namespace
 
-void render(Interpreter& interpreter, Statement const& statement) {
+void render(Interpreter& interpreter, Statement const& whole) {
+  RenderCommand command;
+  auto const keys = keys_of(interpreter, command);
+  std::size_t const first_key = count_without_keys(whole.arguments, keys);
+  Statement const statement{whole.what, whole.keyword, whole.arguments.first(first_key)};
   Parts const parts = split(interpreter, statement.arguments);
   auto const file = join_file(interpreter, statement, parts);
   if (!file) return;
@@ -127,14 +179,13 @@ void render(Interpreter& interpreter, Statement const& statement) {
   }
   Camera const* const camera = find_camera(interpreter, statement, parts.camera);
 
-  RenderCommand command;
   command.file = *file;
   if (!parts.numbers.empty()) {
     command.resolution = read_resolution(interpreter, parts.numbers[0], parts.numbers[1]);
     if (!command.resolution) return;
     if (parts.numbers.size() > 2 && !read_extra_numbers(interpreter, parts.numbers.subspan(2), command)) return;
   }
-  if (!camera) return;
+  if (!read_keys(interpreter, whole, first_key, keys, std::string(usage)) || !camera) return;
   command.camera = camera->name();
   if (!command.resolution && !camera->resolution() && !interpreter.scene.resolution) {
     interpreter.error(place_after(statement.last()), "render: neither this statement nor the camera has a resolution",

@@ -29,13 +29,21 @@ inline constexpr std::int64_t max_environment_pixels = std::int64_t(1) << 27;
 /// pixels or too many, or values that are infinite, negative or no numbers; the message says where, and what to do.
 EnvironmentMap read_environment(std::filesystem::path const& path);
 
+/// The most that EnvironmentLight::brightness may be where somebody writes it.
+inline constexpr double max_environment_brightness = 1e6;
+
 /// A map around the scene. Radiance 1 from everywhere lights a white diffuse surface to 1.
 struct EnvironmentLight {
-  std::string source;  ///< where the map is from: a file's path, or a built-in one's name
+  std::string
+      source;  ///< where the map is from: a file's path, a built-in one's name, or the numbers of its one colour
   std::shared_ptr<EnvironmentMap const> map;
   double rotation_degrees = 0;  ///< about the y axis, counter-clockwise seen from above
   double brightness = 1;        ///< >= 0; what the map's radiance is multiplied by
+  std::string name{};           ///< in the scene's file; empty for one that was chosen elsewhere
 };
+
+/// The map that has the same radiance everywhere.
+std::shared_ptr<EnvironmentMap const> uniform_environment(float red, float green, float blue);
 
 /// An environment that is chosen for a scene. What is left open is as the scene has it.
 struct EnvironmentChoice {

@@ -37,6 +37,8 @@ struct EsdfOptions : EsdfDialect {
   std::size_t max_diagnostics = 100;
   FileObserver on_read;                ///< may be empty
   std::shared_ptr<ModelCache> models;  ///< see make_model_cache; null: each script has one for itself
+  /// Where the maps of environments come from: a file's path or "studio". Exceptions as environment_map.
+  std::function<std::shared_ptr<EnvironmentMap const>(std::string const&)> find_environment = environment_map;
   /// Changes each scene before it is shown, and then perhaps once more; may be empty.
   std::function<void(Scene&)> adjust;
 };

@@ -93,7 +93,7 @@ inline constexpr int samples = grid_side * grid_side;
 inline constexpr int depth = 1000;
 inline constexpr double exposure_ev = 100;          ///< darker, too
 inline constexpr double environment_degrees = 1e6;  ///< either way
-inline constexpr double environment_brightness = 1e6;
+inline constexpr double environment_brightness = max_environment_brightness;
 inline constexpr int texture_side = 65536;
 inline constexpr int jpeg_quality = 100;
 }  // namespace job_limits

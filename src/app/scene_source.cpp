@@ -64,8 +64,7 @@ std::function<void(Scene&)> chooser(EnvironmentChoice choice, bool stands_in_stu
     };
   }
   if (choice == EnvironmentChoice()) return {};
-  auto const maps = options.environments ? options.environments : std::make_shared<EnvironmentMaps>();
-  return [choice, maps, on_read = options.on_read](Scene& scene) {
+  return [choice, maps = options.environments, on_read = options.on_read](Scene& scene) {
     scene.environment = chosen_environment(choice, scene.environment,
                                            [&](std::string const& source) { return maps->find(source, on_read); });
   };
@@ -81,13 +80,17 @@ SceneSource::SceneSource(std::string argument) : name_(std::move(argument)) {
 
 std::string SceneSource::stem() const { return text_ ? "stdin" : std::filesystem::path(name_).stem().string(); }
 
-LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& options) const {
+LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& given) const {
+  LoadOptions options = given;
+  if (!options.environments) options.environments = std::make_shared<EnvironmentMaps>();
   bool const is_model = !text_ && is_model_file(name_);
   bool const is_by_paths = options.integrator.value_or(usual_integrator(is_model)) == Integrator::path;
   auto const adjust = chooser(reading.environment, is_model && is_by_paths, options);
   if (!is_model) {
+    auto const find_map = [maps = options.environments](std::string const& source) { return maps->find(source, {}); };
     EsdfOptions const esdf{reading.dialect, reading.allowed_paths, EsdfOptions().max_diagnostics,
-                           options.on_read, options.models,        adjust};
+                           options.on_read, options.models,        find_map,
+                           adjust};
     return LoadedScene(text_ ? EsdfScript::from_text(*text_, name_, esdf) : EsdfScript::from_file(name_, esdf));
   }
   auto const adjusted = [&](Model model) {

@@ -91,6 +91,15 @@ Json contents_json(ModelContents const& contents) {
   return {{"scenes", contents.scenes}, {"animations", animations}, {"extensions", extensions}};
 }
 
+Json environment_json(std::optional<EnvironmentLight> const& light) {
+  if (!light) return {};
+  return {{"name", light->name},
+          {"source", light->source},
+          {"size", {light->map->width, light->map->height}},
+          {"rotation_degrees", light->rotation_degrees},
+          {"brightness", light->brightness}};
+}
+
 /// The fields of a light that are there, by name.
 struct LightJson : LightFieldVisitor {
   Json value;
@@ -126,6 +135,11 @@ std::string to_text(SceneSummary const& summary, std::string const& file) {
                         image->width, image->height, megabytes(*image));
   }
   text += fmt::format("  lights          {:>10}\n", scene.lights.size());
+  if (scene.environment) {
+    EnvironmentLight const& light = *scene.environment;
+    text += fmt::format("  environment     {}, {}x{}, turned by {:g} degrees, brightness {:g}\n", light.source,
+                        light.map->width, light.map->height, light.rotation_degrees, light.brightness);
+  }
   for (Camera const& camera : scene.cameras) {
     text += fmt::format("  camera          {}, {:g} degrees wide{}\n", camera.name(), camera.fov_x_degrees(),
                         size_text(camera.resolution()));
@@ -182,6 +196,7 @@ std::string to_json(SceneSummary const& summary, std::string const& file) {
                   {"materials", scene.materials.size()},
                   {"textures", textures},
                   {"lights", lights},
+                  {"environment", environment_json(scene.environment)},
                   {"cameras", cameras},
                   {"renders", renders},
                   {"integrator", integrator_json(summary.integrators[0])},

@@ -16,11 +16,15 @@ constexpr Resolution default_size{640, 480};
 
 bool is_model(Job const& job) { return !job.text && is_model_file(job.scene); }
 
-/// Of pictures by paths: a map that was asked for; before models a quiet grey, from above.
-std::optional<JobBackground> usual_background(Job const& job) {
-  std::string const& environment = job.reading.environment.source;
-  bool const is_map = !environment.empty() && environment != "studio" && environment != "none";
-  if (is_map) return JobBackground{Background::environment()};
+/// Whether an environment is something to look at: the built-in one is lamps.
+bool is_view(std::string const& source) { return !source.empty() && source != "studio" && source != "none"; }
+
+/// Of pictures by paths: a map that was asked for, or the scene's own unless it has a background besides; before models
+/// a quiet grey, from above.
+std::optional<JobBackground> usual_background(Job const& job, Scene const& scene) {
+  std::string const& asked = job.reading.environment.source;
+  bool const is_own = asked.empty() && scene.environment && scene.background == Rgb(0);
+  if (is_view(is_own ? scene.environment->source : asked)) return JobBackground{Background::environment()};
   if (is_model(job)) return JobBackground{Background(Rgb(0.45), Rgb(0.18))};
   return {};
 }
@@ -139,7 +143,7 @@ Job resolved(Job job, Scene const& scene) {
   if (!job.size) job.size = scene.resolution.value_or(default_size);
   if (!job.region) job.region = whole_picture(*job.size);
   job.integrator = chosen_integrator(job, scene).integrator;
-  if (!job.background && job.integrator == Integrator::path) job.background = usual_background(job);
+  if (!job.background && job.integrator == Integrator::path) job.background = usual_background(job, scene);
   Effort const usual = usual_effort(*job.integrator, is_model(job));
   if (!job.sampling) job.sampling = sampling_of(command.samples.value_or(usual.samples));
   if (!job.max_depth) job.max_depth = command.depth.value_or(usual.max_depth);

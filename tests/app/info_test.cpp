@@ -56,6 +56,19 @@ TEST_CASE("info says what draws each picture, and why", "[app][info]") {
   CHECK(Json::parse(lichtraum("info - --json", no_picture).out)["integrator"]["name"] == "whitted");
 }
 
+TEST_CASE("info tells of the environment", "[app][info]") {
+  Lichtraum const lichtraum;
+  std::string const scene =
+      "define camera eye 60 4 3\ndefine light environment sky 1 2 3 rotation=30\nrender eye a.ppm\n";
+  Json const json = Json::parse(lichtraum("info - --json", scene).out);
+  CHECK(json["environment"] ==
+        Json({{"name", "sky"}, {"source", "1 2 3"}, {"size", {1, 1}}, {"rotation_degrees", 30}, {"brightness", 1}}));
+  CHECK(json["renders"][0]["integrator"]["name"] == "path");
+  CHECK_THAT(lichtraum("info -", scene).out,
+             contains_text("environment     1 2 3, 1x1, turned by 30 degrees, brightness 1\n"));
+  CHECK(Json::parse(lichtraum("info - --json", "define camera eye 60\n").out)["environment"].is_null());
+}
+
 TEST_CASE("info does not unfold a graph of 2^200 spheres, nor recurse down 100,000 composites", "[app][info]") {
   Lichtraum const lichtraum;
   std::string const start = "define material m 1 1 1 1 1 1 0 0 0 1\ndefine shape sphere s0 0 0 0 1 m\n";

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -310,6 +312,22 @@ TEST_CASE("paths: what blends covers its share of the background", "[image][path
   double alpha = 0;
   for (float const value : film.values(FilmPlane::alpha)) alpha += value / 256;
   CHECK(alpha == Approx(0.5).margin(0.02));
+}
+
+TEST_CASE("paths: an environment of one colour lights like ambient light of it", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  std::string const body = ball("0.3 0.3 0.3  0.5 0.5 0.5  0 0 0 1");
+  Scene const scene = scene_of(body + "define light environment sky 2 1 1 brightness=0.5 rotation=77\n");
+  RenderRequest request = path_request(scene, {16, 16}, 4, 16);
+  Mean const mean = mean_of(trace(scene, request));
+  CHECK(mean.least == Approx(0.5).margin(1e-4));
+  CHECK(mean.most == Approx(0.5).margin(1e-4));
+  Scene const seen = scene_of(body + "define light environment sky 2 1 1\ntransform eye translate 9 0 0\n");
+  request = path_request(seen, {4, 4}, 1, 16);
+  request.background = Background::environment();
+  Image const sky = trace(seen, request);
+  CHECK(sky.pixel(1, 2)[0] == Approx(2).margin(1e-6));
+  CHECK(sky.pixel(1, 2)[2] == Approx(1).margin(1e-6));
 }
 
 TEST_CASE("paths: noise falls at least as the square root of the samples", "[image][path][statistics]") {

@@ -1,7 +1,10 @@
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
+#include "support/temporary_folder.hpp"
 
 // Every form of a statement and what it means.
 
@@ -209,6 +212,62 @@ TEST_CASE("lights may be called like their classes", "[unit][esdf]") {
   CHECK(light(scene, "diffuse").la() == Rgb(.1, .2, .3));
   CHECK(light(scene, "ambient").kind() == "point");
   CHECK(light(scene, "ambient").brightness() == Rgb(.2, .4, .6));
+}
+
+TEST_CASE("an environment is a file's, the studio, or one colour", "[unit][esdf]") {
+  std::string const define = "define light environment sky ";
+  auto const environment = [&](std::string const& rest) {
+    auto const found = scene_of(define + rest + "\n").environment;
+    REQUIRE(found);
+    REQUIRE(found->map);
+    CHECK(found->name == "sky");
+    return *found;
+  };
+  EnvironmentLight const color = environment("0.5 2 0");
+  CHECK(color.map->width == 1);
+  CHECK(color.map->height == 1);
+  CHECK(color.map->radiance == std::vector<float>{0.5f, 2, 0});
+  CHECK(color.rotation_degrees == 0);
+  CHECK(color.brightness == 1);
+  EnvironmentLight const studio = environment("studio brightness=0.5 rotation=-400");
+  CHECK(studio.map->radiance == environment_map("studio")->radiance);
+  CHECK(studio.source == "studio");
+  CHECK(studio.rotation_degrees == -400);
+  CHECK(studio.brightness == 0.5);
+  CHECK(environment("1 1 1 brightness=0").brightness == 0);
+  CHECK(scene_of(define + "1 1 1\ndefine light sun 0 0 0 1 1 1 1 1 1\n").lights.size() == 1);
+}
+
+TEST_CASE("the file of an environment lies beside the scene", "[unit][esdf]") {
+  TemporaryFolder const folder;
+  std::filesystem::create_directory(folder / "maps");
+  folder.write("maps/sky.hdr", "#?RADIANCE\n\n-Y 1 +X 2\n\x80\x80\x80\x80\x40\x40\x40\x80");
+  folder.write("maps/short.hdr", "#?RADIANCE\n\n-Y 1 +X 2\n\x80\x80\x80\x80\x40");
+  std::vector<std::filesystem::path> read;
+  EsdfOptions options;
+  options.on_read = [&](std::filesystem::path const& file) { read.push_back(file.filename()); };
+  auto const load = [&](std::string const& file) {
+    return EsdfScript::from_text("\ndefine light environment sky " + file + "\n", "s.sdf", options, folder.path())
+        .take_scene();
+  };
+  Scene const scene = load("maps/sky.hdr");
+  REQUIRE(scene.environment);
+  CHECK(scene.environment->map->width == 2);
+  CHECK(read == std::vector<std::filesystem::path>{"sky.hdr"});
+  for (std::string const file : {"maps/short.hdr", "maps/none.hdr", "maps", "../sky.hdr"}) {
+    INFO(file);
+    try {
+      load(file);
+      FAIL("it was read");
+    } catch (SceneError const& error) {
+      CHECK(count_errors(error.diagnostics()) == 1);
+      Diagnostic const& problem = error.diagnostics().back();  // after the note that this is a dialect
+      CHECK(problem.severity == Severity::error);
+      CHECK(problem.location.line == 2);
+      CHECK(problem.location.column == 30);
+      CHECK(problem.length == file.size());
+    }
+  }
 }
 
 TEST_CASE("ambient light in every form adds up", "[unit][esdf]") {

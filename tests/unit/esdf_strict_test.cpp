@@ -51,6 +51,8 @@ TEST_CASE("strict mode refuses every dialect, which is accepted otherwise", "[un
                                  "define light a 0 0 0 1 1 1 10",
                                  "define light a 0 0 0 1 1 1",
                                  "define light diffuse a 0 0 0 1 1 1 1 1 1",
+                                 "define light environment a studio",
+                                 "define light environment a 1 1 1 rotation=4 brightness=2",
                                  "define light ambient a 0 0 0 1 1 1 1 1 1",
                                  "define light ambient a 0 0 0 1 1 1",
                                  "define light ambient 0 0 0 1 1 1",

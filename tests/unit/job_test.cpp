@@ -96,6 +96,24 @@ TEST_CASE("the integrator is the job's, the render's, or what the scene needs", 
   CHECK(choice(job) == Choice(Integrator::path, "models are, unless asked otherwise"));
 }
 
+TEST_CASE("an environment is seen unless the scene has another background, or it is the studio", "[unit][job]") {
+  Scene scene = two_pictures();
+  auto const shown = [&](Job const& job) { return request_of(job, scene).background; };
+  scene.environment = EnvironmentLight{"1 1 1", uniform_environment(1, 1, 1)};
+  CHECK(shown(job_of()) == Background::environment());
+  Job job = job_of();
+  job.integrator = Integrator::whitted;
+  CHECK(!shown(job));
+  scene.background = Rgb(0, 0, 1);
+  CHECK(!shown(job_of()));
+  job = job_of();
+  job.reading.environment.source = "sky.hdr";  // which the command line asks for
+  CHECK(shown(job) == Background::environment());
+  scene.background = Rgb(0);
+  scene.environment->source = "studio";
+  CHECK(!shown(job_of()));
+}
+
 TEST_CASE("what a job says wins over the scene", "[unit][job]") {
   Job job = job_of(1);
   job.camera = "eye";

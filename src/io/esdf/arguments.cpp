@@ -53,7 +53,8 @@ std::string hint_for_no_number(Token token) {
       return fmt::format("is a line break missing before '{}'?", word);
     }
   }
-  if (token.find('=') != Token::npos) return "key=value arguments come last, and only materials take them";
+  if (token.find('=') != Token::npos)
+    return "key=value arguments come last, and only materials, environments and render take them";
   return token.find(',') == Token::npos ? "" : "separate numbers by spaces";
 }
 
@@ -186,6 +187,19 @@ std::optional<Vec3> read_vec3(Interpreter& interpreter, std::span<Token const> t
   std::array<double, 3> v{};
   if (!read_numbers(interpreter, three_tokens.first(3), v)) return std::nullopt;
   return Vec3(v[0], v[1], v[2]);
+}
+
+std::optional<Rgb> read_radiance(Interpreter& interpreter, std::span<Token const> three_tokens, std::string_view what) {
+  constexpr double largest = 1e30;
+  auto const radiance = read_vec3(interpreter, three_tokens);
+  if (!radiance) return std::nullopt;
+  for (int c = 0; c < 3; ++c) {
+    if ((*radiance)[c] >= 0 && (*radiance)[c] <= largest) continue;
+    interpreter.error(three_tokens[std::size_t(c)], fmt::format("{} must lie between 0 and {:g}, not {}", what, largest,
+                                                                in_quotes(three_tokens[std::size_t(c)])));
+    return std::nullopt;
+  }
+  return radiance;
 }
 
 std::optional<int> read_whole_number(Interpreter& interpreter, Token token, std::string_view what, int smallest) {

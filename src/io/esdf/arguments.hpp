@@ -55,6 +55,8 @@ bool read_numbers(Interpreter& interpreter, std::span<Token const> tokens, std::
 
 std::optional<double> read_number(Interpreter& interpreter, Token token);
 std::optional<Vec3> read_vec3(Interpreter& interpreter, std::span<Token const> three_tokens);
+/// Light that is sent out, 0 to 1e30 each: sums of many samples stay numbers. `what` starts the message.
+std::optional<Rgb> read_radiance(Interpreter& interpreter, std::span<Token const> three_tokens, std::string_view what);
 
 /// A whole number, at least `smallest`; `what` starts the message: "the width".
 std::optional<int> read_whole_number(Interpreter& interpreter, Token token, std::string_view what, int smallest);

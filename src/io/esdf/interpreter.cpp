@@ -23,7 +23,8 @@ Token defined_name(Kind kind, std::span<Token const> tokens) {
   if (kind == Kind::camera && token(0) == "camera") return token(1);
   if (token(0) != "define" || token(1) != kind_names[static_cast<std::size_t>(kind)]) return {};
   if (kind == Kind::shape) return token(3);
-  bool const has_light_class = kind == Kind::light && (token(2) == "ambient" || token(2) == "diffuse");
+  bool const has_light_class =
+      kind == Kind::light && (token(2) == "ambient" || token(2) == "diffuse" || token(2) == "environment");
   return token(has_light_class ? 3 : 2);
 }
 
@@ -208,8 +209,21 @@ void Interpreter::define(Token name, Camera camera) {
 }
 
 void Interpreter::define(Token name, Light light) {
-  if (scene.lights.contains(name)) report_duplicate(Kind::light, name);
+  bool const is_environment = scene.environment && scene.environment->name == name;
+  if (is_environment || scene.lights.contains(name)) report_duplicate(Kind::light, name);
   scene.lights.insert_or_replace(std::move(light));
+}
+
+void Interpreter::define(Token name, EnvironmentLight environment) {
+  if (scene.environment && scene.environment->name != name) {
+    std::string const& first = scene.environment->name;
+    std::size_t const line = find_definition(Kind::light, first, false);
+    error(name, fmt::format("there is an environment already: {}", in_quotes(first)),
+          line == 0 ? std::string() : fmt::format("it is defined in line {}; a scene has one", line));
+  } else if (scene.environment || scene.lights.contains(name)) {
+    report_duplicate(Kind::light, name);
+  }
+  scene.environment = std::move(environment);
 }
 
 void Interpreter::render(RenderCommand command) {

@@ -78,6 +78,8 @@ class Interpreter {
   void define(Token name, std::shared_ptr<Material> material);
   void define(Token name, Camera camera);
   void define(Token name, Light light);
+  /// The only one: a second is reported, and takes the first one's place.
+  void define(Token name, EnvironmentLight environment);
   /// Reports a reference to something that does not exist, with what was probably meant.
   template <class... Names>
   void report_undefined(std::string_view what, Kind kind, Token name, Names const&... names) {

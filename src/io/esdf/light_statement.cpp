@@ -1,16 +1,19 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/parse_number.hpp"
+#include "io/esdf/environment_statement.hpp"
 #include "io/esdf/interpreter.hpp"
 #include "io/esdf/statements.hpp"
 
 // define light <name> [pos] [La] [Ld]
 // define light diffuse <name> [pos] [Ld]
 // define light ambient <name> [La]
+// define light environment: see environment_statement.cpp
 // Dialects: define light <name> [pos] [colour] <brightness>, and the rows of docs/ESDF.md.
 
 namespace lichtraum::esdf {
@@ -149,6 +152,18 @@ void define_ambient_light(Interpreter& interpreter, Statement const& outer, Stat
   }
 }
 
+/// `outer` starts with the word 'environment', `statement` after it.
+void define_environment_light(Interpreter& interpreter, Statement const& outer, Statement const& statement) {
+  auto const& words = statement.arguments;
+  bool const is_name = (words.size() == 9 || words.size() == 7 || words.size() == 6) &&
+                       std::all_of(words.begin(), words.end(), looks_like_number);
+  if (is_name) {
+    define_plain(interpreter, outer);  // a light that is called 'environment'
+  } else if (interpreter.dialect(outer.rest(0), "an environment")) {
+    define_environment(interpreter, {"environment light", statement.keyword, words});
+  }
+}
+
 /// A name for an ambient light that was given none. It has a blank, so that no file can use it.
 std::string free_ambient_name(Scene const& scene) { return fmt::format("ambient light {}", scene.lights.size() + 1); }
 
@@ -160,6 +175,8 @@ void define_light(Interpreter& interpreter, Statement const& statement) {
     define_ambient_light(interpreter, statement, {statement.what, word, statement.arguments.subspan(1)});
   } else if (word == "diffuse") {
     define_diffuse(interpreter, statement, {statement.what, word, statement.arguments.subspan(1)});
+  } else if (word == "environment") {
+    define_environment_light(interpreter, statement, {statement.what, word, statement.arguments.subspan(1)});
   } else {
     define_plain(interpreter, statement);
   }

@@ -82,6 +82,10 @@ EnvironmentMap read_environment(std::filesystem::path const& path) {
   return decode_environment({bytes, printable(path.string())});
 }
 
+std::shared_ptr<EnvironmentMap const> uniform_environment(float red, float green, float blue) {
+  return std::make_shared<EnvironmentMap>(EnvironmentMap{1, 1, {red, green, blue}});
+}
+
 std::shared_ptr<EnvironmentMap const> environment_map(std::string const& source) {
   return source == "studio" ? studio_environment() : std::make_shared<EnvironmentMap>(read_environment(source));
 }

@@ -108,7 +108,7 @@ struct IntegratorChoice {
 };
 
 /// The job's integrator; else that of the scene's `render`; else path for a scene that holds what only paths show (an
-/// environment); else usual_integrator. Throws Error{usage} for a picture that there is not.
+/// environment, a material with emission); else usual_integrator. Throws Error{usage} for a picture that there is not.
 IntegratorChoice chosen_integrator(Job const& job, Scene const& scene);
 
 /// What is done about noise in a picture of that integrator: `asked`, unless that is `automatic`. Whitted's rays make

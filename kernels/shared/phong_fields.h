@@ -16,12 +16,12 @@
   COLOR(ks, 0)          /* specular reflectance */  \
   NUMBER(m, 1, 0, 1000) /* specular exponent, >= 0 */
 
-/* What it may have besides; in eSDF, shares and numbers are keys: reflect=0.5. */
+/* What it may have besides; in eSDF, shares and numbers are keys: reflect=0.5; colours words: emission 4 4 3. */
 #define PHONG_OPTIONAL_FIELDS(COLOR, SHARE, NUMBER)   \
   SHARE(reflect, 0)    /* of the mirror ray */        \
   SHARE(transmit, 0)   /* of the refracted ray */     \
   NUMBER(ior, 1, 1, 3) /* index of refraction, > 0 */ \
-  COLOR(emission, 0)   /* what it shows without any light; none lights other surfaces */
+  COLOR(emission, 0)   /* sent out, whatever light arrives */
 
 #define PHONG_FIELDS(COLOR, SHARE, NUMBER) \
   PHONG_STANDARD_FIELDS(COLOR, SHARE, NUMBER) PHONG_OPTIONAL_FIELDS(COLOR, SHARE, NUMBER)

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <iterator>
 
@@ -101,6 +102,14 @@ RenderRequest request_through(Camera const& camera, Job const& job) {
   return request;
 }
 
+/// Whether a surface of the scene itself, not of a model in it, lights others.
+bool has_shining_material(Scene const& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(), [](auto const& material) {
+    auto const* const phong = std::get_if<PhongModel>(&material->model());
+    return phong && phong->emission != Rgb(0);
+  });
+}
+
 }  // namespace
 
 Integrator usual_integrator(bool is_model) { return is_model ? Integrator::path : Integrator::whitted; }
@@ -110,6 +119,7 @@ IntegratorChoice chosen_integrator(Job const& job, Scene const& scene) {
   if (auto const asked = command_of(job, scene).integrator) return {*asked, "the scene's render asks for it"};
   if (is_model(job)) return {usual_integrator(true), "models are, unless asked otherwise"};
   if (scene.environment) return {Integrator::path, "only paths show an environment's light"};
+  if (has_shining_material(scene)) return {Integrator::path, "only paths show what an emission lights"};
   return {usual_integrator(false), "scenes are, unless asked otherwise"};
 }
 

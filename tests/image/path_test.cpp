@@ -83,7 +83,7 @@ void check_is_whitteds(Scene const& scene, RenderRequest request, std::string co
   check_picture(paths, trace(scene, request), name, share);
 }
 
-/// eSDF has no word for it.
+/// As `emission` in the material's line would.
 void let_shine(Scene& scene, char const* material, Rgb const& emission) {
   Material& m = **scene.materials.find(material);
   PhongModel model = m.phong();
@@ -328,6 +328,51 @@ TEST_CASE("paths: an environment of one colour lights like ambient light of it",
   Image const sky = trace(seen, request);
   CHECK(sky.pixel(1, 2)[0] == Approx(2).margin(1e-6));
   CHECK(sky.pixel(1, 2)[2] == Approx(1).margin(1e-6));
+}
+
+TEST_CASE("paths: a panel's emission lights what faces it", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  // A square of 2 x 2, 1 above a small matt spot: its form factor is that of four squares of 1 x 1 at a corner.
+  auto const spot = [](std::string const& panel) {
+    Scene const scene = scene_of(R"(
+define material matt 0 0 0  0.5 0.5 0.5  0 0 0 1
+define material lamp 0 0 0  0 0 0  0 0 0 1  emission 2 2 2
+define shape box floor -9 -1 -9  9 0 9 matt
+)" + panel + R"(
+define camera eye 0.01
+transform eye rotate -45 1 0 0
+transform eye translate 0 0.5 0.5
+)");
+    return mean_of(trace(scene, path_request(scene, {32, 32}, 64, 1)));
+  };
+  double const a = 1 / std::sqrt(2.0);
+  double const form_factor = 4 / (2 * 3.14159265358979) * (a * std::atan(a) + a * std::atan(a));
+  Mean const triangles =
+      spot("define shape triangle p -1 1 -1  1 1 -1  1 1 1 lamp\ndefine shape triangle q -1 1 -1  1 1 1  -1 1 1 lamp");
+  Mean const box = spot("define shape box p -1 1 -1  1 1.1 1 lamp");
+  INFO(form_factor << ", triangles " << triangles.value << ", box " << box.value << " +- " << box.error);
+  CHECK(triangles.value == Approx(0.5 * 2 * form_factor).margin(3.5 * triangles.error));
+  CHECK(box.value == Approx(0.5 * 2 * form_factor).margin(3.5 * box.error));
+  CHECK(triangles.error < 0.5 * box.error);  // it is looked for; the box is found by chance
+}
+
+TEST_CASE("what shines beyond all measure leaves no pixel without a number", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene const scene = scene_of(R"(
+define material matt 0 0 0  0.5 0.5 0.5  0.3 0.3 0.3 20
+define material lamp 0 0 0  0 0 0  0 0 0 1  emission 1e30 1e30 1e30
+define shape box floor -9 -1.2 -9  9 -1 9 matt
+define shape triangle panel -1 1 -6  1 1 -6  1 1 -4 lamp
+define shape sphere ball 0 0 -6 0.7 lamp
+define light environment sky 1e30 1e30 1e30 brightness=1e6
+define camera eye 50
+)");
+  for (auto const integrator : {Integrator::path, Integrator::whitted}) {
+    RenderRequest request = path_request(scene, {24, 18}, 32, 8);
+    request.integrator = integrator;
+    Image const image = trace(scene, request);
+    CHECK(std::ranges::all_of(image.data(), [](float value) { return std::isfinite(value) && value >= 0; }));
+  }
 }
 
 TEST_CASE("paths: noise falls at least as the square root of the samples", "[image][path][statistics]") {

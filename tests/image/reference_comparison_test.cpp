@@ -172,7 +172,7 @@ struct Variant {
   int depth = 5;
   ToneMap tone_map = ToneMap::none;
   Transfer transfer = Transfer::linear;
-  Rgb emission{0};  ///< of the red material: eSDF has no word for it
+  Rgb emission{0};  ///< of the red material
 };
 
 std::vector<Variant> variants() {

@@ -68,6 +68,19 @@ TEST_CASE("materials", "[unit][esdf]") {
   CHECK(material(scene, "d").ior() == 1.5);
 }
 
+TEST_CASE("what a material sends out", "[unit][esdf]") {
+  auto const material = [](std::string const& rest) {
+    return *scene_of("define material m .1 .2 .3 .4 .5 .6 .7 .8 .9 25" + rest + "\n").materials.front();
+  };
+  CHECK(material("").emission() == Rgb(0));
+  CHECK(material(" emission 4 0 1e30").emission() == Rgb(4, 0, 1e30));
+  CHECK(material(" emission 4 4 3 ior=1.5").ior() == 1.5);
+  CHECK(material(" reflect=0.5 emission 4 4 3 ior=1.5").emission() == Rgb(4, 4, 3));
+  CHECK(material(" reflect=0.5 emission 4 4 3 ior=1.5").reflect() == 0.5);
+  CHECK(scene_of("define material emission 1 1 1 1 1 1 1 1 1 1 emission 1 2 3\n").materials.front()->emission() ==
+        Rgb(1, 2, 3));
+}
+
 TEST_CASE("what material extras mean, the options say", "[unit][esdf]") {
   std::string const text = "define material a 0 0 0 0 0 0 0 0 0 1 .25 1.5 .5\n";
   Scene const ignored = scene_of(text);

@@ -66,6 +66,7 @@ TEST_CASE("strict mode refuses every dialect, which is accepted otherwise", "[un
                                  "define camera a 45 0 0 0 0 0 -1",
                                  "define camera a 45 0 0 0 0 0 -1 0 1 0",
                                  "define camera a 45 640 480 0 0 0 0 0 -1",
+                                 "define material a 1 0 0 1 0 0 1 0 0 10 emission 1 1 1",
                                  "define material a 1 0 0 1 0 0 1 0 0 10 1",
                                  "define material a 1 0 0 1 0 0 1 0 0 10 1 1 1 1",
                                  "render eye a.ppm 640 480 4",

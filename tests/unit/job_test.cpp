@@ -80,9 +80,12 @@ TEST_CASE("the integrator is the job's, the render's, or what the scene needs", 
   CHECK(choice(job_of()) == Choice(Integrator::whitted, "scenes are, unless asked otherwise"));
   scene.environment = EnvironmentLight{"studio", std::make_shared<EnvironmentMap>(EnvironmentMap{1, 1, {1, 1, 1}})};
   CHECK(choice(job_of()) == Choice(Integrator::path, "only paths show an environment's light"));
+  scene.environment.reset();
+  scene.materials.insert(std::make_shared<Material>("lamp", PhongModel{.emission = Rgb(0, 0, 1)}));
+  CHECK(choice(job_of()) == Choice(Integrator::path, "only paths show what an emission lights"));
   scene.renders[1].integrator = Integrator::whitted;
   CHECK(choice(job_of(1)) == Choice(Integrator::whitted, "the scene's render asks for it"));
-  scene.environment.reset();
+  scene.materials = {};
   scene.renders[1].integrator = Integrator::path;
   CHECK(choice(job_of(1)) == Choice(Integrator::path, "the scene's render asks for it"));
   CHECK(choice(job_of(0)).first == Integrator::whitted);

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "core/parse_number.hpp"
 #include "io/esdf/interpreter.hpp"
 #include "io/esdf/keys.hpp"
 #include "io/esdf/statements.hpp"
 
-// define material <name> [Ka] [Kd] [Ks] <m> [reflect=<0..1>] [transmit=<0..1>] [ior=<n>]
+// define material <name> [Ka] [Kd] [Ks] <m> [reflect=<0..1>] [transmit=<0..1>] [ior=<n>] [emission [rgb]]
 // Dialects: one to four more numbers, whose meaning options.material_extras says.
 
 namespace lichtraum::esdf {
@@ -21,12 +22,31 @@ constexpr std::size_t most_numbers = 14;
 
 #define LICHTRAUM_NONE(...)
 
-/// The terms that have keys, as far as they were given.
+/// The terms that have keys, or words of their own, as far as they were given.
 struct OptionalTerms {
+#define LICHTRAUM_COLOR(name, ...) std::optional<Rgb> name;
 #define LICHTRAUM_TERM(name, ...) std::optional<double> name;
-  PHONG_OPTIONAL_FIELDS(LICHTRAUM_NONE, LICHTRAUM_TERM, LICHTRAUM_TERM)
+  PHONG_OPTIONAL_FIELDS(LICHTRAUM_COLOR, LICHTRAUM_TERM, LICHTRAUM_TERM)
+#undef LICHTRAUM_COLOR
 #undef LICHTRAUM_TERM
 };
+
+/// A term that is a word and three numbers.
+struct ColorWord {
+  std::string_view word;
+  std::optional<Rgb> OptionalTerms::*term;
+};
+constexpr ColorWord color_words[] = {
+#define LICHTRAUM_COLOR(name, initial) {#name, &OptionalTerms::name},
+    PHONG_OPTIONAL_FIELDS(LICHTRAUM_COLOR, LICHTRAUM_NONE, LICHTRAUM_NONE)
+#undef LICHTRAUM_COLOR
+};
+
+ColorWord const* find_color_word(Token token) {
+  auto const* const found = std::find_if(std::begin(color_words), std::end(color_words),
+                                         [&](ColorWord const& known) { return known.word == token; });
+  return found == std::end(color_words) ? nullptr : found;
+}
 
 /// A term in its range.
 std::optional<double> read_share(Interpreter& interpreter, std::string_view word, Token value) {
@@ -59,6 +79,52 @@ auto keys_of(Interpreter& interpreter, OptionalTerms& terms) {
 #undef LICHTRAUM_SHARE
 #undef LICHTRAUM_NUMBER
   });
+}
+
+/// `tokens` start with the word.
+bool read_color(Interpreter& interpreter, ColorWord const& color, std::span<Token const> tokens, OptionalTerms& terms) {
+  std::string const hint = fmt::format("{} <r> <g> <b>", color.word);
+  if (tokens.size() < 4) {
+    interpreter.error(place_after(tokens.back()), fmt::format("material: {} is followed by 3 numbers", color.word),
+                      hint);
+    return false;
+  }
+  Token const at = span_of(tokens[0], tokens[3]);
+  if (!interpreter.dialect(at, color.word)) return false;
+  if (terms.*color.term) {
+    interpreter.error(at, fmt::format("material: {} is given twice", color.word));
+    return false;
+  }
+  terms.*color.term = read_radiance(interpreter, tokens.subspan(1, 3), fmt::format("material: {}", color.word));
+  return (terms.*color.term).has_value();
+}
+
+/// What follows the numbers: colours and keys, in any order.
+bool read_terms(Interpreter& interpreter, Statement const& statement, std::size_t first, OptionalTerms& terms) {
+  std::vector<Token> others;
+  bool good = true;
+  for (std::size_t i = first; i < statement.size(); ++i) {
+    Token const token = statement[i];
+    Token const word = token.substr(0, token.find('='));
+    ColorWord const* const color = find_color_word(word);
+    if (!color) {
+      others.push_back(token);
+    } else if (word != token) {
+      interpreter.error(token, fmt::format("material: {} is followed by 3 numbers, not by '='", word),
+                        fmt::format("{} <r> <g> <b>", word));
+      good = false;
+    } else {
+      std::span<Token const> const rest = statement.arguments.subspan(i);
+      auto const next_key = std::find_if(rest.begin(), rest.end(), has_key);
+      std::size_t const count = std::min<std::size_t>(4, std::size_t(next_key - rest.begin()));
+      good &= read_color(interpreter, *color, rest.first(count), terms);
+      i += count - 1;
+    }
+  }
+  auto const keys = keys_of(interpreter, terms);
+  return read_keys(interpreter, {statement.what, statement.keyword, others}, 0, keys,
+                   "numbers come before " + list_of(keys)) &&
+         good;
 }
 
 // Extra numbers have no fixed meaning and come from programs with other ranges: they are brought into range.
@@ -113,7 +179,8 @@ bool read_extras(Interpreter& interpreter, std::span<Token const> tokens, Option
 
 bool read_material(Interpreter& interpreter, Statement const& statement) {
   auto const& arguments = statement.arguments;
-  auto const first_key = std::find_if(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end(), has_key);
+  auto const first_key = std::find_if(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end(),
+                                      [](Token token) { return has_key(token) || find_color_word(token); });
   auto const positional = static_cast<std::size_t>(first_key - arguments.begin());
   if (positional < 1 + number_count || positional > 1 + most_numbers) {
     report_wrong_count(interpreter, {statement.what, statement.keyword, arguments.first(positional)}, signature);
@@ -128,10 +195,7 @@ bool read_material(Interpreter& interpreter, Statement const& statement) {
   }
   // A key says it clearly, so it wins over an extra number.
   OptionalTerms named;
-  if (first_key != arguments.end()) {
-    auto const keys = keys_of(interpreter, named);
-    good &= read_keys(interpreter, statement, positional, keys, "numbers come before " + list_of(keys));
-  }
+  if (first_key != arguments.end()) good &= read_terms(interpreter, statement, positional, named);
   if (good && v[9] < 0) {
     interpreter.error(arguments[number_count],
                       fmt::format("material: m must not be negative, not {}", in_quotes(arguments[number_count])));
@@ -141,7 +205,7 @@ bool read_material(Interpreter& interpreter, Statement const& statement) {
 
   PhongModel model{.ka = {v[0], v[1], v[2]}, .kd = {v[3], v[4], v[5]}, .ks = {v[6], v[7], v[8]}, .m = v[9]};
 #define LICHTRAUM_TERM(name, ...) model.name = named.name.value_or(terms.name.value_or(model.name));
-  PHONG_OPTIONAL_FIELDS(LICHTRAUM_NONE, LICHTRAUM_TERM, LICHTRAUM_TERM)
+  PHONG_OPTIONAL_FIELDS(LICHTRAUM_TERM, LICHTRAUM_TERM, LICHTRAUM_TERM)
 #undef LICHTRAUM_TERM
 #undef LICHTRAUM_NONE
   if (model.reflect + model.transmit > 1) {

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
 #include "lichtraum/esdf.hpp"
 #include "lichtraum/image_io.hpp"
+#include "lichtraum/job.hpp"
 #include "reference/renderer.hpp"
 #include "support/catch.hpp"
 #include "support/decode.hpp"
@@ -52,7 +54,8 @@ Image image_of(DecodedImage const& decoded) {
   return image;
 }
 
-void compare_with_baseline(Image const& picture, std::string const& name) {
+/// What the picture was; `picture` becomes that where baselines are to be written.
+Image baseline(Image const& picture, std::string const& name) {
   auto const path = project / "tests/image/baselines" / (name + ".png");
   if (std::getenv("LICHTRAUM_WRITE_BASELINES")) {
     std::filesystem::create_directories(path.parent_path());
@@ -60,7 +63,32 @@ void compare_with_baseline(Image const& picture, std::string const& name) {
   }
   INFO(path << " is missing: see the top of gallery_test.cpp");
   REQUIRE(std::filesystem::exists(path));
-  check_picture(picture, image_of(decode(read_project_file(path))), name + ", baseline");
+  return image_of(decode(read_project_file(path)));
+}
+
+void compare_with_baseline(Image const& picture, std::string const& name) {
+  check_picture(picture, baseline(picture, name), name + ", baseline");
+}
+
+/// Paths leave noise: few pixels of many samples, and the root of the mean square of what differs.
+void check_paths(Scene const& scene, RenderRequest request, std::string const& name) {
+  constexpr int reduction = 5, samples = 4096;
+  constexpr double largest_difference = 0.012;  // some three steps of eight bits, which rounding takes one of
+  request.resolution = {request.resolution.width / reduction, request.resolution.height / reduction};
+  request.region = whole_picture(request.camera, request.resolution).region;
+  request.sampling = {Sampling::Pattern::seeded, samples};
+  request.max_depth = 16;
+  for (DeviceInfo const& device : opencl_devices()) {
+    Image const picture = render_on(device, scene, request, {}, as_the_scene_says);
+    Image const expected = baseline(picture, name);
+    REQUIRE(picture.data().size() == expected.data().size());
+    double squares = 0;
+    for (std::size_t i = 0; i < expected.data().size(); ++i) {
+      double const difference = std::clamp(picture.data()[i], 0.0f, 1.0f) - expected.data()[i];
+      squares += difference * difference / double(expected.data().size());
+    }
+    CHECK(std::sqrt(squares) < largest_difference);
+  }
 }
 
 }  // namespace
@@ -79,7 +107,16 @@ TEST_CASE("the gallery looks as it did, on every device", "[image]") {
         ++index;
         if (!is_shown) return true;
         std::string const name = file.stem().string() + (count > 1 ? fmt::format("_{}", index) : "");
-        RenderRequest const request = small_request(scene, command);
+        RenderRequest request = small_request(scene, command);
+        Job job;
+        job.scene = file;
+        Job const decided = resolved(job, scene);
+        if (decided.integrator == Integrator::path) {
+          if (decided.background) request.background = decided.background->shown;
+          request.integrator = Integrator::path;
+          check_paths(scene, request, name);
+          return true;
+        }
         Image const expected = render_reference(scene, request, as_the_scene_says);
         compare_with_baseline(expected, name);
         for (DeviceInfo const& device : opencl_devices()) {

@@ -46,20 +46,21 @@
   SHARE(clearcoat, 0, "clearcoat", "clearcoatFactor")                                                                \
   TEXTURE(clearcoat_texture, "clearcoat", "clearcoatTexture") /* red */                                              \
   SHARE(clearcoat_roughness, 0, "clearcoat", "clearcoatRoughnessFactor")                                             \
-  TEXTURE(clearcoat_roughness_texture, "clearcoat", "clearcoatRoughnessTexture") /* green */
+  TEXTURE(clearcoat_roughness_texture, "clearcoat", "clearcoatRoughnessTexture") /* green */                         \
+  TEXTURE(clearcoat_normal_texture, "clearcoat", "clearcoatNormalTexture")                                           \
+  NUMBER(clearcoat_normal_scale, 1, 0, 4, "", "")                                                                    \
+  COLOR(sheen_color, 0, "sheen", "sheenColorFactor")                                                                 \
+  TEXTURE(sheen_color_texture, "sheen", "sheenColorTexture")                                                         \
+  SHARE(sheen_roughness, 0, "sheen", "sheenRoughnessFactor")                                                         \
+  TEXTURE(sheen_roughness_texture, "sheen", "sheenRoughnessTexture") /* alpha */                                     \
+  SHARE(anisotropy, 0, "anisotropy", "anisotropyStrength")                                                           \
+  NUMBER(anisotropy_rotation, 0, -3.14159265, 3.14159265, "", "") /* radians */                                      \
+  TEXTURE(anisotropy_texture, "anisotropy", "anisotropyTexture")  /* red and green: direction, blue: strength */
 
 /* What none of them reads yet. */
 #define PBR_HOST_FIELDS(COLOR, SHARE, NUMBER, TEXTURE, MODE)                                                 \
   NUMBER(dispersion, 0, 0, 1, "dispersion", "dispersion")  /* 20 / Abbe number */                            \
   TEXTURE(thickness_texture, "volume", "thicknessTexture") /* green */                                       \
-  TEXTURE(clearcoat_normal_texture, "clearcoat", "clearcoatNormalTexture")                                   \
-  COLOR(sheen_color, 0, "sheen", "sheenColorFactor")                                                         \
-  TEXTURE(sheen_color_texture, "sheen", "sheenColorTexture")                                                 \
-  SHARE(sheen_roughness, 0, "sheen", "sheenRoughnessFactor")                                                 \
-  TEXTURE(sheen_roughness_texture, "sheen", "sheenRoughnessTexture") /* alpha */                             \
-  SHARE(anisotropy, 0, "anisotropy", "anisotropyStrength")                                                   \
-  NUMBER(anisotropy_rotation, 0, -INFINITY, INFINITY, "anisotropy", "anisotropyRotation") /* radians */      \
-  TEXTURE(anisotropy_texture, "anisotropy", "anisotropyTexture")                                             \
   SHARE(iridescence, 0, "iridescence", "iridescenceFactor")                                                  \
   TEXTURE(iridescence_texture, "iridescence", "iridescenceTexture") /* red */                                \
   NUMBER(iridescence_ior, 1.3, 1, 3, "iridescence", "iridescenceIor")                                        \

@@ -21,11 +21,10 @@ class Textures {
 
   device::TextureSlot slot(TextureSlot const& source, std::vector<int> const& used_sets) {
     device::TextureSlot result{};
-    result.texture = NO_TEXTURE;
-    if (!source) return result;
-    result.texture = number_of(source.texture);
+    result.texture = source ? number_of(source.texture) : NO_TEXTURE;
+    // An empty slot looks somewhere, too: that of anisotropy says along what it is.
     auto const place = std::find(used_sets.begin(), used_sets.end(), source.texcoord);
-    result.texcoord = device::uint(place - used_sets.begin());
+    result.texcoord = place == used_sets.end() ? 0 : device::uint(place - used_sets.begin());
     // The columns of the affine map, read off its images of the origin and the axes.
     glm::dvec2 const origin = transform_coordinate(source, {0, 0});
     glm::dvec2 const u = transform_coordinate(source, {1, 0}) - origin;
@@ -72,7 +71,7 @@ static_assert(int(AlphaMode::opaque) == ALPHA_OPAQUE && int(AlphaMode::mask) == 
 
 device::uint flags_of(PbrModel const& m) {
   return PBR_IS_PRESENT | (varies(m) ? PBR_VARIES : 0u) | (has_cutouts(m) ? PBR_CUTOUT : 0u) |
-         (filters(m) ? PBR_FILTERS : 0u);
+         (filters(m) ? PBR_FILTERS : 0u) | (varies_more(m) ? PBR_VARIES_MORE : 0u);
 }
 
 /// `slot_of` has the device's slot for a member of the model.
@@ -122,6 +121,7 @@ device::uint features_of(Material const& material) {
   features |= SCENE_PBR;
   if (has_cutouts(*pbr) || filters(*pbr)) features |= SCENE_CUTOUTS;
   if (filters(*pbr)) features |= SCENE_TRANSPARENCY;
+  if (needs_tangents(*pbr)) features |= SCENE_TANGENTS;
   return features;
 }
 

@@ -7,6 +7,7 @@
 #include "core/huge_pages.hpp"
 #include "core/parallel_ranges.hpp"
 #include "lichtraum/error.hpp"
+#include "scene/pbr_evaluation.hpp"
 #include "scene/used_texcoords.hpp"
 
 namespace lichtraum {
@@ -28,7 +29,7 @@ VertexLayout layout_of(MeshGeometry const& geometry, Material const* material) {
     layout.floats += 3;
   }
   if (!pbr) return layout;
-  if (!geometry.tangents.empty() && pbr->normal_texture && !is_unlit) {
+  if (!geometry.tangents.empty() && !is_unlit && (pbr->normal_texture || needs_tangents(*pbr))) {
     layout.format |= VERTEX_TANGENT;
     layout.floats += 4;
   }

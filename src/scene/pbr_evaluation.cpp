@@ -24,11 +24,20 @@ bool varies(PbrModel const& m) {
          m.clearcoat_roughness_texture;
 }
 
+bool varies_more(PbrModel const& m) {
+  return m.sheen_color_texture || m.sheen_roughness_texture || m.anisotropy_texture;
+}
+
 bool has_cutouts(PbrModel const& m) { return m.alpha_mode != AlphaMode::opaque; }
 
 bool filters(PbrModel const& m) {
   return m.alpha_mode == AlphaMode::blend ||
          (m.transmission > 0 && (m.transmission_texture || m.metallic_roughness_texture));
+}
+
+bool needs_tangents(PbrModel const& m) {
+  bool const has_own_coat = m.clearcoat > 0 && (m.normal_texture || m.clearcoat_normal_texture);
+  return !m.unlit && (m.anisotropy > 0 || has_own_coat);
 }
 
 double base_alpha(PbrModel const& m, MeshPoint const& point) {

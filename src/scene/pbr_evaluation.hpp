@@ -10,6 +10,8 @@ namespace lichtraum {
 
 /// Whether textures change what a material is from point to point; normal maps do not count.
 bool varies(PbrModel const& material);
+/// The same of what its Phong coefficients know nothing of: sheen and anisotropy.
+bool varies_more(PbrModel const& material);
 /// Whether a ray may go through a surface because nothing is there: alpha masks, and what blends.
 bool has_cutouts(PbrModel const& material);
 /// Whether textures or vertices decide how much light it lets through.
@@ -17,6 +19,10 @@ bool filters(PbrModel const& material);
 
 /// What a slot shows at a point: all ones where it is empty, or where the mesh lacks its texture coordinates.
 glm::dvec4 texel_at(TextureSlot const& slot, MeshPoint const& point, TexelContent content);
+
+/// Whether light needs to know how textures lie on a surface: anisotropy does, and a coat whose normal is not the
+/// base's.
+bool needs_tangents(PbrModel const& material);
 
 /// Alpha, whatever the mode makes of it: factor times texture times vertex colour.
 double base_alpha(PbrModel const& material, MeshPoint const& point);

@@ -145,7 +145,7 @@ TEST_CASE("All that kernels read of a glTF material is on the device", "[kernel]
   CHECK(read[0].flags == 0);
   CHECK(read[2].flags == 0);
   device::PbrMaterial const& r = read[1];
-  CHECK(r.flags == (PBR_IS_PRESENT | PBR_VARIES | PBR_CUTOUT | PBR_FILTERS));
+  CHECK(r.flags == (PBR_IS_PRESENT | PBR_VARIES | PBR_CUTOUT | PBR_FILTERS | PBR_VARIES_MORE));
   CHECK(r.alpha_mode == ALPHA_MASK);
   CHECK(r.transmission_texture.row_u[0] == 2);
   CHECK(r.transmission_texture.row_v[1] == 3);

@@ -99,7 +99,8 @@ TEST_CASE("materials are kept whole and mapped to Phong", "[unit][gltf]") {
        {"emissiveFactor", {0, 0, 0.5}},
        {"extensions",
         {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}},
-         {"KHR_materials_clearcoat", {{"clearcoatFactor", 0.75}}}}}}};
+         {"KHR_materials_clearcoat", {{"clearcoatFactor", 0.75}, {"clearcoatNormalTexture", {{"scale", 0.5}}}}},
+         {"KHR_materials_anisotropy", {{"anisotropyStrength", 0.5}, {"anisotropyRotation", 7}}}}}}};
   Model const model = import_model(writer);
   Material const& paint = **model.scene.materials.find("paint");
   CHECK(paint.kd() == Rgb(1, 0.5, 0));
@@ -109,6 +110,9 @@ TEST_CASE("materials are kept whole and mapped to Phong", "[unit][gltf]") {
   CHECK(paint.emission() == Rgb(0, 0, 0.5));  // a quarter of it is there
   REQUIRE(paint.pbr());
   CHECK(paint.pbr()->clearcoat == 0.75);
+  CHECK(paint.pbr()->clearcoat_normal_scale == 0.5);
+  CHECK(paint.pbr()->anisotropy == 0.5);
+  CHECK(paint.pbr()->anisotropy_rotation == Approx(7 - 2 * 3.14159265358979));
   CHECK(paint.pbr()->base_color == Rgb(1, 0.5, 0));
   CHECK(paint.pbr()->alpha == 0.25);
   CHECK(paint.pbr()->alpha_mode == AlphaMode::blend);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "io/gltf/textures.hpp"
 #include "io/gltf/values.hpp"
@@ -59,6 +60,12 @@ class Reader {
 #undef LICHTRAUM_TEXTURE
 #undef LICHTRAUM_MODE
     if (!(m.attenuation_distance > 0)) m.attenuation_distance = INFINITY;
+    if (auto const* e = extension("KHR_materials_clearcoat"); e && e->Has("clearcoatNormalTexture")) {
+      m.clearcoat_normal_scale = number_of(e->Get("clearcoatNormalTexture"), "scale", 1);
+    }
+    if (auto const* e = extension("KHR_materials_anisotropy")) {
+      m.anisotropy_rotation = std::remainder(number_of(*e, "anisotropyRotation", 0), 2 * std::numbers::pi);
+    }
   }
 
   void read_core(PbrModel& m) {

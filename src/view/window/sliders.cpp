@@ -125,6 +125,7 @@ bool has_effect(PbrModel const& model, void const* field) {
   if (field == &model.alpha) return model.alpha_mode == AlphaMode::blend;
   if (field == &model.alpha_cutoff) return model.alpha_mode == AlphaMode::mask;
   if (field == &model.normal_scale) return bool(model.normal_texture);
+  if (field == &model.clearcoat_normal_scale) return bool(model.clearcoat_normal_texture);
   if (field == &model.occlusion_strength) return bool(model.occlusion_texture);
   return true;
 }

@@ -21,6 +21,8 @@
   NUMBER(mirror)                       /* shares of perfect mirror and glass */                                      \
   NUMBER(glass)                                                                                                      \
   NUMBER(coat) /* share of a clear coat above all of this, of index 1.5 */                                           \
-  NUMBER(coat_alpha)
+  NUMBER(coat_alpha)                                                                                                 \
+  COLOR(sheen) /* reflectance of the fibres of cloth, between the coat and the rest */                               \
+  NUMBER(sheen_alpha)
 
 #endif

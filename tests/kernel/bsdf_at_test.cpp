@@ -164,6 +164,27 @@ TEST_CASE("glTF's transmission is a thin wall without thickness, a solid with it
   CHECK(of_pbr(material).ior == 1);
 }
 
+TEST_CASE("glTF's sheen is what its factors say, within what makes sense", "[kernel][bsdf]") {
+  NEEDS_OPENCL_DEVICE();
+  device::PbrMaterial material = default_pbr();
+  check_color(of_pbr(material).sheen, Vec3(0));
+  for (int c = 0; c < 3; ++c) material.sheen_color[c] = 0.25f * float(c + 1);
+  material.sheen_roughness = 0.5f;
+  BsdfParameters const cloth = of_pbr(material);
+  check_color(cloth.sheen, {0.25, 0.5, 0.75});
+  CHECK(cloth.sheen_alpha == 0.25f);
+  set_color(material.sheen_color, 7);
+  material.sheen_roughness = 3;
+  check_color(of_pbr(material).sheen, Vec3(1));
+  CHECK(of_pbr(material).sheen_alpha == 1);
+  for (float const none : {0.f, -1.f, std::numeric_limits<float>::quiet_NaN()}) {
+    material.sheen_roughness = none;
+    set_color(material.sheen_color, none);
+    check_color(of_pbr(material).sheen, Vec3(0));
+    CHECK(of_pbr(material).sheen_alpha == 0.07f * 0.07f);
+  }
+}
+
 TEST_CASE("glTF's coat, alpha and unlit materials", "[kernel][bsdf]") {
   NEEDS_OPENCL_DEVICE();
   device::PbrMaterial material = default_pbr();
@@ -180,12 +201,13 @@ TEST_CASE("glTF's coat, alpha and unlit materials", "[kernel][bsdf]") {
   CHECK(of_pbr(material).opacity == 0.25f);
 
   material.unlit = 1;
+  set_color(material.sheen_color, 1);
   material.transmission = 1;
   set_color(material.emissive, 5);
   set_color(material.base_color, 0.5);
   BsdfParameters const unlit = of_pbr(material);
   check_color(unlit.emission, Vec3(0.5));
-  for (auto const& color : {unlit.diffuse, unlit.f0, unlit.f90, unlit.metal, unlit.transmitted}) {
+  for (auto const& color : {unlit.diffuse, unlit.f0, unlit.f90, unlit.metal, unlit.transmitted, unlit.sheen}) {
     CHECK(max_abs(to_vec3(color)) == 0);
   }
   CHECK(unlit.coat == 0);

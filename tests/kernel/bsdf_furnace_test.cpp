@@ -73,6 +73,25 @@ TEST_CASE("white furnace: coats keep all light", "[kernel][bsdf][statistics]") {
   check(extremes(probe, metal), 0.98, 1.002);
 }
 
+TEST_CASE("white furnace: what sheen reflects is missing below it", "[kernel][bsdf][statistics]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe;
+  auto const cloth = [](double roughness, double color) {
+    return with_sheen(layered_bsdf(1, 0, 0.9), color, roughness);
+  };
+  check(extremes(probe, cloth), 0.99, 1.005);  // of its table
+  auto const metal = [](double roughness, double color) {
+    return with_sheen(layered_bsdf(1, 1, 0.5), color, roughness);
+  };
+  check(extremes(probe, metal), 0.99, 1.005);
+  auto const coated_cloth = [](double roughness, double color) {
+    return coated(with_sheen(layered_bsdf(1, 0, 0.9), color, roughness), 1, 0.3);
+  };
+  check(extremes(probe, coated_cloth), 0.98, 1.005);
+  auto const fuzz = [](double roughness, double color) { return with_sheen(black_bsdf(), color, roughness); };
+  check(extremes(probe, fuzz), 0, 1.002);
+}
+
 TEST_CASE("white furnace: thin walls keep all light", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
   BsdfProbe const probe;

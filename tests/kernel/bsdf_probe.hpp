@@ -30,7 +30,7 @@ inline void set_color(float (&color)[3], double value) { color[0] = color[1] = c
 /// Black, and as smooth as can be.
 inline BsdfParameters black_bsdf() {
   BsdfParameters out{};
-  out.opacity = out.ior = out.coat_alpha = 1;
+  out.opacity = out.ior = out.coat_alpha = out.sheen_alpha = 1;
   out.alpha = 0.001f;
   set_color(out.attenuation_color, 1);
   return out;
@@ -66,6 +66,12 @@ inline BsdfParameters layered_bsdf(double color, double metallic, double roughne
 inline BsdfParameters coated(BsdfParameters out, double share, double roughness) {
   out.coat = float(share);
   out.coat_alpha = std::max(float(roughness * roughness), 0.001f);
+  return out;
+}
+/// Cloth of a colour, whose channels differ where `is_colored`.
+inline BsdfParameters with_sheen(BsdfParameters out, double color, double roughness, bool is_colored = false) {
+  for (int c = 0; c < 3; ++c) out.sheen[c] = float(color * (is_colored ? 1 - 0.4 * c : 1));
+  out.sheen_alpha = std::max(float(roughness * roughness), 0.0049f);
   return out;
 }
 /// Lets `share` through of what was diffuse; a solid where `ior` is not 1.
@@ -104,6 +110,8 @@ inline std::vector<BsdfCase> bsdf_cases() {
     add("half metal", layered_bsdf(0.6, 0.5, roughness));
     add("coated dielectric", coated(layered_bsdf(0.7, 0, 0.6), 1, roughness));
     add("half coated metal", coated(layered_bsdf(0.8, 1, roughness), 0.5, 0.3));
+    add("sheen", with_sheen(layered_bsdf(0, 0, 1), 1, roughness, true));
+    add("sheen over matt cloth, coated", coated(with_sheen(layered_bsdf(0.5, 0, 0.9), 0.8, roughness), 0.5, 0.4));
     add("thin wall", transmitting(layered_bsdf(0.9, 0, roughness), 0.8));
     add("solid", transmitting(layered_bsdf(1, 0, roughness), 1, 1.5));
     add("solid from within", transmitting(layered_bsdf(1, 0, roughness), 1, 1.5), false);
@@ -156,9 +164,9 @@ class BsdfProbe {
 
   /// The probabilities of the lobes.
   struct Choices {
-    double coat, glossy, diffuse, transmitted, mirror, glass;
+    double coat, glossy, diffuse, transmitted, mirror, glass, sheen;
     double delta() const { return mirror + glass; }
-    double sum() const { return coat + glossy + diffuse + transmitted + delta(); }
+    double sum() const { return coat + sheen + glossy + diffuse + transmitted + delta(); }
   };
   /// One for each viewer.
   std::vector<Choices> choices(BsdfCase const& surface, std::vector<float4> const& viewers) const {
@@ -168,7 +176,7 @@ class BsdfProbe {
                  {in(parameters), value(device::uint(surface.from_outside)), in(viewers), out(spread), out(delta)});
     std::vector<Choices> choices;
     for (std::size_t i = 0; i < viewers.size(); ++i) {
-      choices.push_back({spread[i].x, spread[i].y, spread[i].z, spread[i].w, delta[i].x, delta[i].y});
+      choices.push_back({spread[i].x, spread[i].y, spread[i].z, spread[i].w, delta[i].x, delta[i].y, delta[i].z});
     }
     return choices;
   }

@@ -234,6 +234,44 @@ TEST_CASE("the BSDF without layers is Lambert's and GGX's formula, and reciproca
   }
 }
 
+TEST_CASE("sheen is the formula of KHR_materials_sheen, and reciprocal", "[kernel][bsdf]") {
+  NEEDS_OPENCL_DEVICE();
+  Random random(96);
+  BsdfProbe const probe;
+  std::size_t const count = scaled_count(4000);
+  for (double const roughness : {0.07, 0.15, 0.3, 0.5, 0.8, 1.0}) {
+    double const alpha = roughness * roughness;
+    auto const masking = [&](double x) {  // Lambda, as the extension's text has it
+      auto const mixed = [&](double rough, double smooth) { return std::lerp(rough, smooth, std::pow(1 - alpha, 2)); };
+      auto const fit = [&](double y) {
+        return mixed(21.5473, 25.3245) / (1 + mixed(3.82987, 3.32435) * std::pow(y, mixed(0.19823, 0.16801))) +
+               mixed(-1.9776, -1.27393) * y + mixed(-4.32054, -4.85967);
+      };
+      return x < 0.5 ? std::exp(fit(x)) : std::exp(2 * fit(0.5) - fit(1 - x));
+    };
+    BsdfCase const surface{"", with_sheen(black_bsdf(), 0.9, roughness, true)};
+    Directions const directions = random_directions(random, count);
+    std::vector<float4> const values = probe.evaluate(surface, directions.viewers, directions.lights);
+    std::vector<float4> const swapped = probe.evaluate(surface, directions.lights, directions.viewers);
+    for (std::size_t i = 0; i < count; ++i) {
+      Vec3 const o = to_vec3(directions.viewers[i]), l = to_vec3(directions.lights[i]);
+      if (std::abs(l.z) < 2e-3 || o.z < 2e-3) continue;
+      Vec3 const h = glm::normalize(o + l);
+      double const sine = std::hypot(h.x, h.y);
+      double const f = (2 + 1 / alpha) * std::pow(sine, 1 / alpha) / (2 * pi) /
+                       ((1 + masking(o.z) + masking(std::abs(l.z))) * 4 * o.z * l.z);
+      Vec3 const expected = l.z > 0 ? f * l.z * to_vec3(surface.parameters.sheen) : Vec3(0);
+      Vec3 const found = to_vec3(values[i]);
+      CAPTURE(roughness, i, o.z, l.z, found.x, expected.x);
+      if (found.x > 1.0001 * expected.x + 1e-6) FAIL("more than the formula");
+      // It reflects more than arrives where thin fuzz is met at a grazing angle, and only there.
+      if (roughness < 0.3 && std::min(o.z, l.z) < 0.15) continue;
+      if (max_abs(found - expected) > 1e-4 * max_abs(expected) + 1e-6) FAIL("f");
+      if (max_abs(found * o.z - to_vec3(swapped[i]) * l.z) > 1e-4 * max_abs(expected) + 1e-6) FAIL("reciprocity");
+    }
+  }
+}
+
 TEST_CASE("a solid refracts by Walter's formula, from outside and from within", "[kernel][bsdf]") {
   NEEDS_OPENCL_DEVICE();
   Random random(95);

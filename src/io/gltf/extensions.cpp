@@ -18,7 +18,7 @@ constexpr Extension table[] = {
     {"KHR_materials_ior", "bends refracted rays; path: reflections, too"},
     {"KHR_materials_iridescence", "read, but not rendered"},
     {"KHR_materials_pbrSpecularGlossiness", "converted to metallic-roughness"},
-    {"KHR_materials_sheen", "read, but not rendered"},
+    {"KHR_materials_sheen", "path: fibres that stand up, above the rest"},
     {"KHR_materials_specular", "read; scales the highlight"},
     {"KHR_materials_transmission", "refracted rays"},
     {"KHR_materials_unlit", "shown in its own colour"},

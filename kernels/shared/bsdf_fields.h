@@ -12,7 +12,8 @@
   COLOR(f90)                           /* ... and at grazing angles */                                               \
   COLOR(metal)                         /* the same of a metal, head-on, which has no lobes below ... */              \
   NUMBER(metallic)                     /* ... and its share of the surface */                                        \
-  NUMBER(alpha)                        /* its roughness */                                                           \
+  NUMBER(alpha)                        /* its roughness ... */                                                       \
+  NUMBER(stretch)                      /* ... times this along x, over it along y */                                 \
   NUMBER(is_layered)                   /* 1: what it reflects is lost to the lobes below it, and it loses nothing */ \
   COLOR(transmitted)                   /* what gets through of the light that the glossy lobe leaves */              \
   NUMBER(ior)                          /* that refracts it; 1: a thin wall */                                        \

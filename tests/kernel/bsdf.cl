@@ -58,7 +58,7 @@ __kernel void probe_choices(__global BsdfParameters const* parameters, uint from
 
 __kernel void probe_ggx_albedo(__global float const* alphas, __global float const* cosines, __global float2* albedos) {
   size_t const i = get_global_id(0);
-  GgxAlbedo albedo = ggx_albedo((Real)(alphas[i]), (Real)(cosines[i]));
+  GgxAlbedo albedo = round_ggx_albedo((Real)(alphas[i]), (Real)(cosines[i]));
   albedos[i] = (float2)(LANE_FLOAT(albedo.a, 0), LANE_FLOAT(albedo.b, 0));
 }
 

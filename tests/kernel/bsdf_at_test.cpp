@@ -65,6 +65,7 @@ TEST_CASE("Phong's coefficients become lobes", "[kernel][bsdf]") {
   CHECK(all.ior == 1.5f);
   CHECK(all.opacity == 1);
   CHECK(all.is_layered == 0);
+  CHECK(all.stretch == 1);
   CHECK(all.metallic == 0);
   CHECK(all.coat == 0);
   CHECK(all.inverse_attenuation_distance == 0);
@@ -162,6 +163,34 @@ TEST_CASE("glTF's transmission is a thin wall without thickness, a solid with it
   CHECK(of_pbr(material).inverse_attenuation_distance == 0);
   material.transmission = 0;
   CHECK(of_pbr(material).ior == 1);
+}
+
+TEST_CASE("glTF's anisotropy makes microfacets rougher along x", "[kernel][bsdf]") {
+  NEEDS_OPENCL_DEVICE();
+  device::PbrMaterial material = default_pbr();
+  material.roughness = 0.5f;
+  auto const check_widths = [&](double along_x, double along_y) {
+    BsdfParameters const p = of_pbr(material);
+    CHECK(p.alpha * p.stretch == Approx(along_x));
+    CHECK(p.alpha / p.stretch == Approx(along_y));
+  };
+  CHECK(of_pbr(material).stretch == 1);
+  CHECK(of_pbr(material).alpha == 0.25f);
+  material.anisotropy = 0.5f;
+  check_widths(0.25 + 0.25 * 0.75, 0.25);
+  material.anisotropy = 1;
+  check_widths(1, 0.25);
+  material.roughness = 0;
+  check_widths(1, 0.001);
+  material.roughness = 1;
+  CHECK(of_pbr(material).stretch == 1);
+  material.roughness = 0.5f;
+  material.anisotropy = 7;
+  check_widths(1, 0.25);
+  for (float const none : {-1.f, std::numeric_limits<float>::quiet_NaN()}) {
+    material.anisotropy = none;
+    check_widths(0.25, 0.25);
+  }
 }
 
 TEST_CASE("glTF's sheen is what its factors say, within what makes sense", "[kernel][bsdf]") {

@@ -73,6 +73,17 @@ TEST_CASE("white furnace: coats keep all light", "[kernel][bsdf][statistics]") {
   check(extremes(probe, metal), 0.98, 1.002);
 }
 
+TEST_CASE("white furnace: stretched metals and dielectrics keep nearly all light", "[kernel][bsdf][statistics]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe;
+  for (double const metallic : {0.0, 1.0}) {
+    auto const surface = [&](double roughness, double strength) {
+      return stretched(layered_bsdf(1, metallic, roughness), strength);
+    };
+    check(extremes(probe, surface), 0.96, 1.04);  // a mean over 34 microfacets says how much is to be added back
+  }
+}
+
 TEST_CASE("white furnace: what sheen reflects is missing below it", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
   BsdfProbe const probe;

@@ -30,7 +30,7 @@ inline void set_color(float (&color)[3], double value) { color[0] = color[1] = c
 /// Black, and as smooth as can be.
 inline BsdfParameters black_bsdf() {
   BsdfParameters out{};
-  out.opacity = out.ior = out.coat_alpha = out.sheen_alpha = 1;
+  out.opacity = out.stretch = out.ior = out.coat_alpha = out.sheen_alpha = 1;
   out.alpha = 0.001f;
   set_color(out.attenuation_color, 1);
   return out;
@@ -66,6 +66,13 @@ inline BsdfParameters layered_bsdf(double color, double metallic, double roughne
 inline BsdfParameters coated(BsdfParameters out, double share, double roughness) {
   out.coat = float(share);
   out.coat_alpha = std::max(float(roughness * roughness), 0.001f);
+  return out;
+}
+/// Microfacets of the same roughness along y, and rougher along x: KHR_materials_anisotropy.
+inline BsdfParameters stretched(BsdfParameters out, double strength) {
+  double const along_y = out.alpha, along_x = along_y + strength * strength * (1 - along_y);
+  out.alpha = float(std::sqrt(along_x * along_y));
+  out.stretch = float(std::sqrt(along_x / along_y));
   return out;
 }
 /// Cloth of a colour, whose channels differ where `is_colored`.
@@ -112,6 +119,10 @@ inline std::vector<BsdfCase> bsdf_cases() {
     add("half coated metal", coated(layered_bsdf(0.8, 1, roughness), 0.5, 0.3));
     add("sheen", with_sheen(layered_bsdf(0, 0, 1), 1, roughness, true));
     add("sheen over matt cloth, coated", coated(with_sheen(layered_bsdf(0.5, 0, 0.9), 0.8, roughness), 0.5, 0.4));
+    add("stretched metal", stretched(layered_bsdf(0.9, 1, roughness), 0.6));
+    add("coated, stretched thin wall",
+        coated(stretched(transmitting(layered_bsdf(0.9, 0, 0.45), 0.8), roughness), 0.5, 0.4));
+    add("stretched solid", stretched(transmitting(layered_bsdf(1, 0, 0.45), 1, 1.5), roughness));
     add("thin wall", transmitting(layered_bsdf(0.9, 0, roughness), 0.8));
     add("solid", transmitting(layered_bsdf(1, 0, roughness), 1, 1.5));
     add("solid from within", transmitting(layered_bsdf(1, 0, roughness), 1, 1.5), false);

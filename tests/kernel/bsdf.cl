@@ -17,11 +17,12 @@ static inline Bsdf load_bsdf(__global BsdfParameters const* source) {
 }
 
 /* f |wi.z|, and the density as w. */
-__kernel void probe_evaluate(__global BsdfParameters const* parameters, uint from_outside,
+__kernel void probe_evaluate(__global BsdfParameters const* parameters, uint from_outside, float4 coat_normal,
                              __global float4 const* viewers, __global float4 const* lights, __global float4* values) {
   size_t const first = get_global_id(0) * LANES;
   Bsdf const bsdf = load_bsdf(parameters);
-  BsdfView const view = view_bsdf(&bsdf, lane_mask(from_outside != 0u), load_directions(viewers + first));
+  BsdfView const view =
+      view_bsdf(&bsdf, lane_mask(from_outside != 0u), load_directions(viewers + first), broadcast3(coat_normal.xyz));
   BsdfValue value = bsdf_evaluate(&bsdf, &view, load_directions(lights + first));
   for (uint lane = 0u; lane < LANES; ++lane) {
     values[first + lane] = (float4)(lane_of3(&value.value, lane), LANE_FLOAT(value.pdf, lane));
@@ -29,11 +30,13 @@ __kernel void probe_evaluate(__global BsdfParameters const* parameters, uint fro
 }
 
 /* wi, and its density as w; the weights. `uniforms`: choice, u, v. */
-__kernel void probe_sample(__global BsdfParameters const* parameters, uint from_outside, __global float4 const* viewers,
-                           __global float4 const* uniforms, __global float4* directions, __global float4* weights) {
+__kernel void probe_sample(__global BsdfParameters const* parameters, uint from_outside, float4 coat_normal,
+                           __global float4 const* viewers, __global float4 const* uniforms, __global float4* directions,
+                           __global float4* weights) {
   size_t const first = get_global_id(0) * LANES;
   Bsdf const bsdf = load_bsdf(parameters);
-  BsdfView const view = view_bsdf(&bsdf, lane_mask(from_outside != 0u), load_directions(viewers + first));
+  BsdfView const view =
+      view_bsdf(&bsdf, lane_mask(from_outside != 0u), load_directions(viewers + first), broadcast3(coat_normal.xyz));
   Real3 const random = load_directions(uniforms + first);
   BsdfSample sample = bsdf_sample(&bsdf, &view, random.x, random.y, random.z);
   for (uint lane = 0u; lane < LANES; ++lane) {
@@ -43,11 +46,12 @@ __kernel void probe_sample(__global BsdfParameters const* parameters, uint from_
 }
 
 /* The probabilities with which lobes are chosen: coat, glossy, diffuse, transmitted; mirror, glass, sheen. */
-__kernel void probe_choices(__global BsdfParameters const* parameters, uint from_outside,
+__kernel void probe_choices(__global BsdfParameters const* parameters, uint from_outside, float4 coat_normal,
                             __global float4 const* viewers, __global float4* spread, __global float4* delta) {
   size_t const first = get_global_id(0) * LANES;
   Bsdf const bsdf = load_bsdf(parameters);
-  BsdfView view = view_bsdf(&bsdf, lane_mask(from_outside != 0u), load_directions(viewers + first));
+  BsdfView view =
+      view_bsdf(&bsdf, lane_mask(from_outside != 0u), load_directions(viewers + first), broadcast3(coat_normal.xyz));
   for (uint lane = 0u; lane < LANES; ++lane) {
     spread[first + lane] = (float4)(LANE_FLOAT(view.to_coat, lane), LANE_FLOAT(view.to_glossy, lane),
                                     LANE_FLOAT(view.to_diffuse, lane), LANE_FLOAT(view.to_transmitted, lane));

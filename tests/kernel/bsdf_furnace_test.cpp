@@ -73,6 +73,24 @@ TEST_CASE("white furnace: coats keep all light", "[kernel][bsdf][statistics]") {
   check(extremes(probe, metal), 0.98, 1.002);
 }
 
+TEST_CASE("white furnace: a coat with a normal of its own adds no light", "[kernel][bsdf][statistics]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe;
+  for (double const tilt : {0.2, 0.6}) {
+    for (std::size_t i = 0; i < viewer_angles_degrees.size(); ++i) {
+      for (double const side : {-1.0, 1.0}) {
+        Vec3 const viewer = viewer_at(viewer_angles_degrees[i]);
+        Vec3 const normal = glm::normalize(Vec3(0.6 * side * tilt, 0.8 * side * tilt, 1));
+        if (glm::dot(viewer, normal) < 0.05) continue;
+        double const mean = furnace(probe, {"", coated(layered_bsdf(1, 0, 0.5), 1, 0.3), true, normal})[i].x;
+        INFO("tilted by " << side * tilt << ", seen from " << viewer_angles_degrees[i] << " degrees");
+        CHECK(mean <= 1.002);
+        CHECK(mean > 0.6);  // what the coat mirrors below the surface is lost
+      }
+    }
+  }
+}
+
 TEST_CASE("white furnace: stretched metals and dielectrics keep nearly all light", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
   BsdfProbe const probe;

@@ -96,6 +96,7 @@ struct BsdfCase {
   std::string name;
   BsdfParameters parameters;
   bool from_outside = true;
+  Vec3 coat_normal{0, 0, 1};
 };
 
 /// One of each kind of lobe and of their mixtures, each glossy one at six roughnesses.
@@ -108,14 +109,17 @@ inline std::vector<BsdfCase> bsdf_cases() {
       {"glossy glass", phong_bsdf(0.4, 0.3, 0.1, 0.2, 0.3, 1.5)},
       {"glossy glass from within", phong_bsdf(0.4, 0.3, 0.1, 0.2, 0.3, 1.5), false},
   };
+  Vec3 const tilted = glm::normalize(Vec3(0.3, -0.2, 1));
   for (double const roughness : {0.25, 0.35, 0.45, 0.6, 0.8, 1.0}) {
-    auto const add = [&](std::string const& name, BsdfParameters const& parameters, bool from_outside = true) {
-      cases.push_back({fmt::format("{}, roughness {}", name, roughness), parameters, from_outside});
+    auto const add = [&](std::string const& name, BsdfParameters const& parameters, bool from_outside = true,
+                         Vec3 const& coat_normal = Vec3(0, 0, 1)) {
+      cases.push_back({fmt::format("{}, roughness {}", name, roughness), parameters, from_outside, coat_normal});
     };
     add("dielectric", layered_bsdf(0.7, 0, roughness));
     add("metal", layered_bsdf(0.9, 1, roughness));
     add("half metal", layered_bsdf(0.6, 0.5, roughness));
     add("coated dielectric", coated(layered_bsdf(0.7, 0, 0.6), 1, roughness));
+    add("dielectric under a tilted coat", coated(layered_bsdf(0.7, 0, 0.6), 1, roughness), true, tilted);
     add("half coated metal", coated(layered_bsdf(0.8, 1, roughness), 0.5, 0.3));
     add("sheen", with_sheen(layered_bsdf(0, 0, 1), 1, roughness, true));
     add("sheen over matt cloth, coated", coated(with_sheen(layered_bsdf(0.5, 0, 0.9), 0.8, roughness), 0.5, 0.4));
@@ -154,7 +158,8 @@ class BsdfProbe {
     std::vector<BsdfParameters> const parameters{surface.parameters};
     std::vector<float4> values(viewers.size());
     program_.run("probe_evaluate", viewers.size() / lanes_,
-                 {in(parameters), value(device::uint(surface.from_outside)), in(viewers), in(lights), out(values)});
+                 {in(parameters), value(device::uint(surface.from_outside)), value(to_float4(surface.coat_normal)),
+                  in(viewers), in(lights), out(values)});
     return values;
   }
 
@@ -168,8 +173,8 @@ class BsdfProbe {
     std::vector<BsdfParameters> const parameters{surface.parameters};
     Samples samples{std::vector<float4>(viewers.size()), std::vector<float4>(viewers.size())};
     program_.run("probe_sample", viewers.size() / lanes_,
-                 {in(parameters), value(device::uint(surface.from_outside)), in(viewers), in(uniforms),
-                  out(samples.directions), out(samples.weights)});
+                 {in(parameters), value(device::uint(surface.from_outside)), value(to_float4(surface.coat_normal)),
+                  in(viewers), in(uniforms), out(samples.directions), out(samples.weights)});
     return samples;
   }
 
@@ -184,7 +189,8 @@ class BsdfProbe {
     std::vector<BsdfParameters> const parameters{surface.parameters};
     std::vector<float4> spread(viewers.size()), delta(viewers.size());
     program_.run("probe_choices", viewers.size() / lanes_,
-                 {in(parameters), value(device::uint(surface.from_outside)), in(viewers), out(spread), out(delta)});
+                 {in(parameters), value(device::uint(surface.from_outside)), value(to_float4(surface.coat_normal)),
+                  in(viewers), out(spread), out(delta)});
     std::vector<Choices> choices;
     for (std::size_t i = 0; i < viewers.size(); ++i) {
       choices.push_back({spread[i].x, spread[i].y, spread[i].z, spread[i].w, delta[i].x, delta[i].y, delta[i].z});

@@ -44,6 +44,19 @@ __kernel void probe_visibility(SCENE_PARAMETERS, __global float4 const* origins,
   any[i] = trace_any(&scene, ray, 1.f) ? 1u : 0u;
 }
 
+/* The normal of a coat where the ray first hits. */
+__kernel void probe_coat_normals(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
+                                 __global float4* normals) {
+  Scene const scene = SCENE_FROM_PARAMETERS;
+  size_t const i = get_global_id(0);
+  RayBatch batch;
+  HitBatch hits;
+  trace_one_ray(&scene, make_ray(origins[i].xyz, directions[i].xyz), &batch, &hits);
+  ShadingPoint point;
+  find_shading_points(&scene, &batch, &hits, 0u, &point);
+  normals[i] = (float4)(lane_of3(&point.coat_normal, 0u), hits.t[0]);
+}
+
 /* Along what microfacets are stretched where the ray first hits; zero where nothing says so. */
 __kernel void probe_tangents(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
                              __global float4* tangents) {

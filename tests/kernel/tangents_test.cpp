@@ -1,4 +1,5 @@
-/// Frames of materials on meshes: along what anisotropic ones are stretched, against directions made by hand.
+/// Frames of materials on meshes: along what anisotropic ones are stretched, and the normals of coats, against
+/// directions made by hand.
 
 #include <glm/trigonometric.hpp>
 
@@ -119,4 +120,25 @@ TEST_CASE("anisotropic materials are stretched along tangents, turned by rotatio
     mesh.texcoords.clear();
     check_near(tangent(mesh, anisotropic()), Vec3(0));
   }
+}
+
+TEST_CASE("a coat has the normal of its own map, and none of the base's", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  MeshGeometry mesh = square();
+  PbrModel pbr;
+  pbr.clearcoat = 1;
+  pbr.normal_texture = one_texel(255, 128, 255);
+  auto const coat = [&](double from_z = 5) { return at_middle(shape(mesh, pbr), "probe_coat_normals", from_z); };
+  check_near(coat(), {0, 0, 1});
+  check_near(coat(-5), {0, 0, -1});
+  mesh.normals.assign(4, {0, 0.6f, 0.8f});
+  check_near(coat(), {0, 0.6, 0.8});
+  mesh.normals.assign(4, {0, 0, 1});
+  pbr.clearcoat_normal_texture = one_texel(255, 0, 255);
+  check_near(coat(), glm::normalize(Vec3(1, -1, 1)));
+  pbr.clearcoat_normal_scale = 0.5;
+  check_near(coat(), glm::normalize(Vec3(0.5, -0.5, 1)));
+  check_near(coat(-5), -glm::normalize(Vec3(0.5, -0.5, 1)));
+  pbr.normal_texture = {};
+  check_near(coat(), glm::normalize(Vec3(0.5, -0.5, 1)));
 }

@@ -31,6 +31,7 @@ complete -c lichtraum -n $scenes -k -a '(__fish_complete_suffix .glb .obj .ply .
 complete -c lichtraum -n $scenes -l strict -d 'Accept the standard only'
 complete -c lichtraum -n $scenes -l keep-going -d 'Leave faulty statements out'
 complete -c lichtraum -n $scenes -l scene -x -d 'Scene of a glTF file'
+complete -c lichtraum -n $scenes -l variant -x -d 'Variant of the materials'
 complete -c lichtraum -n $scenes -l time -x -d 'Show the animation at this time'
 complete -c lichtraum -n $scenes -l animation -x -d 'Animation to show'
 complete -c lichtraum -n $scenes -l max-texture -x -d 'Shrink textures with a longer side'

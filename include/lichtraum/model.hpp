@@ -16,11 +16,12 @@ namespace lichtraum {
 class ModelCache;
 std::shared_ptr<ModelCache> make_model_cache();
 
-/// Which of a model's scenes is wanted, when, and how fine.
+/// Which of a model's scenes is wanted, in which variant, when, and how fine.
 struct ModelChoice {
   int max_texture = 4096;  ///< pictures with a longer side are halved until they fit; >= 1
 
   // Only glTF models have several scenes and move; for others these have no effect but a warning.
+  std::string variant;                 ///< index or name of the materials' variant; empty: as the meshes are
   std::string scene;                   ///< index or name of the scene to import; empty: the file's default one
   std::optional<double> time_seconds;  ///< pose of the animation at that time; nothing: as the nodes stand in the file
   std::string animation;               ///< index or name of the animation that `time_seconds` is for; empty: the first
@@ -47,6 +48,7 @@ struct ModelContents {
   std::vector<Extension> extensions;  ///< used ones
   std::vector<Animation> animations;
   std::vector<std::string> scenes;
+  std::vector<std::string> variants;  ///< of materials
 };
 
 /// An imported model.

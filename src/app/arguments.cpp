@@ -150,6 +150,8 @@ void add_language_options(CLI::App& parser, SceneReading& reading) {
 void add_model_options(CLI::App& parser, ModelChoice& choice) {
   std::string const group = "Models";
   add_value(parser, "--scene", choice.scene, parse_name, "NAME", "Scene of the file: name or number", group);
+  add_value(parser, "--variant", choice.variant, parse_name, "NAME",
+            "Variant of the materials: name or number\n(default: as the meshes are)", group);
   add_value(parser, "--time", choice.time_seconds, parse_time, "SECONDS", "Show the animation at this time", group);
   add_value(parser, "--animation", choice.animation, parse_name, "NAME",
             "Animation to show: name or number\n(default: the first)", group);

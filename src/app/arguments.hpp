@@ -59,7 +59,7 @@ void add_verbosity(CLI::App& parser, Console& console);
 /// How eSDF files are read: --strict, --keep-going, --transform-order, --rotation, --material-extras, --allow-path.
 void add_language_options(CLI::App& parser, SceneReading& reading);
 
-/// How models are read: --scene, --time, --animation, --max-texture.
+/// How models are read: --scene, --variant, --time, --animation, --max-texture.
 void add_model_options(CLI::App& parser, ModelChoice& choice);
 
 /// The known word nearest to a misspelt one; empty when none is near.

@@ -66,6 +66,7 @@ double megabytes(TextureImage const& image) { return double(image.rgba.size()) /
 std::string contents_text(ModelContents const& contents) {
   std::string text;
   for (std::string const& scene : contents.scenes) text += fmt::format("  scene           {}\n", scene);
+  for (std::string const& variant : contents.variants) text += fmt::format("  variant         {}\n", variant);
   for (auto const& animation : contents.animations) {
     text += fmt::format("  animation       {}, {:.6g} s\n", animation.name, animation.seconds);
   }
@@ -88,7 +89,10 @@ Json contents_json(ModelContents const& contents) {
                           {"supported", !extension.support.empty()},
                           {"support", extension.support}});
   }
-  return {{"scenes", contents.scenes}, {"animations", animations}, {"extensions", extensions}};
+  return {{"scenes", contents.scenes},
+          {"variants", contents.variants},
+          {"animations", animations},
+          {"extensions", extensions}};
 }
 
 Json environment_json(std::optional<EnvironmentLight> const& light) {

@@ -36,6 +36,7 @@ void check_static(ModelOptions const& options, std::string const& file, std::vec
   };
   if (options.time_seconds || !options.animation.empty()) warn("it has no animation; the time has no effect");
   if (!options.scene.empty()) warn("it has one scene only; asking for another has no effect");
+  if (!options.variant.empty()) warn("its materials have no variants; asking for one has no effect");
 }
 
 }  // namespace lichtraum

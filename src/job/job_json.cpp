@@ -108,6 +108,7 @@ constexpr int most = std::numeric_limits<int>::max();
 
 constexpr auto model_fields = [](auto& model, auto&& field) {
   field("scene", model.scene, Text{});
+  field("variant", model.variant, Text{});
   field("animation", model.animation, Text{});
   field("time_seconds", model.time_seconds, any_number());
   field("max_texture_pixels", model.max_texture, Whole{1, job_limits::texture_side});

@@ -155,15 +155,22 @@ TEST_CASE("info tells textures, animations, extensions and scenes of a model", "
   writer.json["animations"] = {
       {{"name", "spin"}, {"samplers", {{{"input", times}, {"output", times}}}}, {"channels", nlohmann::json::array()}}};
   writer.json["extensionsUsed"] = {"KHR_materials_unlit", "VENDOR_magic"};
+  writer.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "beach"}}, {{"name", "street"}}};
   lichtraum.folder.write("all.gltf", writer.text());
   auto const text = lichtraum("info all.gltf").out;
   CHECK_THAT(text, contains_text("  texture         dot, 4x2, 3.2e-05 MB\n") &&
                        contains_text("  animation       spin, 1.5 s\n") && contains_text("  scene           all\n") &&
+                       contains_text("  variant         beach\n  variant         street\n") &&
                        contains_text("  extension       KHR_materials_unlit: shown in its own colour\n") &&
                        contains_text("  extension       VENDOR_magic: not supported\n"));
   auto const json = nlohmann::json::parse(lichtraum("info all.gltf --json").out);
   CHECK(json["textures"] == nlohmann::json::parse(R"([{"name":"dot","size":[4,2],"bytes":32}])"));
   CHECK(json["model"]["animations"] == nlohmann::json::parse(R"([{"name":"spin","seconds":1.5}])"));
+  CHECK(json["model"]["variants"] == nlohmann::json::parse(R"(["beach","street"])"));
+  auto const unknown = lichtraum("info all.gltf --variant moon");
+  CHECK(unknown.exit_code == 64);
+  CHECK_THAT(unknown.err, contains_text("there is no variant 'moon' in the model; it has: 0 'beach', 1 'street'"));
+  CHECK(lichtraum("info all.gltf --variant street").exit_code == 0);
   CHECK(json["model"]["scenes"] == nlohmann::json::parse(R"(["all"])"));
   CHECK(json["model"]["extensions"][1]["name"] == "VENDOR_magic");
   CHECK(json["model"]["extensions"][1]["supported"] == false);

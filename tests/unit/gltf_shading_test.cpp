@@ -117,3 +117,41 @@ TEST_CASE("materials are kept whole and mapped to Phong", "[unit][gltf]") {
   CHECK(paint.pbr()->alpha == 0.25);
   CHECK(paint.pbr()->alpha_mode == AlphaMode::blend);
 }
+
+TEST_CASE("a variant gives primitives the materials that they have in it", "[unit][gltf]") {
+  GltfWriter writer;
+  auto const mappings = [](nlohmann::json const& list) {
+    return nlohmann::json{{"KHR_materials_variants", {{"mappings", list}}}};
+  };
+  auto& shoe = writer.add_mesh(triangle_positions);
+  shoe["material"] = 0;
+  shoe["extensions"] = mappings({{{"material", 1}, {"variants", {0}}}, {{"material", 2}, {"variants", {1, 2}}}});
+  auto& lace = writer.add_mesh(triangle_positions);
+  lace["material"] = 0;
+  lace["extensions"] = mappings({{{"material", 99}, {"variants", {1}}}, {{"material", 2}, {"variants", {0, "1"}}}});
+  writer.add_mesh(triangle_positions)["material"] = 1;
+  writer.json["materials"] = {{{"name", "a"}}, {{"name", "b"}}, {{"name", "c"}}};
+  writer.json["extensions"]["KHR_materials_variants"]["variants"] = {
+      {{"name", "beach"}}, {{"name", "street"}}, {{"name", "1"}}};
+  auto const shown = [&](std::string const& variant) {
+    ModelOptions options;
+    options.variant = variant;
+    Model const model = import_model(writer, options);
+    CHECK(model.contents.variants == std::vector<std::string>{"beach", "street", "1"});
+    std::string names;
+    for (auto const& shape : model.scene.shapes) {
+      if (shape->kind() == ShapeKind::mesh) names += shape->material()->name();
+    }
+    return names;
+  };
+  CHECK(shown("") == "aab");
+  CHECK(shown("beach") == "bcb");
+  CHECK(shown("0") == "bcb");
+  CHECK(shown("street") == "cab");  // a material that is not there changes nothing
+  CHECK(shown("1") == "cab");       // numbers come before names
+  CHECK(shown("2") == "cab");
+  CHECK_THROWS_WITH(shown("moon"),
+                    contains_text("there is no variant 'moon' in the model; it has: 0 'beach', 1 'street', 2 '1'"));
+  writer.json.erase("extensions");
+  CHECK_THROWS_WITH(shown("beach"), contains_text("it has: none"));
+}

@@ -25,6 +25,7 @@ class RandomJobs {
     job.reading.dialect.keep_going = coin();
     while (coin()) job.reading.dialect.material_extras.push_back(MaterialExtra(whole(0, 4)));
     maybe([&] { job.reading.model.scene = word(); });
+    maybe([&] { job.reading.model.variant = word(); });
     maybe([&] { job.reading.model.animation = word(); });
     maybe([&] { job.reading.model.time_seconds = real(); });
     job.reading.model.max_texture = whole(1, job_limits::texture_side);
@@ -135,7 +136,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
   Job const job = job_from_json(with(
       R"("text": "define", "esdf": {"transform_order": "local", "rotation": "left", "strict": true, "keep_going": true,
          "material_extras": ["opacity", "ior"]},
-         "model": {"scene": "s", "animation": "walk", "time_seconds": 1.5, "max_texture_pixels": 512},
+         "model": {"scene": "s", "variant": "v", "animation": "walk", "time_seconds": 1.5, "max_texture_pixels": 512},
          "environment": {"source": "studio", "rotation_degrees": -90, "brightness": 0.5},
          "allowed_paths": ["/tmp"], "picture": 3, "camera": "eye",
          "view": {"eye": [1, 2, 3], "look_at": [4, 5, 6], "up": [0, 0, 1], "fov_x_degrees": 30, "fov_y_degrees": 20,
@@ -150,7 +151,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
   wanted.text = "define";
   wanted.reading.dialect = {
       TransformOrder::local, RotationSense::left, true, true, {MaterialExtra::opacity, MaterialExtra::ior}};
-  wanted.reading.model = {512, "s", 1.5, "walk"};
+  wanted.reading.model = {512, "v", "s", 1.5, "walk"};
   wanted.reading.environment = {"studio", -90, 0.5};
   wanted.reading.allowed_paths = {"/tmp"};
   wanted.picture = 3;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "io/gltf/extensions.hpp"
+#include "io/gltf/variants.hpp"
 
 namespace lichtraum::gltf {
 double animation_seconds(tinygltf::Animation const& animation, Accessors& accessors, std::string const& pointer) {
@@ -40,6 +41,7 @@ ModelContents describe_contents(tinygltf::Model const& model, Accessors& accesso
     }
   }
   for (auto const& scene : model.scenes) contents.scenes.push_back(scene.name);
+  contents.variants = variant_names(model);
   return contents;
 }
 

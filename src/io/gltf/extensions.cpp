@@ -22,7 +22,7 @@ constexpr Extension table[] = {
     {"KHR_materials_specular", "read; scales the highlight"},
     {"KHR_materials_transmission", "refracted rays"},
     {"KHR_materials_unlit", "shown in its own colour"},
-    {"KHR_materials_variants", "the materials that the meshes name themselves are shown"},
+    {"KHR_materials_variants", "the variant that --variant names; else what the meshes name themselves"},
     {"KHR_materials_volume", "makes a body refract; path: colours what is inside by distance"},
     {"KHR_mesh_quantization", "read"},
     {"KHR_meshopt_compression", "decoded, all modes and filters of EXT_meshopt_compression"},

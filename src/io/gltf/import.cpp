@@ -10,6 +10,7 @@
 #include "io/gltf/extensions.hpp"
 #include "io/gltf/materials.hpp"
 #include "io/gltf/scene_graph.hpp"
+#include "io/gltf/variants.hpp"
 #include "io/gltf/views.hpp"
 #include "lichtraum/gltf.hpp"
 #include "lichtraum/orbit.hpp"
@@ -28,6 +29,12 @@ void check_extensions(tinygltf::Model const& model, Findings& findings) {
   }
 }
 
+std::string const& name_of(std::string const& name) { return name; }
+template <class Element>
+std::string const& name_of(Element const& element) {
+  return element.name;
+}
+
 /// The element of `list` with that index or name. Throws Error{usage} that lists what there is.
 template <class List>
 int select(List const& list, std::string const& selector, char const* kind) {
@@ -37,8 +44,8 @@ int select(List const& list, std::string const& selector, char const* kind) {
   if (is_number && index >= 0 && std::size_t(index) < list.size()) return index;
   std::string known;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    if (list[i].name == selector) return int(i);
-    known += fmt::format("{}{} '{}'", i == 0 ? "" : ", ", i, list[i].name);
+    if (name_of(list[i]) == selector) return int(i);
+    known += fmt::format("{}{} '{}'", i == 0 ? "" : ", ", i, name_of(list[i]));
   }
   throw Error(ErrorKind::usage, fmt::format("there is no {} '{}' in the model; it has: {}", kind, selector,
                                             known.empty() ? "none" : known));
@@ -72,6 +79,10 @@ struct GltfAnimation::State {
       animation = 0;
     }
     scene_number = select_scene(document.model, options.scene);
+    if (!options.variant.empty()) {
+      int const variant = select(variant_names(document.model), options.variant, "variant");
+      apply_variant(document.model, std::size_t(variant));
+    }
     auto const own = read_materials(document, options.max_texture, *buffers, findings);
     own_materials.assign(own.begin(), own.end());
     materials.assign(own.begin(), own.end());

@@ -46,8 +46,8 @@ struct TextureSlot {
 enum class AlphaMode { opaque, mask, blend };
 
 /// The metallic-roughness material of glTF 2.0 with its extensions, as written: what a physically based integrator
-/// needs. Colours are linear; textures of colours (base, emissive, specular, sheen) are stored in sRGB, all others
-/// linear. shared/pbr_fields.h says what each field means.
+/// needs. Colours are linear; textures of colours (base, emissive, specular, sheen, diffuse transmission) are stored in
+/// sRGB, all others linear. shared/pbr_fields.h says what each field means.
 struct PbrModel {
 #define LICHTRAUM_COLOR(name, initial, extension, key) Rgb name{initial};
 #define LICHTRAUM_SHARE(name, initial, extension, key) double name = initial;

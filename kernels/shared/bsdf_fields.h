@@ -7,7 +7,8 @@
   COLOR(emission)                                                                                                    \
   NUMBER(opacity)                      /* the share of rays that meet the surface; the others go straight on */      \
   NUMBER(shows_back)                   /* 0: to the camera, what is seen from behind is not there */                 \
-  COLOR(diffuse)                       /* reflectance of the matt lobe */                                            \
+  COLOR(diffuse)                       /* reflectance of the matt lobe ... */                                        \
+  COLOR(translucent)                   /* ... and what it lets through, to all directions of the other side */       \
   COLOR(f0)                            /* Fresnel's factor of the glossy lobe, seen head-on ... */                   \
   COLOR(f90)                           /* ... and at grazing angles */                                               \
   COLOR(metal)                         /* the same of a metal, head-on, which has no lobes below ... */              \

@@ -55,7 +55,11 @@
   TEXTURE(sheen_roughness_texture, "sheen", "sheenRoughnessTexture") /* alpha */                                     \
   SHARE(anisotropy, 0, "anisotropy", "anisotropyStrength")                                                           \
   NUMBER(anisotropy_rotation, 0, -3.14159265, 3.14159265, "", "") /* radians */                                      \
-  TEXTURE(anisotropy_texture, "anisotropy", "anisotropyTexture")  /* red and green: direction, blue: strength */
+  TEXTURE(anisotropy_texture, "anisotropy", "anisotropyTexture")  /* red and green: direction, blue: strength */     \
+  SHARE(diffuse_transmission, 0, "diffuse_transmission", "diffuseTransmissionFactor")                                \
+  TEXTURE(diffuse_transmission_texture, "diffuse_transmission", "diffuseTransmissionTexture") /* alpha */            \
+  COLOR(diffuse_transmission_color, 1, "diffuse_transmission", "diffuseTransmissionColorFactor")                     \
+  TEXTURE(diffuse_transmission_color_texture, "diffuse_transmission", "diffuseTransmissionColorTexture")
 
 /* What none of them reads yet. */
 #define PBR_HOST_FIELDS(COLOR, SHARE, NUMBER, TEXTURE, MODE)                                                 \

@@ -12,7 +12,7 @@ DEVICE_NAMESPACE_BEGIN
 #define PBR_VARIES 2u       /* textures change Phong's coefficients from point to point */
 #define PBR_CUTOUT 4u       /* at some points nothing is there: traversal has to ask */
 #define PBR_FILTERS 8u      /* how much light it lets through changes from point to point */
-#define PBR_VARIES_MORE 16u /* textures change what Phong's coefficients know nothing of: sheen and anisotropy */
+#define PBR_VARIES_MORE 16u /* textures change what Phong's coefficients know nothing of: sheen, anisotropy, ... */
 
 #define ALPHA_OPAQUE 0u
 #define ALPHA_MASK 1u
@@ -33,7 +33,7 @@ typedef struct {
 #undef PBR_TEXTURE
 #undef PBR_MODE
 } PbrMaterial;
-DEVICE_STRUCT_SIZE(PbrMaterial, 592);
+DEVICE_STRUCT_SIZE(PbrMaterial, 672);
 
 DEVICE_NAMESPACE_END
 

@@ -25,7 +25,8 @@ bool varies(PbrModel const& m) {
 }
 
 bool varies_more(PbrModel const& m) {
-  return m.sheen_color_texture || m.sheen_roughness_texture || m.anisotropy_texture;
+  return m.sheen_color_texture || m.sheen_roughness_texture || m.anisotropy_texture || m.diffuse_transmission_texture ||
+         m.diffuse_transmission_color_texture;
 }
 
 bool has_cutouts(PbrModel const& m) { return m.alpha_mode != AlphaMode::opaque; }

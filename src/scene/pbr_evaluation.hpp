@@ -10,7 +10,7 @@ namespace lichtraum {
 
 /// Whether textures change what a material is from point to point; normal maps do not count.
 bool varies(PbrModel const& material);
-/// The same of what its Phong coefficients know nothing of: sheen and anisotropy.
+/// The same of what its Phong coefficients know nothing of: sheen, anisotropy, diffuse transmission.
 bool varies_more(PbrModel const& material);
 /// Whether a ray may go through a surface because nothing is there: alpha masks, and what blends.
 bool has_cutouts(PbrModel const& material);

@@ -45,7 +45,8 @@ __kernel void probe_sample(__global BsdfParameters const* parameters, uint from_
   }
 }
 
-/* The probabilities with which lobes are chosen: coat, glossy, diffuse, transmitted; mirror, glass, sheen. */
+/* The probabilities with which lobes are chosen: coat, glossy, diffuse, transmitted; mirror, glass, sheen, translucent.
+ */
 __kernel void probe_choices(__global BsdfParameters const* parameters, uint from_outside, float4 coat_normal,
                             __global float4 const* viewers, __global float4* spread, __global float4* delta) {
   size_t const first = get_global_id(0) * LANES;
@@ -56,7 +57,7 @@ __kernel void probe_choices(__global BsdfParameters const* parameters, uint from
     spread[first + lane] = (float4)(LANE_FLOAT(view.to_coat, lane), LANE_FLOAT(view.to_glossy, lane),
                                     LANE_FLOAT(view.to_diffuse, lane), LANE_FLOAT(view.to_transmitted, lane));
     delta[first + lane] = (float4)(LANE_FLOAT(view.to_mirror, lane), LANE_FLOAT(view.to_glass, lane),
-                                   LANE_FLOAT(view.to_sheen, lane), 0.f);
+                                   LANE_FLOAT(view.to_sheen, lane), LANE_FLOAT(view.to_translucent, lane));
   }
 }
 

@@ -88,6 +88,7 @@ TEST_CASE("a glTF material's defaults are a rough, white metal", "[kernel][bsdf]
   CHECK(metal.opacity == 1);
   check_color(metal.diffuse, Vec3(0));
   check_color(metal.transmitted, Vec3(0));
+  check_color(metal.translucent, Vec3(0));
   check_color(metal.emission, Vec3(0));
   CHECK(metal.mirror == 0);
   CHECK(metal.glass == 0);
@@ -193,6 +194,27 @@ TEST_CASE("glTF's anisotropy makes microfacets rougher along x", "[kernel][bsdf]
   }
 }
 
+TEST_CASE("glTF's diffuse transmission takes its share of the matt lobe, in its own colour", "[kernel][bsdf]") {
+  NEEDS_OPENCL_DEVICE();
+  device::PbrMaterial material = default_pbr();
+  material.metallic = 0.5f;
+  material.transmission = 0.5f;
+  material.diffuse_transmission = 0.25f;
+  set_color(material.base_color, 0.8);
+  material.diffuse_transmission_color[1] = 0.5f;
+  material.diffuse_transmission_color[2] = 9;
+  BsdfParameters const leaf = of_pbr(material);
+  check_color(leaf.diffuse, Vec3(0.5 * 0.5 * 0.75 * 0.8));
+  check_color(leaf.translucent, Vec3(1, 0.5, 1) * (0.5 * 0.5 * 0.25));
+  check_color(leaf.transmitted, Vec3(0.5 * 0.5 * 0.8));
+  material.diffuse_transmission = 3;
+  check_color(of_pbr(material).diffuse, Vec3(0));
+  for (float const none : {-1.f, std::numeric_limits<float>::quiet_NaN()}) {
+    material.diffuse_transmission = none;
+    check_color(of_pbr(material).translucent, Vec3(0));
+  }
+}
+
 TEST_CASE("glTF's sheen is what its factors say, within what makes sense", "[kernel][bsdf]") {
   NEEDS_OPENCL_DEVICE();
   device::PbrMaterial material = default_pbr();
@@ -236,7 +258,8 @@ TEST_CASE("glTF's coat, alpha and unlit materials", "[kernel][bsdf]") {
   set_color(material.base_color, 0.5);
   BsdfParameters const unlit = of_pbr(material);
   check_color(unlit.emission, Vec3(0.5));
-  for (auto const& color : {unlit.diffuse, unlit.f0, unlit.f90, unlit.metal, unlit.transmitted, unlit.sheen}) {
+  for (auto const& color :
+       {unlit.diffuse, unlit.f0, unlit.f90, unlit.metal, unlit.transmitted, unlit.translucent, unlit.sheen}) {
     CHECK(max_abs(to_vec3(color)) == 0);
   }
   CHECK(unlit.coat == 0);

@@ -128,6 +128,13 @@ TEST_CASE("white furnace: thin walls keep all light", "[kernel][bsdf][statistics
   check(extremes(probe, thin), 0.98, 1.002);
 }
 
+TEST_CASE("white furnace: leaves keep all light", "[kernel][bsdf][statistics]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe;
+  auto const leaf = [](double roughness, double share) { return translucent(layered_bsdf(1, 0, roughness), share); };
+  check(extremes(probe, leaf), 0.995, 1.002);
+}
+
 TEST_CASE("white furnace: solids keep all light, from outside and from within", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
   BsdfProbe const probe;

@@ -92,6 +92,15 @@ inline BsdfParameters transmitting(BsdfParameters out, double share, double ior 
   return out;
 }
 
+/// Lets `share` through of what was diffuse, to all directions: KHR_materials_diffuse_transmission.
+inline BsdfParameters translucent(BsdfParameters out, double share) {
+  for (int c = 0; c < 3; ++c) {
+    out.translucent[c] = float(share * (1 - 0.2 * c)) * out.diffuse[c];
+    out.diffuse[c] *= float(1 - share);
+  }
+  return out;
+}
+
 struct BsdfCase {
   std::string name;
   BsdfParameters parameters;
@@ -128,6 +137,9 @@ inline std::vector<BsdfCase> bsdf_cases() {
         coated(stretched(transmitting(layered_bsdf(0.9, 0, 0.45), 0.8), roughness), 0.5, 0.4));
     add("stretched solid", stretched(transmitting(layered_bsdf(1, 0, 0.45), 1, 1.5), roughness));
     add("thin wall", transmitting(layered_bsdf(0.9, 0, roughness), 0.8));
+    add("leaf", translucent(layered_bsdf(0.8, 0, roughness), 0.6));
+    add("translucent, stained solid under sheen",
+        with_sheen(translucent(transmitting(layered_bsdf(0.9, 0, roughness), 0.5, 1.4), 0.5), 0.5, 0.5));
     add("solid", transmitting(layered_bsdf(1, 0, roughness), 1, 1.5));
     add("solid from within", transmitting(layered_bsdf(1, 0, roughness), 1, 1.5), false);
     add("coated, half matt solid", coated(transmitting(layered_bsdf(0.9, 0.2, roughness), 0.5, 1.3), 0.5, 0.4));
@@ -180,9 +192,9 @@ class BsdfProbe {
 
   /// The probabilities of the lobes.
   struct Choices {
-    double coat, glossy, diffuse, transmitted, mirror, glass, sheen;
+    double coat, glossy, diffuse, transmitted, mirror, glass, sheen, translucent;
     double delta() const { return mirror + glass; }
-    double sum() const { return coat + sheen + glossy + diffuse + transmitted + delta(); }
+    double sum() const { return coat + sheen + glossy + diffuse + translucent + transmitted + delta(); }
   };
   /// One for each viewer.
   std::vector<Choices> choices(BsdfCase const& surface, std::vector<float4> const& viewers) const {
@@ -193,7 +205,8 @@ class BsdfProbe {
                   in(viewers), out(spread), out(delta)});
     std::vector<Choices> choices;
     for (std::size_t i = 0; i < viewers.size(); ++i) {
-      choices.push_back({spread[i].x, spread[i].y, spread[i].z, spread[i].w, delta[i].x, delta[i].y, delta[i].z});
+      choices.push_back(
+          {spread[i].x, spread[i].y, spread[i].z, spread[i].w, delta[i].x, delta[i].y, delta[i].z, delta[i].w});
     }
     return choices;
   }

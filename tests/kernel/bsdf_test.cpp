@@ -364,8 +364,8 @@ TEST_CASE("the BSDF keeps no more light than arrives, by quadrature", "[kernel][
     for (double const angle : {0.0, 60.0, 80.0}) {
       INFO(surface.name << ", seen from " << angle << " degrees");
       double const albedo = integrate(probe, surface, viewer_at(angle)).albedo.r;
-      double const all =
-          p.is_layered != 0 ? std::max(p.diffuse[0] + p.transmitted[0], p.metal[0]) : p.diffuse[0] + p.f0[0];
+      double const all = p.is_layered != 0 ? std::max(p.diffuse[0] + p.translucent[0] + p.transmitted[0], p.metal[0])
+                                           : p.diffuse[0] + p.f0[0];
       CHECK(albedo <= (p.is_layered == 0 ? all + 1e-3 : p.ior != 1 ? 1.005 : 1.002));  // of the solids' table
       CHECK(albedo > 0.3 * all);
     }

@@ -13,6 +13,7 @@ constexpr Extension table[] = {
     {"KHR_lights_punctual", "read: point, spot and directional lights, range"},
     {"KHR_materials_anisotropy", "path: stretched highlights"},
     {"KHR_materials_clearcoat", "path: a coat above all else"},
+    {"KHR_materials_diffuse_transmission", "path: what leaves and paper let through"},
     {"KHR_materials_dispersion", "read, but not rendered"},
     {"KHR_materials_emissive_strength", "read"},
     {"KHR_materials_ior", "bends refracted rays; path: reflections, too"},

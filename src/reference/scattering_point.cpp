@@ -107,7 +107,8 @@ void check_is_known(Material const& material) {
       {pbr->anisotropy != 0, "anisotropy"},
       {pbr->iridescence != 0, "iridescence"},
       {pbr->dispersion != 0 && pbr->transmission > 0 && pbr->thickness > 0, "dispersion"},
-      {pbr->clearcoat != 0 && pbr->clearcoat_normal_texture, "normal maps of clear coats"},
+      {pbr->diffuse_transmission != 0, "diffuse transmission"},
+      {pbr->clearcoat != 0 && (pbr->clearcoat_normal_texture || pbr->normal_texture), "clear coats with normal maps"},
   };
   for (auto const& [is_used, name] : unknown) {
     if (!is_used) continue;

@@ -139,8 +139,10 @@ TEST_CASE("a variant gives primitives the materials that they have in it", "[uni
     Model const model = import_model(writer, options);
     CHECK(model.contents.variants == std::vector<std::string>{"beach", "street", "1"});
     std::string names;
-    for (auto const& shape : model.scene.shapes) {
-      if (shape->kind() == ShapeKind::mesh) names += shape->material()->name();
+    for (char const* const mesh : {"mesh_0", "mesh_1", "mesh_2"}) {
+      auto const* const shape = model.scene.shapes.find(mesh);
+      REQUIRE(shape);
+      names += (*shape)->material()->name();
     }
     return names;
   };

@@ -148,7 +148,12 @@ TEST_CASE("reference paths: what they do not know is refused, not drawn wrongly"
   model.clearcoat = 1;
   auto const texel = std::make_shared<TextureImage const>(TextureImage{"flat", 1, 1, {128, 128, 255, 255}});
   model.clearcoat_normal_texture.texture = std::make_shared<Texture const>(Texture{texel});
-  check(model, "normal maps of clear coats");
+  check(model, "clear coats with normal maps");
+  std::swap(model.clearcoat_normal_texture, model.normal_texture);
+  check(model, "clear coats with normal maps");
+  model = {};
+  model.diffuse_transmission = 1;
+  check(model, "diffuse transmission");
 }
 
 TEST_CASE("reference environment: texels lie where the format says, and the map turns", "[reference][environment]") {

@@ -26,9 +26,6 @@ typedef struct {
 } ThinLens;
 DEVICE_STRUCT_SIZE(ThinLens, 48);
 
-/* The dimension of Sobol's points on the lens, beyond all of a path's. */
-#define LENS_DIMENSION 0x40000000u
-
 #define SAMPLING_GRID 0u
 #define SAMPLING_SEEDED 1u
 #define SAMPLING_SOBOL 2u

@@ -47,6 +47,9 @@ SHARED_FUNCTION Word sobol_second_reversed(Word v) {
 
 SHARED_FUNCTION Real unit_real(Word bits) { return real_of_whole(whole_of_word(bits >> 8u)) * (1.0f / 16777216.0f); }
 
+/* The dimension of points on the camera's lens, beyond all of a path's. */
+#define LENS_DIMENSION 0x40000000u
+
 /* Point `sample` of the sequence that belongs to a pixel and a dimension (a number for each use). The hash is pcg4d
  * of Jarzynski and Olano (2020), as in shared/sampling.h. */
 SHARED_FUNCTION SobolPoint sobol_point(Word pixel_x, Word pixel_y, Word dimension, uint sample, uint seed_low,

@@ -9,7 +9,6 @@
 #include "lichtraum/error.hpp"
 #include "lichtraum/orbit.hpp"
 #include "lichtraum/turntable.hpp"
-#include "scene/unit_vector.hpp"
 
 namespace lichtraum {
 namespace {
@@ -81,7 +80,7 @@ Lens lens_of(Camera const& camera, Job const& job, Scene const& scene) {
                                     : subject_of(camera, job, scene).center();
   Transform const& world_from_camera = camera.world_from_camera();
   Vec3 const eye = world_from_camera.point(Vec3(0));
-  double const ahead = glm::dot(point - eye, unit_vector(world_from_camera.vector({0, 0, -1})));
+  double const ahead = glm::dot(point - eye, glm::normalize(world_from_camera.vector({0, 0, -1})));
   require(ahead > 0, view.focus ? fmt::format("--focus {} is not before the camera", text_of(point))
                                 : "--aperture: the middle of what is in view is not before the camera: --focus "
                                   "says at what distance the picture is sharp");

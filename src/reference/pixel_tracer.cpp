@@ -7,7 +7,6 @@
 #include "reference/integrator.hpp"
 #include "reference/path_integrator.hpp"
 #include "reference/scattering_point.hpp"
-#include "shared/frame.h"
 #include "shared/sampling.h"
 #include "shared/sobol.h"
 

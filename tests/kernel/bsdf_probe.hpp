@@ -108,8 +108,12 @@ struct BsdfCase {
   Vec3 coat_normal{0, 0, 1};
 };
 
-/// One of each kind of lobe and of their mixtures, each glossy one at six roughnesses.
-inline std::vector<BsdfCase> bsdf_cases() {
+/// For tests that take their time, and for those of every day.
+inline std::vector<double> const all_roughnesses{0.25, 0.35, 0.45, 0.6, 0.8, 1.0};
+inline std::vector<double> const some_roughnesses{0.35, 0.8};
+
+/// One of each kind of lobe and of their mixtures, each glossy one at these roughnesses.
+inline std::vector<BsdfCase> bsdf_cases(std::vector<double> const& roughnesses = all_roughnesses) {
   std::vector<BsdfCase> cases{
       {"matt", phong_bsdf(0.8, 0, 1)},
       {"matt and glossy", phong_bsdf(0.5, 0.5, 1)},
@@ -119,7 +123,7 @@ inline std::vector<BsdfCase> bsdf_cases() {
       {"glossy glass from within", phong_bsdf(0.4, 0.3, 0.1, 0.2, 0.3, 1.5), false},
   };
   Vec3 const tilted = glm::normalize(Vec3(0.3, -0.2, 1));
-  for (double const roughness : {0.25, 0.35, 0.45, 0.6, 0.8, 1.0}) {
+  for (double const roughness : roughnesses) {
     auto const add = [&](std::string const& name, BsdfParameters const& parameters, bool from_outside = true,
                          Vec3 const& coat_normal = Vec3(0, 0, 1)) {
       cases.push_back({fmt::format("{}, roughness {}", name, roughness), parameters, from_outside, coat_normal});

@@ -312,7 +312,7 @@ TEST_CASE("a solid refracts by Walter's formula, from outside and from within", 
   NEEDS_OPENCL_DEVICE();
   Random random(95);
   BsdfProbe const probe;
-  std::size_t const count = 500;
+  std::size_t const count = scaled_count(500);
   for (double const roughness : {0.2, 0.4, 0.7, 1.0}) {
     for (double const ior : {1.1, 1.5, 2.4}) {
       for (bool const from_outside : {true, false}) {

@@ -16,36 +16,54 @@ namespace {
 struct PixelSample {
   device::uint x, y, sample, unused;
 };
+
+/// A ray through a pixel of each frame.
+struct CameraRays {
+  explicit CameraRays(std::size_t count) : frames(count), pixels(count), origins(count), directions(count) {
+    for (device::FrameParameters& frame : frames) frame.sample_count = 1;
+  }
+  void trace() {
+    ProbeProgram("camera.cl")
+        .run("probe_camera_ray", frames.size(), {in(frames), in(pixels), out(origins), out(directions)});
+  }
+  /// Towards the middle of the pixel; of any length.
+  Vec3 through_pixel(std::size_t i) const {
+    device::PinholeCamera const& camera = frames[i].camera;
+    return to_vec3(camera.corner) + (pixels[i].x + 0.5) * to_vec3(camera.step_x) +
+           (pixels[i].y + 0.5) * to_vec3(camera.step_y);
+  }
+
+  struct Pixel {
+    device::uint x, y;
+  };
+  std::vector<device::FrameParameters> frames;
+  std::vector<Pixel> pixels;
+  std::vector<float4> origins, directions;
+};
 }  // namespace
 
 TEST_CASE("Camera rays go through the image point", "[kernel]") {
   NEEDS_OPENCL_DEVICE();
   Random random(1);
   std::size_t const count = scaled_count(20000);
-  struct Pixel {
-    device::uint x, y;
-  };
-  std::vector<device::FrameParameters> frames(count);
-  std::vector<Pixel> pixels;
-  std::vector<float4> origins(count), directions(count);
+  CameraRays rays(count);
   for (std::size_t i = 0; i < count; ++i) {
     double const scale = std::pow(10., random.uniform(-6, 6));
-    frames[i].camera = {to_float4(random.in_cube(1e6)), to_float4(random.in_cube(scale)),
-                        to_float4(random.in_cube(scale * 1e-3)), to_float4(random.in_cube(scale * 1e-3))};
-    frames[i].sample_count = 1;
-    pixels.push_back({device::uint(random.index(4000)), device::uint(random.index(4000))});
+    rays.frames[i].camera = {to_float4(random.in_cube(1e6)), to_float4(random.in_cube(scale)),
+                             to_float4(random.in_cube(scale * 1e-3)), to_float4(random.in_cube(scale * 1e-3))};
+    rays.pixels[i] = {device::uint(random.index(4000)), device::uint(random.index(4000))};
   }
-  ProbeProgram("camera.cl").run("probe_camera_ray", count, {in(frames), in(pixels), out(origins), out(directions)});
+  rays.trace();
   for (std::size_t i = 0; i < count; ++i) {
-    auto const& camera = frames[i].camera;
-    double const x = pixels[i].x + 0.5, y = pixels[i].y + 0.5;
-    Vec3 const expected = to_vec3(camera.corner) + x * to_vec3(camera.step_x) + y * to_vec3(camera.step_y);
+    auto const& camera = rays.frames[i].camera;
+    double const x = rays.pixels[i].x + 0.5, y = rays.pixels[i].y + 0.5;
+    Vec3 const expected = rays.through_pixel(i);
     // The terms may cancel: their size counts.
     double const terms = glm::length(to_vec3(camera.corner)) + x * glm::length(to_vec3(camera.step_x)) +
                          y * glm::length(to_vec3(camera.step_y));
     double const tolerance = 8 * rounding_unit * terms / glm::length(expected);
-    Vec3 const direction = to_vec3(directions[i]);
-    if (to_vec3(origins[i]) != to_vec3(camera.origin) || origins[i].w != float_infinity ||
+    Vec3 const direction = to_vec3(rays.directions[i]);
+    if (to_vec3(rays.origins[i]) != to_vec3(camera.origin) || rays.origins[i].w != float_infinity ||
         glm::length(direction - glm::normalize(expected)) > tolerance || std::abs(glm::length(direction) - 1) > 3e-7) {
       FAIL("ray " << i);
     }
@@ -56,30 +74,22 @@ TEST_CASE("Rays through a lens spread over its disc and meet in focus", "[kernel
   NEEDS_OPENCL_DEVICE();
   Random random(2);
   std::size_t const count = scaled_count(20000);
-  struct Pixel {
-    device::uint x, y;
-  };
-  std::vector<device::FrameParameters> frames(count);
-  std::vector<Pixel> pixels;
-  std::vector<float4> origins(count), directions(count);
+  CameraRays rays(count);
   for (std::size_t i = 0; i < count; ++i) {
-    frames[i].camera = {to_float4(random.in_cube(10)), to_float4({-0.4, 0.3, -1}), to_float4({0.001, 0, 0}),
-                        to_float4({0, -0.001, 0})};
-    frames[i].lens = {to_float4({0.2, 0, 0}), to_float4({0, 0.2, 0}), float(random.uniform(0.5, 5)), 1, {}};
-    frames[i].sample_count = 1;
-    frames[i].seed_low = device::uint(i);
-    pixels.push_back({device::uint(random.index(800)), device::uint(random.index(600))});
+    rays.frames[i].camera = {to_float4(random.in_cube(10)), to_float4({-0.4, 0.3, -1}), to_float4({0.001, 0, 0}),
+                             to_float4({0, -0.001, 0})};
+    rays.frames[i].lens = {to_float4({0.2, 0, 0}), to_float4({0, 0.2, 0}), float(random.uniform(0.5, 5)), 1, {}};
+    rays.frames[i].seed_low = device::uint(i);
+    rays.pixels[i] = {device::uint(random.index(800)), device::uint(random.index(600))};
   }
-  ProbeProgram("camera.cl").run("probe_camera_ray", count, {in(frames), in(pixels), out(origins), out(directions)});
+  rays.trace();
   double quarters[2][2] = {}, inner = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    auto const& camera = frames[i].camera;
-    auto const& lens = frames[i].lens;
-    Vec3 const from_center = (to_vec3(origins[i]) - to_vec3(camera.origin)) / 0.2;
-    Vec3 const ahead = to_vec3(camera.corner) + (pixels[i].x + 0.5) * to_vec3(camera.step_x) +
-                       (pixels[i].y + 0.5) * to_vec3(camera.step_y);
-    Vec3 const sharp = to_vec3(camera.origin) + double(lens.focus) * ahead;
-    Vec3 const direction = to_vec3(directions[i]), way = sharp - to_vec3(origins[i]);
+    auto const& camera = rays.frames[i].camera;
+    auto const& lens = rays.frames[i].lens;
+    Vec3 const from_center = (to_vec3(rays.origins[i]) - to_vec3(camera.origin)) / 0.2;
+    Vec3 const sharp = to_vec3(camera.origin) + double(lens.focus) * rays.through_pixel(i);
+    Vec3 const direction = to_vec3(rays.directions[i]), way = sharp - to_vec3(rays.origins[i]);
     if (glm::length(way - glm::dot(way, direction) * direction) > 1e-5) FAIL("ray " << i << " misses its focus");
     if (glm::length(from_center) > 1 + 1e-4 || std::abs(from_center.z) > 1e-4) FAIL("ray " << i << " misses the lens");
     ++quarters[from_center.x > 0][from_center.y > 0];

@@ -44,17 +44,25 @@ __kernel void probe_visibility(SCENE_PARAMETERS, __global float4 const* origins,
   any[i] = trace_any(&scene, ray, 1.f) ? 1u : 0u;
 }
 
+/* Where a ray first hits, after `t`. */
+static ShadingPoint point_ahead(Scene const* scene, float4 origin, float4 direction, float* t) {
+  RayBatch batch;
+  HitBatch hits;
+  trace_one_ray(scene, make_ray(origin.xyz, direction.xyz), &batch, &hits);
+  ShadingPoint point;
+  find_shading_points(scene, &batch, &hits, 0u, &point);
+  *t = hits.t[0];
+  return point;
+}
+
 /* The normal of a coat where the ray first hits. */
 __kernel void probe_coat_normals(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
                                  __global float4* normals) {
   Scene const scene = SCENE_FROM_PARAMETERS;
   size_t const i = get_global_id(0);
-  RayBatch batch;
-  HitBatch hits;
-  trace_one_ray(&scene, make_ray(origins[i].xyz, directions[i].xyz), &batch, &hits);
-  ShadingPoint point;
-  find_shading_points(&scene, &batch, &hits, 0u, &point);
-  normals[i] = (float4)(lane_of3(&point.coat_normal, 0u), hits.t[0]);
+  float t;
+  ShadingPoint point = point_ahead(&scene, origins[i], directions[i], &t);
+  normals[i] = (float4)(lane_of3(&point.coat_normal, 0u), t);
 }
 
 /* Along what microfacets are stretched where the ray first hits; zero where nothing says so. */
@@ -62,10 +70,7 @@ __kernel void probe_tangents(SCENE_PARAMETERS, __global float4 const* origins, _
                              __global float4* tangents) {
   Scene const scene = SCENE_FROM_PARAMETERS;
   size_t const i = get_global_id(0);
-  RayBatch batch;
-  HitBatch hits;
-  trace_one_ray(&scene, make_ray(origins[i].xyz, directions[i].xyz), &batch, &hits);
-  ShadingPoint point;
-  find_shading_points(&scene, &batch, &hits, 0u, &point);
-  tangents[i] = (float4)(lane_of3(&point.tangent, 0u), hits.t[0]);
+  float t;
+  ShadingPoint point = point_ahead(&scene, origins[i], directions[i], &t);
+  tangents[i] = (float4)(lane_of3(&point.tangent, 0u), t);
 }

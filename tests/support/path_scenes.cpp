@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "support/esdf.hpp"
+#include "support/pbr.hpp"
 #include "support/textured_meshes.hpp"
 
 namespace lichtraum::test {
@@ -20,13 +21,7 @@ void let_shine(Scene& scene, char const* name, Rgb const& emission) {
   set_material(scene, name, model);
 }
 
-EnvironmentLight around(EnvironmentMap map) {
-  return {"made here", std::make_shared<EnvironmentMap const>(std::move(map)), 0, 1};
-}
-
-EnvironmentLight uniform_environment(Rgb const& color) {
-  return around({1, 1, {float(color.r), float(color.g), float(color.b)}});
-}
+EnvironmentLight around(std::shared_ptr<EnvironmentMap const> map) { return {"made here", std::move(map), 0, 1}; }
 
 /// A blue sky over brown ground, and a window of four texels that is some ten times as bright.
 EnvironmentLight window_environment() {
@@ -38,7 +33,7 @@ EnvironmentLight window_environment() {
       for (int c = 0; c < 3; ++c) map.radiance.push_back(float(color[c]));
     }
   }
-  EnvironmentLight light = around(std::move(map));
+  EnvironmentLight light = around(std::make_shared<EnvironmentMap const>(std::move(map)));
   light.rotation_degrees = 40;
   light.brightness = 0.8;
   return light;
@@ -61,14 +56,6 @@ define shape sphere b 1.1 0.8 0 0.75 b
 define shape sphere c -1.1 -0.8 0.4 0.75 c
 define shape sphere d 1.1 -0.8 0.4 0.75 d
 )";
-
-PbrModel pbr(Rgb const& color, double metallic, double roughness) {
-  PbrModel model;
-  model.base_color = color;
-  model.metallic = metallic;
-  model.roughness = roughness;
-  return model;
-}
 
 /// A room whose lamps are a panel of two triangles, a ball, and two points; matt and glossy.
 PathScene room() {
@@ -148,7 +135,7 @@ PathScene rough_glass() {
   PbrModel thin = pbr({0.5, 0.9, 0.6}, 0.2, 0.7);
   thin.transmission = 0.8;
   set_material(scene, "d", thin);
-  scene.environment = uniform_environment({0.5, 0.7, 1.0});
+  scene.environment = around(uniform_environment(0.5f, 0.7f, 1));
   return {"rough glass", std::move(scene), 3};
 }
 
@@ -220,7 +207,7 @@ define light diffuse key 2 4 4  0.4 0.4 0.4
   veil.alpha = 0.5;
   veil.emissive = {0.4, 1.2, 2};
   set_material(scene, "d", veil);
-  scene.environment = uniform_environment({0.2, 0.25, 0.3});
+  scene.environment = around(uniform_environment(0.2f, 0.25f, 0.3f));
   return {"sheets that shine and blend", std::move(scene), 4, true};
 }
 
@@ -240,7 +227,7 @@ std::vector<PathScene> path_scenes() {
   std::vector<PathScene> scenes;
   scenes.push_back(room());
   scenes.push_back(mirrors_and_glass());
-  scenes.push_back(metal_and_rough("metal and rough, uniform environment", uniform_environment({0.8, 0.9, 1.0})));
+  scenes.push_back(metal_and_rough("metal and rough, uniform environment", around(uniform_environment(0.8f, 0.9f, 1))));
   scenes.push_back(metal_and_rough("metal and rough, window", window_environment()));
   scenes.push_back(rough_glass());
   scenes.push_back(coats());

@@ -8,8 +8,10 @@
 #include "reference/environment.hpp"
 #include "reference/renderer.hpp"
 #include "support/catch.hpp"
+#include "support/pbr.hpp"
 
 using namespace lichtraum;
+using test::pbr;
 
 namespace {
 
@@ -24,9 +26,7 @@ RenderRequest path_request(int samples, int max_depth) {
   return request;
 }
 
-EnvironmentLight white_environment() {
-  return {"white", std::make_shared<EnvironmentMap const>(EnvironmentMap{1, 1, {1, 1, 1}}), 0, 1};
-}
+EnvironmentLight white_environment() { return {"1 1 1", uniform_environment(1, 1, 1)}; }
 
 /// A ball that fills the picture.
 Scene ball(Material::Model const& model) {
@@ -34,14 +34,6 @@ Scene ball(Material::Model const& model) {
   scene.shapes.insert(
       std::make_shared<Sphere>("ball", Vec3(0, 0, -5), 1.5, std::make_shared<Material>("stuff", model)));
   return scene;
-}
-
-PbrModel pbr(Rgb const& color, double metallic, double roughness) {
-  PbrModel model;
-  model.base_color = color;
-  model.metallic = metallic;
-  model.roughness = roughness;
-  return model;
 }
 
 Film traced(Scene const& scene, RenderRequest const& request, unsigned threads = 2) {

@@ -29,6 +29,9 @@ struct NoisyPicture {
   bool has_noisy_guides = false;  ///< albedo and normals have noise too, as with depth of field
 };
 
+/// These planes, and those that denoising goes by where they have radiance: albedo and normals.
+PlaneSet with_guides(PlaneSet planes);
+
 /// Of a film with radiance. Throws std::invalid_argument for one without, or without samples.
 NoisyPicture noisy_picture(Film const& film);
 

@@ -17,6 +17,13 @@ std::string note(std::string const& why) {
 
 }  // namespace
 
+PlaneSet with_guides(PlaneSet planes) {
+  if (!planes.has(FilmPlane::radiance)) return planes;
+  planes.add(FilmPlane::albedo);
+  planes.add(FilmPlane::normal);
+  return planes;
+}
+
 NoisyPicture noisy_picture(Film const& film) {
   if (!film.planes().has(FilmPlane::radiance) || film.is_empty()) {
     throw std::invalid_argument("only a film with samples of radiance can be denoised");

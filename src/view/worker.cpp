@@ -114,7 +114,7 @@ void Worker::work(std::stop_token const& stop) {
       news_.device = renderer->device().name;
     }
     wake_();
-    app::spare_reference(*renderer, job_, console_);
+    load_options_.device = renderer->device().kind;
     load_options_.integrator = job_.integrator;
     load(*renderer);
     while (!stop.stop_requested()) {
@@ -155,8 +155,10 @@ void Worker::load(Renderer& renderer) {
     scene.objects = std::make_shared<DrawnObjects const>(loaded.scene(), job_.root);
     scene.values = SceneValues(loaded.scene(), *scene.objects);
     scene.number = ++scene_number_;
-    scene.request = view_of(job_, loaded.scene());
-    development_ = development_of(job_, loaded.scene());
+    Job job = job_;
+    job.integrator = chosen_integrator(job, loaded.scene(), load_options_.device).integrator;
+    scene.request = view_of(job, loaded.scene());
+    development_ = development_of(job, loaded.scene());
     denoising_ = decided(job_.denoising, scene.request.integrator);
     scene.development = development_;
     scene.cameras.assign(loaded.scene().cameras.begin(), loaded.scene().cameras.end());
@@ -199,7 +201,7 @@ void Worker::develop_again(Renderer& renderer) {
     if (!new_development_) return;
     development_ = *std::exchange(new_development_, std::nullopt);
   }
-  if (film_.is_empty() || !film_.planes().has(FilmPlane::radiance)) return;
+  if (shown_.is_empty() || !shown_.planes().has(FilmPlane::radiance)) return;
   Frame frame = frame_;
   frame.image = developed(renderer);
   send(std::move(frame));
@@ -257,10 +259,8 @@ void Worker::trace_marking(Renderer& renderer, std::stop_token const& stop) {
 }
 
 Image Worker::developed(Renderer& renderer) const {
-  if (!film_.planes().has(FilmPlane::radiance)) return show_plane(film_, film_.planes().list().front());
-  if (denoising_ == Denoising::off) return renderer.develop(film_, development_);
-  Denoiser denoiser([&renderer](NoisyPicture const& picture) { return renderer.filter_noise(picture); });
-  return renderer.develop(denoiser.denoised(film_, Denoising::builtin), development_);
+  if (!shown_.planes().has(FilmPlane::radiance)) return show_plane(shown_, shown_.planes().list().front());
+  return renderer.develop(shown_, development_);
 }
 
 void Worker::send(Frame frame) {
@@ -284,10 +284,7 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
     if (!next) return false;
     pass = *next;
     request = Refinement::request(*view_, pass);
-    if (denoising_ != Denoising::off && request.planes.has(FilmPlane::radiance)) {
-      request.planes.add(FilmPlane::albedo);
-      request.planes.add(FilmPlane::normal);
-    }
+    if (denoising_ != Denoising::off) request.planes = with_guides(request.planes);
     is_new_view_ = false;
   }
   bool const grows = Refinement::grows(pass.sampling);
@@ -314,6 +311,12 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
   frame_.statistics = result.statistics;
   Frame frame = frame_;
   app::Stopwatch const stopwatch;
+  if (denoising_ == Denoising::off || !film_.planes().has(FilmPlane::radiance)) {
+    shown_ = film_;
+  } else {
+    Denoiser denoiser([&renderer](NoisyPicture const& picture) { return renderer.filter_noise(picture); });
+    shown_ = denoiser.denoised(film_, Denoising::builtin);
+  }
   frame.image = developed(renderer);
   double const milliseconds = result.statistics.trace_ms + stopwatch.milliseconds();
   if (pass.sampling.count == 1) {

@@ -95,7 +95,7 @@ class Worker {
   void trace_marking(Renderer& renderer, std::stop_token const& stop);
   /// Whether one was saved; not more often than makes sense.
   void look_at_files();
-  /// What the window shows of film_.
+  /// What the window shows of shown_.
   Image developed(Renderer& renderer) const;
   void send(Frame frame);
   /// Whether there was something to trace.
@@ -120,8 +120,9 @@ class Worker {
   bool is_fine_ = false;  // the picture that is shown has a ray for each pixel
   Development development_;
   Denoising denoising_ = Denoising::off;
-  Film film_;                // of the last pass
-  Frame frame_;              // what is known of film_, but for the picture
+  Film film_;                // of the last pass; empty when that was given up
+  Film shown_;               // the last that was whole, without noise
+  Frame frame_;              // what is known of shown_, but for the picture
   bool is_growing_ = false;  // its samples are the first of the next pass
   std::chrono::steady_clock::time_point files_looked_at_;
   bool files_have_changed_ = false;

@@ -34,8 +34,8 @@ inline constexpr double max_environment_brightness = 1e6;
 
 /// A map around the scene. Radiance 1 from everywhere lights a white diffuse surface to 1.
 struct EnvironmentLight {
-  std::string
-      source;  ///< where the map is from: a file's path, a built-in one's name, or the numbers of its one colour
+  /// Where the map is from: a file's path, a built-in one's name, or the numbers of its one colour.
+  std::string source;
   std::shared_ptr<EnvironmentMap const> map;
   double rotation_degrees = 0;  ///< about the y axis, counter-clockwise seen from above
   double brightness = 1;        ///< >= 0; what the map's radiance is multiplied by

@@ -42,10 +42,10 @@ struct JobView {
   std::optional<double> fov_x_degrees;  ///< 0 < fov < 180
   std::optional<double> fov_y_degrees;  ///< the same; not with `fov_x_degrees`
   std::optional<Orbit> orbit;
-  /// Of the lens, see lichtraum::Lens: the distance of what is sharp, or a point.
+  /// What is sharp: a distance along the view, in units of the world, or a point.
   using Focus = std::variant<double, Vec3>;
-  std::optional<double> aperture;
-  std::optional<Focus> focus;  ///< only with an aperture, the camera's or this one; else what is looked at
+  std::optional<double> aperture;  ///< of the lens, see lichtraum::Lens
+  std::optional<Focus> focus;      ///< only with an aperture, the camera's or this one; else what is looked at
   friend bool operator==(JobView const&, JobView const&) = default;
 };
 
@@ -98,8 +98,9 @@ inline constexpr int texture_side = 65536;
 inline constexpr int jpeg_quality = 100;
 }  // namespace job_limits
 
-/// What draws models, or scene files, unless a job or the file says otherwise.
-Integrator usual_integrator(bool is_model);
+/// What draws models, or scene files, on a device unless a job or the file says otherwise: models by path, but on the
+/// reference tracer, which follows paths too slowly for pictures; scenes by whitted.
+Integrator usual_integrator(bool is_model, DeviceKind device = DeviceKind::cpu);
 
 /// What draws a picture, and why.
 struct IntegratorChoice {
@@ -109,7 +110,7 @@ struct IntegratorChoice {
 
 /// The job's integrator; else that of the scene's `render`; else path for a scene that holds what only paths show (an
 /// environment, a material with emission); else usual_integrator. Throws Error{usage} for a picture that there is not.
-IntegratorChoice chosen_integrator(Job const& job, Scene const& scene);
+IntegratorChoice chosen_integrator(Job const& job, Scene const& scene, DeviceKind device = DeviceKind::cpu);
 
 /// What is done about noise in a picture of that integrator: `asked`, unless that is `automatic`. Whitted's rays make
 /// none.

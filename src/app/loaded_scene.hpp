@@ -17,10 +17,11 @@ namespace lichtraum::app {
 struct LoadOptions {
   FileObserver on_read;                           ///< may be empty
   std::shared_ptr<ModelCache> models;             ///< null: each scene has one for itself
+  DeviceKind device = DeviceKind::cpu;            ///< that draws: see usual_integrator
   std::optional<Integrator> integrator;           ///< that was asked for: by paths, models stand in the studio
   std::shared_ptr<EnvironmentMaps> environments;  ///< null: each scene has its maps for itself
-  std::vector<double>
-      times_seconds;  ///< a picture of a model's animation at each; empty: one, see ModelChoice::time_seconds
+  /// A picture of a model's animation at each; empty: one, see ModelChoice::time_seconds.
+  std::vector<double> times_seconds;
   std::optional<double> whole_animation_rate;  ///< a model's whole animation, at that many pictures a second
 };
 

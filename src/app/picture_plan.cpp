@@ -49,17 +49,20 @@ void check_encoding(PicturePlan const& plan) {
 }
 
 /// `command`: what the scene says about the picture.
-PicturePlan plan_picture(Scene const& scene, RenderCommand const& command, Job const& job, OutputNames& names,
-                         bool is_one_of_many) {
+PicturePlan plan_picture(Scene const& scene, RenderCommand const& command, Job job, DeviceKind device,
+                         OutputNames& names, bool is_one_of_many) {
   PicturePlan plan;
-  plan.job = resolved(job, scene);
-  plan.integrator_reason = chosen_integrator(job, scene).reason;
+  IntegratorChoice const choice = chosen_integrator(job, scene, device);
+  bool const is_size_asked = job.size.has_value();
+  job.integrator = choice.integrator;
+  plan.integrator_reason = choice.reason;
+  plan.job = resolved(std::move(job), scene);
   plan.output = names.next(command.file, is_one_of_many);
   // What stores planes stores them as they were traced; other planes have no noise.
   bool const is_developed = plan.output.format->encode && plan.job.planes.has(FilmPlane::radiance);
   if (!is_developed) plan.job.denoising = Denoising::off;
   check_memory(*plan.job.region, traced_planes(plan.job), plan.job.sampling->count,
-               job.size ? ErrorKind::usage : ErrorKind::scene, plan.job.denoising != Denoising::off);
+               is_size_asked ? ErrorKind::usage : ErrorKind::scene, plan.job.denoising != Denoising::off);
   check_encoding(plan);
   check_planes(plan);
   if (!plan.output.is_standard_output() && !plan.output.is_film) check_writable(plan.output.path);
@@ -115,7 +118,7 @@ std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource co
     for (int turn = 0; turn < turns; ++turn) {
       if (options.turntable > 0) job.turn_degrees = 360.0 * turn / turns;
       bool const is_one_of_many = turns > 1 || times.size() > 1;
-      plans.push_back(plan_picture(scene, command, job, names, is_one_of_many));
+      plans.push_back(plan_picture(scene, command, job, options.load.device, names, is_one_of_many));
       plans.back().scene_number = scene_number;
     }
   }

@@ -53,7 +53,7 @@ bool parse_preview(Arguments const& arguments, PreviewOptions& options, Console&
             "auto (default: ask the terminal), blocks, kitty\nor sixel", group);
   add_viewpoint_options(*parser, render, group);
   add_value(*parser, "--samples", render.job.sampling, parse_samples, "N|NxN",
-            "Samples per pixel (default: 3x3, of models 16)", group);
+            "Samples per pixel (default: 3x3; path: 16)", group);
   add_device_option(*parser, render, group);
   add_language_options(*parser, render.job.reading);
   add_model_options(*parser, render.job.reading.model);
@@ -72,10 +72,7 @@ Sampling usual_sampling(Integrator integrator) {
 /// Developed, without the noise that paths leave.
 Image draw(Renderer& renderer, RenderRequest request, Development const& development) {
   bool const is_noisy = request.integrator == Integrator::path;
-  if (is_noisy) {
-    request.planes.add(FilmPlane::albedo);
-    request.planes.add(FilmPlane::normal);
-  }
+  if (is_noisy) request.planes = with_guides(request.planes);
   Film film;
   renderer.render(request, film);
   if (is_noisy) {
@@ -127,12 +124,13 @@ int preview_command(Arguments const& arguments, Console& console) {
   SceneSource const source(render.scenes.front());
   auto const renderer = choose_renderer(render.device, std::nullopt, console);
   Job job = source.job(render.job);
-  spare_reference(*renderer, job, console);
   LoadOptions load;
+  load.device = renderer->device().kind;
   load.integrator = job.integrator;
   LoadedScene const loaded = source.load(job.reading, load);
   console.show(loaded.diagnostics());
-  if (!job.sampling) job.sampling = usual_sampling(*resolved(job, loaded.scene()).integrator);
+  job.integrator = chosen_integrator(job, loaded.scene(), load.device).integrator;
+  if (!job.sampling) job.sampling = usual_sampling(*job.integrator);
   RenderRequest request = view_of(job, loaded.scene());
 
   // A pipe or a file cannot be asked: blocks are text, and every terminal that it is shown in later knows them.

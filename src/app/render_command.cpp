@@ -177,7 +177,7 @@ int render_command(Arguments const& arguments, Console& console) {
   Stopwatch const stopwatch;
   auto const renderer = choose_renderer(options.device, options.traversal, console);
   console.detail(fmt::format("device {}: {}", renderer->device().index, renderer->device().name));
-  spare_reference(*renderer, options.job, console);
+  options.load.device = renderer->device().kind;
   options.load.integrator = options.job.integrator;
   RunReport report;
   report.device = renderer->device();

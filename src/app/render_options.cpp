@@ -21,7 +21,7 @@ void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string
   add_value(parser, "--fov-x", view.fov_x_degrees, parse_fov, "DEG", "Its opening angle across the picture", group);
   add_value(parser, "--fov-y", view.fov_y_degrees, parse_fov, "DEG", "The same from top to bottom", group);
   add_value(parser, "--aperture", view.aperture, parse_aperture, "D",
-            "Diameter of its lens: how blurred is what is out\nof focus (default: 0, nothing is)", group);
+            "Diameter of its lens, which blurs what is out of\nfocus (default: 0, all is sharp)", group);
   add_value(parser, "--focus", view.focus, parse_focus, "D|X,Y,Z",
             "Distance of what is sharp, or a point there\n(default: what is looked at)", group);
   add_value(parser, "--root", options.job.root, parse_name, "NAME", "Draw only this shape and what is below it", group);

@@ -23,14 +23,10 @@ std::unique_ptr<Renderer> choose_renderer(std::string const& selector, std::opti
       console.warning(fmt::format("the device '{}' cannot be used: {}", device.name, error.what()));
     }
   }
-  console.warning("no OpenCL device can be used: the reference tracer draws, which is slow (see lichtraum doctor)");
+  console.warning(
+      "no OpenCL device can be used: the reference tracer draws, slowly and models by --integrator whitted "
+      "(see lichtraum doctor)");
   return make_renderer(reference_device());
-}
-
-void spare_reference(Renderer const& renderer, Job& job, Console const& console) {
-  if (job.integrator || renderer.device().kind != DeviceKind::reference) return;
-  job.integrator = Integrator::whitted;
-  console.detail("the reference tracer draws by --integrator whitted unless asked otherwise");
 }
 
 }  // namespace lichtraum::app

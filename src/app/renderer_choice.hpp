@@ -4,7 +4,6 @@
 #include <string>
 
 #include "app/console.hpp"
-#include "lichtraum/job.hpp"
 #include "lichtraum/renderer.hpp"
 
 namespace lichtraum::app {
@@ -13,9 +12,5 @@ namespace lichtraum::app {
 /// one that does not. Throws Error{no_device}.
 std::unique_ptr<Renderer> choose_renderer(std::string const& selector, std::optional<Traversal> const& traversal,
                                           Console const& console);
-
-/// Has everything drawn by Whitted's rays where the job leaves that open and the reference tracer draws: it follows
-/// paths too slowly for pictures.
-void spare_reference(Renderer const& renderer, Job& job, Console const& console);
 
 }  // namespace lichtraum::app

@@ -84,7 +84,7 @@ LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& gi
   LoadOptions options = given;
   if (!options.environments) options.environments = std::make_shared<EnvironmentMaps>();
   bool const is_model = !text_ && is_model_file(name_);
-  bool const is_by_paths = options.integrator.value_or(usual_integrator(is_model)) == Integrator::path;
+  bool const is_by_paths = options.integrator.value_or(usual_integrator(is_model, options.device)) == Integrator::path;
   auto const adjust = chooser(reading.environment, is_model && is_by_paths, options);
   if (!is_model) {
     auto const find_map = [maps = options.environments](std::string const& source) { return maps->find(source, {}); };

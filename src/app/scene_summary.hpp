@@ -16,8 +16,8 @@ struct SceneSummary {
   ShapeCounts drawn;                          ///< once for each path from a root: with all instances
   Bounds bounds;                              ///< of all that is drawn
   std::vector<TextureImage const*> textures;  ///< of all materials, each once, as they are in memory
-  std::vector<IntegratorChoice>
-      integrators;  ///< of the pictures that the scene asks for; of one where it asks for none
+  /// Of the pictures that the scene asks for; of one where it asks for none.
+  std::vector<IntegratorChoice> integrators;
   Scene const* scene = nullptr;
   ModelContents const* contents = nullptr;  ///< null: it is not a model
 };

@@ -112,15 +112,21 @@ bool has_shining_material(Scene const& scene) {
 
 }  // namespace
 
-Integrator usual_integrator(bool is_model) { return is_model ? Integrator::path : Integrator::whitted; }
+Integrator usual_integrator(bool is_model, DeviceKind device) {
+  return is_model && device != DeviceKind::reference ? Integrator::path : Integrator::whitted;
+}
 
-IntegratorChoice chosen_integrator(Job const& job, Scene const& scene) {
+IntegratorChoice chosen_integrator(Job const& job, Scene const& scene, DeviceKind device) {
   if (job.integrator) return {*job.integrator, "that is asked for"};
   if (auto const asked = command_of(job, scene).integrator) return {*asked, "the scene's render asks for it"};
-  if (is_model(job)) return {usual_integrator(true), "models are, unless asked otherwise"};
+  if (is_model(job)) {
+    bool const is_reference = device == DeviceKind::reference;
+    return {usual_integrator(true, device),
+            is_reference ? "the reference tracer follows paths too slowly" : "models are, unless asked otherwise"};
+  }
   if (scene.environment) return {Integrator::path, "only paths show an environment's light"};
   if (has_shining_material(scene)) return {Integrator::path, "only paths show what an emission lights"};
-  return {usual_integrator(false), "scenes are, unless asked otherwise"};
+  return {usual_integrator(false, device), "scenes are, unless asked otherwise"};
 }
 
 Denoising decided(Denoising asked, Integrator integrator) {
@@ -136,12 +142,8 @@ PlaneSet shown_planes(Job const& job) {
 }
 
 PlaneSet traced_planes(Job const& job) {
-  PlaneSet planes = shown_planes(job);
   bool const is_denoised = job.denoising == Denoising::on || job.denoising == Denoising::builtin;
-  if (!is_denoised || !planes.has(FilmPlane::radiance)) return planes;
-  planes.add(FilmPlane::albedo);
-  planes.add(FilmPlane::normal);
-  return planes;
+  return is_denoised ? with_guides(shown_planes(job)) : shown_planes(job);
 }
 
 Job resolved(Job job, Scene const& scene) {
@@ -187,8 +189,7 @@ RenderRequest view_of(Job job, Scene const& scene) {
 }
 
 Development development_of(Job const& job, Scene const& scene) {
-  Integrator const integrator = job.integrator.value_or(usual_integrator(is_model(job)));
-  bool const is_lit_by_paths = is_model(job) && integrator == Integrator::path;
+  bool const is_lit_by_paths = is_model(job) && chosen_integrator(job, scene).integrator == Integrator::path;
   ToneMap const usual = is_lit_by_paths ? ToneMap::neutral : scene.tone_map;
   return {job.exposure_ev, job.tone_map == ToneMap::automatic ? usual : job.tone_map,
           job.transfer.value_or(is_model(job) ? Transfer::srgb : Transfer::linear)};

@@ -111,7 +111,7 @@ TEST_CASE("paths are traced when asked for, with samples and a depth of their ow
   CHECK(asked_by_scene("") == std::tuple("path", 8, 3));
   CHECK(asked_by_scene("--samples 2 --depth 4") == std::tuple("path", 2, 4));
   CHECK(asked_by_scene("--integrator whitted") == std::tuple("whitted", 8, 3));
-  CHECK(asked_by_scene("--device reference") == std::tuple("whitted", 8, 3));
+  CHECK(asked_by_scene("--device reference") == std::tuple("path", 8, 3));
 }
 
 TEST_CASE("samples are seeded or a grid; one is the pixel's centre", "[app][render]") {

@@ -97,6 +97,15 @@ TEST_CASE("the integrator is the job's, the render's, or what the scene needs", 
   scene.renders.clear();
   job.picture = 0;
   CHECK(choice(job) == Choice(Integrator::path, "models are, unless asked otherwise"));
+  auto const by_reference = [&] { return chosen_integrator(job, scene, DeviceKind::reference); };
+  CHECK(by_reference().integrator == Integrator::whitted);
+  CHECK(by_reference().reason == "the reference tracer follows paths too slowly");
+  job.integrator = Integrator::path;
+  CHECK(by_reference().integrator == Integrator::path);
+  job.integrator.reset();
+  job.scene = job_of().scene;
+  scene.environment = EnvironmentLight{"1 1 1", uniform_environment(1, 1, 1)};
+  CHECK(by_reference().integrator == Integrator::path);  // whitted would show it black
 }
 
 TEST_CASE("an environment is seen unless the scene has another background, or it is the studio", "[unit][job]") {

@@ -109,7 +109,8 @@ struct IntegratorChoice {
 };
 
 /// The job's integrator; else that of the scene's `render`; else path for a scene that holds what only paths show (an
-/// environment, a material with emission); else usual_integrator. Throws Error{usage} for a picture that there is not.
+/// environment, a lamp with a size, a material with emission); else usual_integrator. Throws Error{usage} for a picture
+/// that there is not.
 IntegratorChoice chosen_integrator(Job const& job, Scene const& scene, DeviceKind device = DeviceKind::cpu);
 
 /// What is done about noise in a picture of that integrator: `asked`, unless that is `automatic`. Whitted's rays make

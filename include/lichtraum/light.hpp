@@ -29,6 +29,7 @@ struct LightFieldVisitor {
   void flag(char const*, bool) const {}
   void range(char const*, double) const {}
   void cone(char const*, SpotCone const&) const {}
+  void radius(char const*, double) const {}
 };
 
 // The fields of each kind of light, written down once: the structs below come from these lists, and what goes through
@@ -41,20 +42,23 @@ struct LightFieldVisitor {
 //   FLAG
 //   RANGE       at this distance it has fallen off to nothing (KHR_lights_punctual's formula); > 0, infinite: no end
 //   CONE
+//   RADIUS      in units of the world, >= 0. From each point the light is seen as a disc of that radius around its
+//   position,
+//               which no ray meets; 0: as a point. Only paths show it
 
 /// Arrives everywhere.
-#define LICHTRAUM_AMBIENT_LIGHT(POSITION, DIRECTION, BRIGHTNESS, AMBIENT, FLAG, RANGE, CONE) BRIGHTNESS(la, 0)
+#define LICHTRAUM_AMBIENT_LIGHT(POSITION, DIRECTION, BRIGHTNESS, AMBIENT, FLAG, RANGE, CONE, RADIUS) BRIGHTNESS(la, 0)
 
 /// From a position, into all directions; as bright at any distance (eSDF's), or falling off with its square (glTF's).
-#define LICHTRAUM_POINT_LIGHT(POSITION, DIRECTION, BRIGHTNESS, AMBIENT, FLAG, RANGE, CONE) \
-  BRIGHTNESS(ld, 1) AMBIENT(la) POSITION(position) FLAG(falls_off) RANGE(range)
+#define LICHTRAUM_POINT_LIGHT(POSITION, DIRECTION, BRIGHTNESS, AMBIENT, FLAG, RANGE, CONE, RADIUS) \
+  BRIGHTNESS(ld, 1) AMBIENT(la) POSITION(position) FLAG(falls_off) RANGE(range) RADIUS(radius)
 
 /// From a position, into a cone; falls off with the square of the distance.
-#define LICHTRAUM_SPOT_LIGHT(POSITION, DIRECTION, BRIGHTNESS, AMBIENT, FLAG, RANGE, CONE) \
+#define LICHTRAUM_SPOT_LIGHT(POSITION, DIRECTION, BRIGHTNESS, AMBIENT, FLAG, RANGE, CONE, RADIUS) \
   BRIGHTNESS(ld, 1) POSITION(position) DIRECTION(direction) CONE(cone) RANGE(range)
 
 /// From infinitely far away.
-#define LICHTRAUM_DIRECTIONAL_LIGHT(POSITION, DIRECTION, BRIGHTNESS, AMBIENT, FLAG, RANGE, CONE) \
+#define LICHTRAUM_DIRECTIONAL_LIGHT(POSITION, DIRECTION, BRIGHTNESS, AMBIENT, FLAG, RANGE, CONE, RADIUS) \
   BRIGHTNESS(ld, 1) DIRECTION(direction)
 
 #define LICHTRAUM_POSITION(name) Vec3 name{0};
@@ -64,6 +68,7 @@ struct LightFieldVisitor {
 #define LICHTRAUM_FLAG(name) bool name = false;
 #define LICHTRAUM_RANGE(name) double name = std::numeric_limits<double>::infinity();
 #define LICHTRAUM_CONE(name) SpotCone name{};
+#define LICHTRAUM_RADIUS(name) double name = 0;
 #define LICHTRAUM_VISIT_POSITION(name) visitor.position(#name, light.name);
 #define LICHTRAUM_VISIT_DIRECTION(name) visitor.direction(#name, light.name);
 #define LICHTRAUM_VISIT_BRIGHTNESS(name, initial) visitor.brightness(#name, light.name);
@@ -71,17 +76,18 @@ struct LightFieldVisitor {
 #define LICHTRAUM_VISIT_FLAG(name) visitor.flag(#name, light.name);
 #define LICHTRAUM_VISIT_RANGE(name) visitor.range(#name, light.name);
 #define LICHTRAUM_VISIT_CONE(name) visitor.cone(#name, light.name);
+#define LICHTRAUM_VISIT_RADIUS(name) visitor.radius(#name, light.name);
 #define LICHTRAUM_LIGHT(type, word, fields)                                                                          \
   struct type {                                                                                                      \
     static constexpr std::string_view kind = word;                                                                   \
     fields(LICHTRAUM_POSITION, LICHTRAUM_DIRECTION, LICHTRAUM_BRIGHTNESS, LICHTRAUM_AMBIENT, LICHTRAUM_FLAG,         \
-           LICHTRAUM_RANGE, LICHTRAUM_CONE)                                                                          \
+           LICHTRAUM_RANGE, LICHTRAUM_CONE, LICHTRAUM_RADIUS)                                                        \
   };                                                                                                                 \
   template <class Visitor, class Light>                                                                              \
   requires std::same_as<std::remove_const_t<Light>, type>                                                            \
   void for_each_field(Light& light, Visitor& visitor) {                                                              \
     fields(LICHTRAUM_VISIT_POSITION, LICHTRAUM_VISIT_DIRECTION, LICHTRAUM_VISIT_BRIGHTNESS, LICHTRAUM_VISIT_AMBIENT, \
-           LICHTRAUM_VISIT_FLAG, LICHTRAUM_VISIT_RANGE, LICHTRAUM_VISIT_CONE)                                        \
+           LICHTRAUM_VISIT_FLAG, LICHTRAUM_VISIT_RANGE, LICHTRAUM_VISIT_CONE, LICHTRAUM_VISIT_RADIUS)                \
   }
 
 LICHTRAUM_LIGHT(AmbientLight, "ambient", LICHTRAUM_AMBIENT_LIGHT)
@@ -100,6 +106,7 @@ LICHTRAUM_LIGHT(DirectionalLight, "directional", LICHTRAUM_DIRECTIONAL_LIGHT)
 #undef LICHTRAUM_FLAG
 #undef LICHTRAUM_RANGE
 #undef LICHTRAUM_CONE
+#undef LICHTRAUM_RADIUS
 #undef LICHTRAUM_VISIT_POSITION
 #undef LICHTRAUM_VISIT_DIRECTION
 #undef LICHTRAUM_VISIT_BRIGHTNESS
@@ -107,6 +114,7 @@ LICHTRAUM_LIGHT(DirectionalLight, "directional", LICHTRAUM_DIRECTIONAL_LIGHT)
 #undef LICHTRAUM_VISIT_FLAG
 #undef LICHTRAUM_VISIT_RANGE
 #undef LICHTRAUM_VISIT_CONE
+#undef LICHTRAUM_VISIT_RADIUS
 #undef LICHTRAUM_LIGHT
 
 class Light {
@@ -116,7 +124,7 @@ class Light {
   /// A white point light at the origin without a name.
   Light() = default;
   /// Brings directions to unit length. Throws std::invalid_argument for a direction that is zero, a range that is not
-  /// positive, or angles that make no cone.
+  /// positive, angles that make no cone, or a radius that is negative or infinite.
   Light(std::string name, Model model);
 
   static Light ambient(std::string name, Rgb const& la);

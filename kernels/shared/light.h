@@ -19,8 +19,9 @@ typedef struct {
   float inverse_range; /* falls off to nothing at 1 / this */
   float cone_scale;    /* brightness in a cone: (cosine * scale + offset)^2, clamped to 0..1; 0 and 1 without cone */
   float cone_offset;
+  float radius; /* of the disc as which points see it; 0: a point */
 } PunctualLight;
-DEVICE_STRUCT_SIZE(PunctualLight, 56);
+DEVICE_STRUCT_SIZE(PunctualLight, 60);
 
 /* A triangle that shines, once for each instance of it: corner + u * edges[0] + v * edges[1]. */
 typedef struct {

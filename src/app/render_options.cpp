@@ -55,7 +55,7 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
   std::string const group = "Quality";
   add_value(parser, "--integrator", options.job.integrator, parse_integrator, "NAME",
             "whitted: direct light, mirrors and glass;\npath: all light (default: what the scene asks for;\npath for "
-            "models, environments and emission)",
+            "models and for light that only it shows)",
             group);
   add_value(parser, "--samples", options.job.sampling, parse_samples, "N|NxN",
             "Samples per pixel: 16 random ones, or a grid such\nas 4x4 (default: " + default_samples + ")", group);

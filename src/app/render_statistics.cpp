@@ -94,7 +94,7 @@ std::string details(PictureReport const& report) {
       "  drawn by {}, as {}\n"
       "  scene: {} triangles, {} spheres, {} boxes, {} instances, {} nodes, {} bytes on the device\n"
       "  flatten {:.1f} ms, build {:.1f} ms, upload {:.1f} ms, program {:.1f} ms, trace {:.1f} ms, write {:.1f} ms\n"
-      "  rays: {} camera ({} hit something), {} shadow, {} mirror and glass{}",
+      "  rays: {} camera ({} hit something), {} shadow, {} mirror and glass{}{}",
       find_word<Integrator>(integrator_words, *report.plan.job.integrator), report.plan.integrator_reason, s.triangles,
       s.spheres, s.boxes, s.instances, s.bvh_nodes, s.device_bytes, s.flatten_ms, s.build_ms, s.upload_ms,
       report.render.program_ms, report.render.trace_ms, report.write_ms, rays.camera, rays.camera_hits, rays.shadow,

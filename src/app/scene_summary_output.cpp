@@ -120,6 +120,9 @@ struct LightJson : LightFieldVisitor {
     value["inner_degrees"] = cone.inner_degrees;
     value["outer_degrees"] = cone.outer_degrees;
   }
+  void radius(char const* name, double radius) {
+    if (radius > 0) value[name] = radius;
+  }
 };
 
 }  // namespace
@@ -179,6 +182,8 @@ std::string to_json(SceneSummary const& summary, std::string const& file) {
                        {"fov_x_degrees", camera.fov_x_degrees()},
                        {"position", triple_json(camera.world_from_camera().point(Vec3(0)))},
                        {"size", size_json(camera.resolution())}});
+    Lens const& lens = camera.lens();
+    if (lens.aperture > 0) cameras.back()["lens"] = {{"aperture", lens.aperture}, {"focus", lens.focus_distance}};
   }
   Json renders = Json::array();
   for (std::size_t i = 0; i < scene.renders.size(); ++i) {

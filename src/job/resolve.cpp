@@ -35,10 +35,10 @@ struct Effort {
   int samples;
   int max_depth;
 };
-Effort usual_effort(Integrator integrator, bool is_model) {
+Effort usual_effort(Integrator integrator, bool is_model, bool has_lens) {
   switch (integrator) {
     case Integrator::whitted:
-      return {1, 5};
+      return {has_lens ? 64 : 1, 5};
     case Integrator::path:
       return {is_model ? 16 : 64, 16};
   }
@@ -110,6 +110,13 @@ bool has_shining_material(Scene const& scene) {
   });
 }
 
+bool has_lamp_with_size(Scene const& scene) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(), [](Light const& light) {
+    auto const* const lamp = light.get<PointLight>();
+    return lamp && lamp->radius > 0;
+  });
+}
+
 }  // namespace
 
 Integrator usual_integrator(bool is_model, DeviceKind device) {
@@ -125,6 +132,7 @@ IntegratorChoice chosen_integrator(Job const& job, Scene const& scene, DeviceKin
             is_reference ? "the reference tracer follows paths too slowly" : "models are, unless asked otherwise"};
   }
   if (scene.environment) return {Integrator::path, "only paths show an environment's light"};
+  if (has_lamp_with_size(scene)) return {Integrator::path, "only paths show a lamp's size"};
   if (has_shining_material(scene)) return {Integrator::path, "only paths show what an emission lights"};
   return {usual_integrator(false, device), "scenes are, unless asked otherwise"};
 }
@@ -156,7 +164,8 @@ Job resolved(Job job, Scene const& scene) {
   if (!job.region) job.region = whole_picture(*job.size);
   job.integrator = chosen_integrator(job, scene).integrator;
   if (!job.background && job.integrator == Integrator::path) job.background = usual_background(job, scene);
-  Effort const usual = usual_effort(*job.integrator, is_model(job));
+  Effort const usual =
+      usual_effort(*job.integrator, is_model(job), job.view.aperture.value_or(camera.lens().aperture) > 0);
   if (!job.sampling) job.sampling = sampling_of(command.samples.value_or(usual.samples));
   if (!job.max_depth) job.max_depth = command.depth.value_or(usual.max_depth);
   job.denoising = decided(job.denoising, *job.integrator);

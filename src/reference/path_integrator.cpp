@@ -33,11 +33,25 @@ double visibility(ReferenceScene const& scene, Ray const& ray, double t_max) {
   return share;
 }
 
-/// What the surface reflects of lights without extent: no ray would meet them.
-Rgb light_of_points(ReferenceScene const& scene, ReferenceScatteringPoint const& point,
-                    ReferenceScattering const& scattering, RayCounts& counts) {
+/// The light, or where it has a radius, one at any point of the disc as which `point` sees it.
+Light placed(Light const& light, Vec3 const& point, ReferenceRandom& random) {
+  PointLight const* const lamp = light.get<PointLight>();
+  if (!lamp || lamp->radius == 0) return light;
+  Vec3 const way = lamp->position - point;
+  Vec3 const aside = std::abs(way.x) < std::abs(way.y) ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  Vec3 const x = glm::normalize(glm::cross(way, aside)), y = glm::normalize(glm::cross(way, x));
+  double const radius = lamp->radius * std::sqrt(random.uniform()), angle = 2 * pi * random.uniform();
+  PointLight moved = *lamp;
+  moved.position += radius * (cos_of(angle) * x + sin_of(angle) * y);
+  return {light.name(), moved};
+}
+
+/// What the surface reflects of lights that no ray would meet.
+Rgb light_of_lamps(ReferenceScene const& scene, ReferenceScatteringPoint const& point,
+                   ReferenceScattering const& scattering, ReferenceRandom& random, RayCounts& counts) {
   Rgb radiance(0);
-  for (Light const& light : scene.lights) {
+  for (Light const& lamp : scene.lights) {
+    Light const light = placed(lamp, point.position, random);
     Vec3 const way = light.way_from(point.position);
     if (way == Vec3(0)) continue;
     Vec3 const to_light = glm::normalize(way);
@@ -111,7 +125,7 @@ PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& e
     if (!entered && point.solid && !point.from_outside) throughput *= attenuation(*point.solid, hit.t);
     sample.radiance += throughput * point.emission;
     auto const scattering = point.scattering();
-    sample.radiance += throughput * light_of_points(scene, point, scattering, counts);
+    sample.radiance += throughput * light_of_lamps(scene, point, scattering, random, counts);
     if (depth == max_depth) return sample;
     auto const next = choose_continuation(scattering, point.normal, random);
     throughput *= next.weight;

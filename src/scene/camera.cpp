@@ -100,6 +100,9 @@ std::ostream& operator<<(std::ostream& out, Camera const& camera) {
   out << fmt::format("camera '{}': fov {} degrees, at {}, looking along {}", camera.name(), camera.fov_x_degrees(),
                      format_numbers(eye), format_numbers(direction));
   if (camera.resolution()) out << fmt::format(", {} x {}", camera.resolution()->width, camera.resolution()->height);
+  if (camera.lens().aperture > 0) {
+    out << fmt::format(", aperture {}, focus {}", camera.lens().aperture, camera.lens().focus_distance);
+  }
   return out;
 }
 

@@ -28,6 +28,9 @@ struct Check : LightFieldVisitor {
     bool const is_cone = cone.inner_degrees >= 0 && cone.inner_degrees < cone.outer_degrees && cone.outer_degrees <= 90;
     if (!is_cone) throw std::invalid_argument("a spot light's angles must be 0 <= inner < outer <= 90 degrees");
   }
+  void radius(char const*, double radius) const {
+    if (!(radius >= 0) || !std::isfinite(radius)) throw std::invalid_argument("a light's radius must be at least 0");
+  }
 };
 
 struct FindBrightness : LightFieldVisitor {
@@ -51,6 +54,9 @@ struct Print {
   }
   void cone(char const* name, SpotCone const& cone) {
     add(fmt::format("{} {} {}", name, cone.inner_degrees, cone.outer_degrees));
+  }
+  void radius(char const* name, double radius) {
+    if (radius > 0) add(fmt::format("{} {}", name, radius));
   }
 
  private:
@@ -104,6 +110,7 @@ std::optional<device::PunctualLight> for_device(PointLight const& light) {
   store(light.ld, out.ld);
   out.inverse_range = float(1 / light.range);
   out.cone_offset = 1;
+  out.radius = float(light.radius);
   return out;
 }
 std::optional<device::PunctualLight> for_device(SpotLight const& light) {

@@ -74,6 +74,7 @@ struct LightFieldHasher {
   void flag(char const*, bool value) const { hasher.add(value); }
   void range(char const*, double value) const { hasher.add(value); }
   void cone(char const*, SpotCone const& value) const { hasher.add(value); }
+  void radius(char const*, double value) const { hasher.add(value); }
 };
 
 ContentHash content_of(std::vector<Light> const& lights) {

@@ -1,5 +1,7 @@
 #include <signal.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 

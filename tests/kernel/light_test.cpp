@@ -50,6 +50,45 @@ TEST_CASE("Lights fall off, have cones and directions as KHR_lights_punctual say
   }
 }
 
+TEST_CASE("A lamp with a radius is seen as an even disc from everywhere", "[kernel][statistics]") {
+  NEEDS_OPENCL_DEVICE();
+  Random random(75);
+  std::size_t const count = scaled_count(20000);
+  double const radius = 0.7;
+  std::vector<device::PunctualLight> table;
+  std::vector<Vec3> middles;
+  std::vector<float4> positions, uniform, to_lights(count), arriving(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    middles.push_back(random.in_cube(3));
+    Light const lamp("",
+                     PointLight{.ld = Rgb(3, 2, 1), .position = middles[i], .falls_off = i % 2 == 0, .radius = radius});
+    table.push_back(make_light_table({lamp}, DeviceBounds()).front());
+    positions.push_back(to_float4(middles[i] + random.direction() * random.uniform(0.1, 5)));
+    uniform.push_back(to_float4({random.uniform(0, 1), random.uniform(0, 1), 0}));
+  }
+  ProbeProgram("material.cl")
+      .run("probe_sample_lamp", count, {in(table), in(positions), in(uniform), out(to_lights), out(arriving)});
+  double quarters[2][2] = {}, inner = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Vec3 const position = to_vec3(positions[i]), way = middles[i] - position;
+    Vec3 const z = glm::normalize(way);
+    Vec3 const across = position + double(to_lights[i].w) * to_vec3(to_lights[i]) - middles[i];
+    INFO("lamp " << i);
+    if (std::abs(glm::dot(across, z)) > 1e-5 || glm::length(across) > radius + 1e-5) FAIL("not on the disc");
+    double const distance = to_lights[i].w;
+    Rgb const expected = Rgb(3, 2, 1) / (i % 2 == 0 ? distance * distance : 1.0);
+    if (max_abs(to_vec3(arriving[i]) - expected) > 1e-4 * max_abs(expected)) FAIL("what arrives");
+    Vec3 const x = glm::normalize(glm::cross(z, Vec3(0.3, 0.8, 0.5))), y = glm::cross(z, x);
+    ++quarters[glm::dot(across, x) > 0][glm::dot(across, y) > 0];
+    inner += glm::length(across) < radius * std::sqrt(0.5);
+  }
+  double const deviation = 4.5 * std::sqrt(double(count));
+  for (auto const& half : quarters) {
+    for (double const quarter : half) CHECK(std::abs(quarter - 0.25 * double(count)) < 0.44 * deviation);
+  }
+  CHECK(std::abs(inner - 0.5 * double(count)) < 0.5 * deviation);
+}
+
 TEST_CASE("The terminator is dark behind the triangle, and changes nothing where the normals agree", "[kernel]") {
   NEEDS_OPENCL_DEVICE();
   Random random(74);

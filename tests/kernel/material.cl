@@ -35,6 +35,15 @@ __kernel void probe_sample_light(__global PunctualLight const* lights, __global 
   arriving[i] = (float4)(sample.arriving, sample.pdf);
 }
 
+__kernel void probe_sample_lamp(__global PunctualLight const* lights, __global float4 const* positions,
+                                __global float4 const* uniform, __global float4* to_lights, __global float4* arriving) {
+  size_t const i = get_global_id(0);
+  PunctualLight const light = lights[i];
+  LightSample const sample = sample_lamp(&light, positions[i].xyz, uniform[i].x, uniform[i].y);
+  to_lights[i] = (float4)(sample.to_light, sample.distance);
+  arriving[i] = (float4)(sample.arriving, sample.pdf);
+}
+
 __kernel void probe_terminator(__global float4 const* geometric_normals, __global float4 const* normals,
                                __global float4 const* to_lights, __global float* shares) {
   size_t const i = get_global_id(0);

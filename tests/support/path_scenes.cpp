@@ -14,7 +14,6 @@ void set_material(Scene& scene, char const* name, Material::Model const& model) 
   *(*scene.materials.find(name)) = Material(name, model);
 }
 
-/// eSDF has no word for it.
 void let_shine(Scene& scene, char const* name, Rgb const& emission) {
   PhongModel model = (*scene.materials.find(name))->phong();
   model.emission = emission;
@@ -57,7 +56,7 @@ define shape sphere c -1.1 -0.8 0.4 0.75 c
 define shape sphere d 1.1 -0.8 0.4 0.75 d
 )";
 
-/// A room whose lamps are a panel of two triangles, a ball, and two points; matt and glossy.
+/// A room whose lamps are a panel of two triangles, a ball, a disc and a point; matt and glossy.
 PathScene room() {
   Scene scene = scene_of(std::string(things) + R"(
 define material panel 0 0 0  0.2 0.2 0.2  0 0 0 1
@@ -69,7 +68,7 @@ define shape sphere matt -1 -0.3 -0.5 0.7 c
 define shape sphere bulb 2 1.2 -1 0.5 d
 define shape triangle panel1 -2 2.8 -2  2 2.8 -2  2 2.8 2 panel
 define shape triangle panel2 -2 2.8 -2  2 2.8 2  -2 2.8 2 panel
-define light diffuse key 1 2 3  0.3 0.3 0.25
+define light diffuse key 1 2 3  0.3 0.3 0.25 radius=0.8
 define light diffuse fill -2 1 3  0.1 0.1 0.2
 define light ambient sky 0.1 0.15 0.2
 define background 0.1 0.2 0.3

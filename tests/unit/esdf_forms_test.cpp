@@ -192,6 +192,31 @@ TEST_CASE("lights of the standard", "[unit][esdf]") {
   CHECK(scene.tone_map == ToneMap::none);
 }
 
+TEST_CASE("a light with a position may have a radius", "[unit][esdf]") {
+  auto const radius = [](std::string const& light) {
+    Scene const scene = scene_of("define light " + light + "\n");
+    return scene.lights.front().get<PointLight>()->radius;
+  };
+  CHECK(radius("diffuse lamp 0 0 0 1 1 1 radius=0.25") == 0.25);
+  CHECK(radius("diffuse a=b 0 0 0 1 1 1 radius=0.25") == 0.25);
+  CHECK(radius("a=b 0 0 0 1 1 1 2 2 2 radius=3") == 3);
+  CHECK(radius("lamp 0 0 0 1 1 1 60 radius=3") == 3);
+  CHECK(radius("diffuse 0 0 0 1 1 1 2 2 2 radius=1e3") == 1000);  // called 'diffuse'
+  CHECK(radius("diffuse lamp 0 0 0 1 1 1 radius=0") == 0);
+  CHECK(radius("diffuse lamp 0 0 0 1 1 1") == 0);
+}
+
+TEST_CASE("a camera may have a lens", "[unit][esdf]") {
+  auto const lens = [](std::string const& words) {
+    Scene const scene = scene_of("define camera eye 45" + words + "\n");
+    return scene.cameras.front().lens();
+  };
+  CHECK(lens("") == Lens());
+  CHECK(lens(" aperture=0.5 focus=7") == Lens{0.5, 7});
+  CHECK(lens(" 640 480 focus=7 aperture=0.5") == Lens{0.5, 7});
+  CHECK(lens(" 1 2 3 0 0 -1 aperture=0.5 focus=7") == Lens{0.5, 7});
+}
+
 TEST_CASE("lights of the dialects", "[unit][esdf]") {
   Scene const scene = scene_of(
       "define light bright 1 2 3 .5 .25 1 10\n"

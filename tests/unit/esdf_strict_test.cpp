@@ -70,6 +70,8 @@ TEST_CASE("strict mode refuses every dialect, which is accepted otherwise", "[un
                                  "define material a 1 0 0 1 0 0 1 0 0 10 1",
                                  "define material a 1 0 0 1 0 0 1 0 0 10 1 1 1 1",
                                  "render eye a.ppm 640 480 4",
+                                 "define light diffuse lamp 0 0 0 1 1 1 radius=1",
+                                 "define camera thick 45 aperture=0.1 focus=5",
                                  "render eye a.ppm 640 480 integrator=path",
                                  "render eye a.ppm 640 480 samples=4",
                                  "render eye a.ppm 640 480 depth=4",

@@ -48,6 +48,10 @@ TEST_CASE("what a job leaves open comes from the scene's render", "[unit][job]")
   CHECK(first.region == Region{0, 0, 32, 24});
   CHECK(first.sampling == Sampling{Sampling::Pattern::grid, 1});
   CHECK(first.max_depth == 5);
+  Job blurred = job_of();
+  blurred.view.aperture = 0.1;
+  blurred.view.focus = 5.0;
+  CHECK(resolved(blurred, two_pictures()).sampling == Sampling{Sampling::Pattern::seeded, 64});
   Job const second = resolved(job_of(1), two_pictures());
   CHECK(second.camera == "side");
   CHECK(second.size == Resolution{48, 36});
@@ -81,6 +85,9 @@ TEST_CASE("the integrator is the job's, the render's, or what the scene needs", 
   scene.environment = EnvironmentLight{"studio", std::make_shared<EnvironmentMap>(EnvironmentMap{1, 1, {1, 1, 1}})};
   CHECK(choice(job_of()) == Choice(Integrator::path, "only paths show an environment's light"));
   scene.environment.reset();
+  scene.lights.insert(Light("lamp", PointLight{.radius = 0.5}));
+  CHECK(choice(job_of()) == Choice(Integrator::path, "only paths show a lamp's size"));
+  scene.lights = {};
   scene.materials.insert(std::make_shared<Material>("lamp", PhongModel{.emission = Rgb(0, 0, 1)}));
   CHECK(choice(job_of()) == Choice(Integrator::path, "only paths show what an emission lights"));
   scene.renders[1].integrator = Integrator::whitted;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "lichtraum/error.hpp"
 #include "reference/environment.hpp"
@@ -99,6 +100,28 @@ TEST_CASE("reference paths: lights without a size light matt surfaces as Whitted
   Film const whitted = traced(scene, request);
   auto const a = paths.values(FilmPlane::radiance), b = whitted.values(FilmPlane::radiance);
   for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == Approx(b[i]).margin(1e-6));
+}
+
+TEST_CASE("reference paths: of a lamp with a radius, a floor sees what an edge leaves of a disc", "[reference][path]") {
+  auto const matt = std::make_shared<Material>("matt", PhongModel{.kd = Rgb(1)});
+  auto const black = std::make_shared<Material>("black", PhongModel{.kd = Rgb(0)});
+  RenderRequest request = path_request(400, 0);
+  request.camera =
+      Camera("eye", 0.001, Transform::look_along({-1, 2, 0}, glm::normalize(Vec3(1, -2, 0)), Vec3(0, 0, 1)));
+  auto const lit_share = [&](double edge) {
+    Scene scene;
+    scene.shapes.insert(std::make_shared<Box>("floor", Vec3(-5, -1, -5), Vec3(5, 0, 5), matt));
+    scene.shapes.insert(std::make_shared<Box>("shade", Vec3(edge / 2, 5, -9), Vec3(9, 5.001, 9), black));
+    scene.lights.insert(Light("lamp", PointLight{.ld = Rgb(1), .position = {0, 10, 0}, .radius = 1}));
+    return mean_radiance(scene, request);
+  };
+  // The edge is half way up to the lamp, so its shadow on the disc is twice as far from the middle.
+  for (double const edge : {-0.8, -0.3, 0.0, 0.5}) {
+    double const hidden = (std::acos(edge) - edge * std::sqrt(1 - edge * edge)) / std::numbers::pi;
+    CHECK(lit_share(edge) == Approx(1 - hidden).margin(0.01));  // 3 standard deviations, and slanting light
+  }
+  CHECK(lit_share(1.01) > 0.995);
+  CHECK(lit_share(-1.01) == 0);
 }
 
 TEST_CASE("reference paths: one thread and several give the same bytes", "[reference][path]") {

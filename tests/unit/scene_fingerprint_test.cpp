@@ -176,6 +176,7 @@ std::vector<Change> light_changes() {
           {"point la", [=](Draft& d) { point(d).la.r = 0.5; }},
           {"point position", [=](Draft& d) { point(d).position.x = 0.5; }},
           {"point falls off", [=](Draft& d) { point(d).falls_off = true; }},
+          {"point radius", [=](Draft& d) { point(d).radius = 0.5; }},
           {"point range", [=](Draft& d) { point(d).range = 5; }},
           {"spot direction",
            [=](Draft& d) {

@@ -54,7 +54,7 @@ std::string hint_for_no_number(Token token) {
     }
   }
   if (token.find('=') != Token::npos)
-    return "key=value arguments come last, and only materials, environments and render take them";
+    return "key=value arguments come last, and only materials, lights, cameras and render take them";
   return token.find(',') == Token::npos ? "" : "separate numbers by spaces";
 }
 
@@ -64,13 +64,18 @@ bool report_unknown_key(Interpreter& interpreter, Statement const& statement, st
     std::size_t const equals = token.find('=');
     if (equals == Token::npos || equals == 0) continue;
     interpreter.error(token, fmt::format("{}: unknown key {}", statement.what, in_quotes(token.substr(0, equals))),
-                      fmt::format("a {} takes no key=value arguments", statement.what));
+                      fmt::format("{} takes no key=value arguments", with_article(statement.what)));
     return true;
   }
   return false;
 }
 
 }  // namespace
+
+std::string with_article(std::string_view what) {
+  bool const has_vowel = std::string_view("aeiou").find(what.front()) != std::string_view::npos;
+  return fmt::format("{} {}", has_vowel ? "an" : "a", what);
+}
 
 void report_wrong_count(Interpreter& interpreter, Statement const& statement, Signature const& signature) {
   std::size_t const expected = sum_of(signature.numbers);

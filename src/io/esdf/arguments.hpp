@@ -47,6 +47,9 @@ struct Signature {
   std::string_view usage = {};                           ///< a hint where the count alone says little
 };
 
+/// "a material", "an ambient light".
+std::string with_article(std::string_view what);
+
 /// Reports that `statement` (name, numbers, and a material where there is one) lacks what `signature` takes.
 void report_wrong_count(Interpreter& interpreter, Statement const& statement, Signature const& signature);
 

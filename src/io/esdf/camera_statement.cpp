@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
 #include "io/esdf/interpreter.hpp"
+#include "io/esdf/keys.hpp"
 #include "io/esdf/statements.hpp"
 
-// define camera <name> <fov-x> [<x-res> <y-res>]
+// define camera <name> <fov-x> [<x-res> <y-res>] [aperture=<diameter> focus=<distance>]
 // Dialects: <fov> [eye], <fov> [eye] [dir], <fov> [eye] [dir] [up], <fov> <x-res> <y-res> [eye] [dir]
 
 namespace lichtraum::esdf {
@@ -14,6 +16,9 @@ namespace {
 
 Signature const signature{
     {{"the opening angle", 1}}, false, {3, 4, 7, 9, 10}, "define camera <name> <degrees> [<width> <height>]"};
+
+constexpr std::string_view usage =
+    "define camera <name> <degrees> [<width> <height>] aperture=<diameter> focus=<distance>";
 
 Vec3 unit(Vec3 const& v) { return v / glm::length(v); }
 
@@ -57,7 +62,37 @@ std::optional<double> read_opening_angle(Interpreter& interpreter, Token token) 
   return std::nullopt;
 }
 
-bool read_camera(Interpreter& interpreter, Statement const& statement) {
+/// Takes the keys off the end of a camera: its lens. Nothing, after a report, when that is none.
+std::optional<Lens> take_lens(Interpreter& interpreter, Statement& statement) {
+  Lens lens;
+  auto const& arguments = statement.arguments;
+  auto const begin = arguments.begin() + std::min<std::ptrdiff_t>(1, std::ptrdiff_t(arguments.size()));
+  std::size_t const words = std::size_t(std::find_if(begin, arguments.end(), has_key) - arguments.begin());
+  auto const reader = [&interpreter](std::string_view word, double& number) {
+    return [&interpreter, &number, word](Token value) {
+      auto const given = read_number(interpreter, value);
+      if (!given) return false;
+      number = *given;
+      if (number > 0) return true;
+      interpreter.error(value, fmt::format("camera: {} must be more than 0, not {}", word, in_quotes(value)));
+      return false;
+    };
+  };
+  std::array<Key, 2> const keys{Key{"aperture", reader("aperture", lens.aperture), true},
+                                Key{"focus", reader("focus", lens.focus_distance)}};
+  if (!read_keys(interpreter, statement, words, keys, std::string(usage))) return std::nullopt;
+  std::size_t const count = arguments.size() - words;
+  if (count == 1) {
+    interpreter.error(arguments[words], "camera: a lens has both, aperture= and focus=", std::string(usage));
+    return std::nullopt;
+  }
+  statement.arguments = arguments.first(words);
+  return lens;
+}
+
+bool read_camera(Interpreter& interpreter, Statement statement) {
+  auto const lens = take_lens(interpreter, statement);
+  if (!lens) return false;
   std::size_t const numbers = statement.size() - (statement.size() > 0 ? 1 : 0);
   bool const has_resolution = numbers == 3 || numbers == 9;
   bool const is_dialect = numbers == 4 || numbers == 7 || numbers == 9 || numbers == 10;
@@ -79,8 +114,11 @@ bool read_camera(Interpreter& interpreter, Statement const& statement) {
     frame = read_frame(interpreter, statement.arguments.subspan(has_resolution ? 4 : 2));
     good &= frame.has_value();
   }
-  if (good) interpreter.define(statement[0], Camera(std::string(statement[0]), *fov, *frame, resolution));
-  return good;
+  if (!good) return false;
+  Camera camera{std::string(statement[0]), *fov, *frame, resolution};
+  camera.set_lens(*lens);
+  interpreter.define(statement[0], std::move(camera));
+  return true;
 }
 
 }  // namespace

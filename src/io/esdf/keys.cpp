@@ -25,9 +25,8 @@ bool read_key(Interpreter& interpreter, std::string_view what, Token argument, s
     std::vector<std::string_view> words;
     for (Key const& key : keys) words.push_back(key.word);
     std::string const hint = interpreter.suggest(word, words);
-    bool const has_vowel = std::string_view("aeiou").find(what.front()) != std::string_view::npos;
     interpreter.error(word.empty() ? argument : word, fmt::format("{}: unknown key {}", what, in_quotes(word)),
-                      hint.empty() ? fmt::format("{} {} takes {}", has_vowel ? "an" : "a", what, list_of(keys)) : hint);
+                      hint.empty() ? fmt::format("{} takes {}", with_article(what), list_of(keys)) : hint);
     return false;
   }
   if (!seen.insert(word).second) {

@@ -4,16 +4,19 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/parse_number.hpp"
 #include "io/esdf/environment_statement.hpp"
 #include "io/esdf/interpreter.hpp"
+#include "io/esdf/keys.hpp"
 #include "io/esdf/statements.hpp"
 
 // define light <name> [pos] [La] [Ld]
 // define light diffuse <name> [pos] [Ld]
 // define light ambient <name> [La]
 // define light environment: see environment_statement.cpp
+// A light with a position may have a size: [radius=<r>].
 // Dialects: define light <name> [pos] [colour] <brightness>, and the rows of docs/ESDF.md.
 
 namespace lichtraum::esdf {
@@ -59,27 +62,57 @@ bool check_brightness(Interpreter& interpreter, Statement const& statement, Rgb 
   return false;
 }
 
-/// `statement` is a name and the numbers of `form`.
-void define_light_as(Interpreter& interpreter, Statement const& statement, Form form) {
+/// Takes the keys off the end of a light with a position: its radius. The first arguments are `names`, whatever is in
+/// them. Nothing, after a report, when it is none.
+std::optional<double> take_radius(Interpreter& interpreter, Statement& statement, std::ptrdiff_t names) {
+  double radius = 0;
+  Key const key{"radius",
+                [&](Token value) {
+                  auto const number = read_number(interpreter, value);
+                  if (!number) return false;
+                  radius = *number;
+                  if (radius >= 0 && is_within_float(Rgb(radius))) return true;
+                  interpreter.error(value,
+                                    fmt::format("light: the radius must be at least 0, not {}", in_quotes(value)),
+                                    "0 is a point, as without a radius");
+                  return false;
+                },
+                true};
+  auto const& arguments = statement.arguments;
+  auto const begin = arguments.begin() + std::min(names, std::ptrdiff_t(arguments.size()));
+  std::size_t const words = std::size_t(std::find_if(begin, arguments.end(), has_key) - arguments.begin());
+  if (!read_keys(interpreter, statement, words, std::span(&key, 1),
+                 "define light diffuse <name> <x> <y> <z> <Ld: r g b> radius=<r>")) {
+    return std::nullopt;
+  }
+  statement.arguments = arguments.first(words);
+  return radius;
+}
+
+/// `statement` is a name and the numbers of `form`; a radius is of lights with a position.
+void define_light_as(Interpreter& interpreter, Statement const& statement, Form form, double radius = 0) {
   std::array<double, 9> v{};
   std::span<double> const values(v.data(), number_count(form));
   if (!read_numbers(interpreter, statement.arguments.subspan(1), values)) return;
   std::string name(statement[0]);
   Vec3 const position(v[0], v[1], v[2]);
   Rgb const first = rgb(values.first(3));
+  auto const define_lamp = [&](Rgb const& ld, Rgb const& la = Rgb(0)) {
+    PointLight const lamp{.ld = ld, .la = la, .position = position, .radius = radius};
+    interpreter.define(statement[0], Light(std::move(name), lamp));
+  };
   switch (form) {
     case Form::position_la_ld:
-      interpreter.define(statement[0],
-                         Light::point(std::move(name), position, rgb(values.subspan(6)), rgb(values.subspan(3))));
+      define_lamp(rgb(values.subspan(6)), rgb(values.subspan(3)));
       break;
     case Form::position_ld:
-      interpreter.define(statement[0], Light::point(std::move(name), position, rgb(values.subspan(3))));
+      define_lamp(rgb(values.subspan(3)));
       break;
     case Form::position_color_brightness: {
       Rgb const ld = rgb(values.subspan(3)) * v[6];
       if (!check_brightness(interpreter, statement, ld)) return;
       interpreter.scene.tone_map = ToneMap::reinhard;
-      interpreter.define(statement[0], Light::point(std::move(name), position, ld));
+      define_lamp(ld);
       break;
     }
     case Form::la:
@@ -92,16 +125,16 @@ void define_light_as(Interpreter& interpreter, Statement const& statement, Form 
 }
 
 /// A light without a class: `statement` starts with the name.
-void define_plain(Interpreter& interpreter, Statement const& statement) {
+void define_plain(Interpreter& interpreter, Statement const& statement, double radius = 0) {
   if (statement.size() == 10) {
-    define_light_as(interpreter, statement, Form::position_la_ld);
+    define_light_as(interpreter, statement, Form::position_la_ld, radius);
   } else if (statement.size() == 8) {
     if (interpreter.dialect(statement.rest(0), "a light with colour and brightness")) {
-      define_light_as(interpreter, statement, Form::position_color_brightness);
+      define_light_as(interpreter, statement, Form::position_color_brightness, radius);
     }
   } else if (statement.size() == 7) {
     if (interpreter.dialect(statement.rest(0), "a light with a position and one colour")) {
-      define_light_as(interpreter, statement, Form::position_ld);
+      define_light_as(interpreter, statement, Form::position_ld, radius);
     }
   } else {
     report_wrong_count(interpreter, statement, sdf_signature);
@@ -109,16 +142,16 @@ void define_plain(Interpreter& interpreter, Statement const& statement) {
 }
 
 /// `outer` starts with the word 'diffuse', `statement` after it.
-void define_diffuse(Interpreter& interpreter, Statement const& outer, Statement const& statement) {
+void define_diffuse(Interpreter& interpreter, Statement const& outer, Statement const& statement, double radius) {
   bool const has_name = statement.size() > 0 && !looks_like_number(statement[0]);
   if (statement.size() == 7) {
-    define_light_as(interpreter, statement, Form::position_ld);
+    define_light_as(interpreter, statement, Form::position_ld, radius);
   } else if (statement.size() == 10) {
     if (interpreter.dialect(statement.rest(0), "a diffuse light with La")) {
-      define_light_as(interpreter, statement, Form::position_la_ld);
+      define_light_as(interpreter, statement, Form::position_la_ld, radius);
     }
   } else if (!has_name && (statement.size() == 9 || statement.size() == 6)) {
-    define_plain(interpreter, outer);  // a light that is called 'diffuse'
+    define_plain(interpreter, outer, radius);  // a light that is called 'diffuse'
   } else {
     report_wrong_count(interpreter, {"diffuse light", statement.keyword, statement.arguments}, diffuse_signature);
   }
@@ -171,15 +204,16 @@ std::string free_ambient_name(Scene const& scene) { return fmt::format("ambient 
 
 void define_light(Interpreter& interpreter, Statement const& statement) {
   Token const word = statement.size() > 0 ? statement[0] : Token();
-  if (word == "ambient") {
-    define_ambient_light(interpreter, statement, {statement.what, word, statement.arguments.subspan(1)});
-  } else if (word == "diffuse") {
-    define_diffuse(interpreter, statement, {statement.what, word, statement.arguments.subspan(1)});
-  } else if (word == "environment") {
-    define_environment_light(interpreter, statement, {statement.what, word, statement.arguments.subspan(1)});
-  } else {
-    define_plain(interpreter, statement);
-  }
+  auto const after_word = [&](Statement const& outer) {
+    return Statement{outer.what, word, outer.arguments.subspan(1)};
+  };
+  if (word == "ambient") return define_ambient_light(interpreter, statement, after_word(statement));
+  if (word == "environment") return define_environment_light(interpreter, statement, after_word(statement));
+  Statement lamp = statement;
+  auto const radius = take_radius(interpreter, lamp, word == "diffuse" ? 2 : 1);
+  if (!radius) return;
+  if (word == "diffuse") return define_diffuse(interpreter, lamp, after_word(lamp), *radius);
+  define_plain(interpreter, lamp, *radius);
 }
 
 // ambient [rgb], ambient <name> [rgb] [<brightness>], ambient <value>; all of it also after `define`.

@@ -93,6 +93,9 @@ struct EditLight : LightFieldVisitor {
   void direction(char const*, Vec3& direction) { has_changed |= edit_direction(direction); }
   void brightness(char const*, Rgb& color) { has_changed |= edit_light_color(color, original_brightness); }
   void cone(char const*, SpotCone& cone) { has_changed |= edit_cone(cone); }
+  void radius(char const*, double& radius) {  // without one, the scene may be drawn by whitted, which shows none
+    if (radius > 0) has_changed |= edit_number("radius", radius, 0.001 * scene_size, 0.25 * scene_size);
+  }
 };
 
 /// "base color" of base_color.

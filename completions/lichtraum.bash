@@ -29,6 +29,7 @@ _lichtraum() {
     --up) values='0,1,0 0,0,1' ;;
     --orbit) values='35,20 0,0 90,0 0,90' ;;
     --fov-x | --fov-y) values='25 45 60' ;;
+    --noise) values='0.02 0.05 0.1' ;;
     --exposure) values='-2 -1 1 2' ;;
     --tonemap) values='auto neutral agx aces reinhard none' ;;
     --transfer) values='linear srgb' ;;
@@ -61,7 +62,7 @@ _lichtraum() {
       render)
         options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
         options+=" --camera $view --root --planes --integrator --samples --depth --seed --background --exposure --tonemap"
-        options+=' --transfer --denoise --device --traversal --frames --fps --turntable --resume --show --environment'
+        options+=' --transfer --noise --denoise --device --traversal --frames --fps --turntable --resume --show --environment'
         options+=' --environment-rotation --environment-brightness'
         ;;
       view)

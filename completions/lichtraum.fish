@@ -67,6 +67,7 @@ complete -c lichtraum -n $seen -l focus -x -d 'What is sharp: a distance, or X,Y
 complete -c lichtraum -n $seen -l root -x -d 'Draw this shape only'
 complete -c lichtraum -n $render -l planes -x -a 'radiance alpha depth normal albedo position object instance material' -d 'What is stored of each pixel'
 complete -c lichtraum -n $seen -l samples -x -a '1 2x2 4x4 8x8 16 64' -d 'Samples per pixel'
+complete -c lichtraum -n $render -l noise -x -a '0.02 0.05 0.1' -d 'Stop when so little noise is left'
 complete -c lichtraum -n $traced -l integrator -x -a 'whitted path' -d 'How light is found'
 complete -c lichtraum -n $traced -l depth -x -d 'Maximum depth of reflection and refraction'
 complete -c lichtraum -n $traced -l seed -x -d 'Seed of the random samples'

@@ -72,8 +72,10 @@ struct Job {
   std::optional<Integrator> integrator;  ///< else see chosen_integrator
   std::optional<Sampling> sampling;
   std::optional<SampleRange> samples;  ///< of those of `sampling`; else all
-  std::optional<int> max_depth;        ///< see RenderRequest::max_depth
-  std::uint64_t seed = 0;              ///< of the random samples
+  /// Fewer samples than `sampling` says will do once so little noise is left, 0 < noise <= 1: see render_to_noise.
+  std::optional<double> noise;
+  std::optional<int> max_depth;  ///< see RenderRequest::max_depth
+  std::uint64_t seed = 0;        ///< of the random samples
   PlaneSet planes{FilmPlane::radiance};
   std::optional<JobBackground> background;
   Denoising denoising = Denoising::automatic;  ///< of pictures that are developed; films stay as they are
@@ -124,10 +126,11 @@ PlaneSet traced_planes(Job const& job);
 
 /// The job with camera (by its name; empty where the scene has none and the job's view says where one stands), size,
 /// region, integrator, sampling, depth and denoising decided: by the job itself, else by the scene's `render` statement
-/// number `picture`, else by the camera, else by the scene's defaults, else 640x480; whitted: one sample a pixel, depth
-/// 5; path: 64 samples, of models 16, depth 16. `scene` is that at the end of its file. A job that is decided stays as
-/// it is. Throws Error{usage} for what the job asks for and cannot have, Error{scene} for a scene without cameras, or
-/// with a `render` that names an unknown one.
+/// number `picture`, else by the camera, else by the scene's defaults, else 640x480; whitted: one sample a pixel, 64
+/// with a lens, depth 5; path: 64 samples, of models 16, depth 16; 4096 samples at
+/// most where a limit of noise is set. `scene` is that at the end of its file. A job that
+/// is decided stays as it is. Throws Error{usage} for what the job asks for and cannot have, Error{scene} for a scene
+/// without cameras, or with a `render` that names an unknown one.
 Job resolved(Job job, Scene const& scene);
 
 /// What to trace for the job. `scene` is what is drawn, of which the camera is taken: for the picture of a `render`,

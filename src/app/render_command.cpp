@@ -100,7 +100,11 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments&
   add_picture_options(*parser, options);
   add_sequence_options(*parser, options);
   add_environment_options(*parser, options.job.reading.environment);
-  add_quality_options(*parser, options, "1; path: 64, of models 16");
+  add_quality_options(*parser, options, "1, with a lens 64;\npath: 64, of models 16");
+  add_value(*parser, "--noise", options.job.noise, parse_noise, "X",
+            "Stop once the noise is below this share of the\nbrightness, such as 0.05; then --samples is the\nmost "
+            "(default: 4096)",
+            "Quality");
   add_denoise_option(*parser, options.job.denoising);
   add_language_options(*parser, options.job.reading);
   add_model_options(*parser, options.job.reading.model);

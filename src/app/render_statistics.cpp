@@ -28,7 +28,8 @@ Json picture_json(PictureReport const& report) {
           {"region", {region.x, region.y, region.width, region.height}},
           {"integrator", find_word<Integrator>(integrator_words, *job.integrator)},
           {"integrator_reason", report.plan.integrator_reason},
-          {"samples", job.sampling->count},
+          {"samples", report.is_skipped ? job.sampling->count : report.samples},
+          {"noise", report.noise ? Json(*report.noise) : Json()},
           {"depth", *job.max_depth},
           {"triangles", report.scene.triangles},
           {"spheres", report.scene.spheres},
@@ -89,6 +90,8 @@ std::string summary(PictureReport const& report) {
 std::string details(PictureReport const& report) {
   SceneStatistics const& s = report.scene;
   RayCounts const& rays = report.render.rays;
+  std::string const noise =
+      report.noise ? fmt::format("\n  noise {:.2g} after {} samples", *report.noise, report.samples) : "";
   std::string const denoiser = report.denoiser.empty() ? "" : fmt::format("\n  denoised by {}", report.denoiser);
   return fmt::format(
       "  drawn by {}, as {}\n"
@@ -98,7 +101,7 @@ std::string details(PictureReport const& report) {
       find_word<Integrator>(integrator_words, *report.plan.job.integrator), report.plan.integrator_reason, s.triangles,
       s.spheres, s.boxes, s.instances, s.bvh_nodes, s.device_bytes, s.flatten_ms, s.build_ms, s.upload_ms,
       report.render.program_ms, report.render.trace_ms, report.write_ms, rays.camera, rays.camera_hits, rays.shadow,
-      rays.secondary, denoiser);
+      rays.secondary, noise, denoiser);
 }
 
 }  // namespace lichtraum::app

@@ -16,7 +16,9 @@ struct PictureReport {
   double load_ms = 0;       ///< bringing the scene to where it is in this picture
   SceneStatistics scene;
   RenderStatistics render;
-  std::string denoiser;  ///< what took the noise out; empty: nothing
+  int samples = 0;              ///< per pixel that were taken; 0: none, see is_skipped
+  std::optional<double> noise;  ///< that is left, where there is a limit: see render_to_noise
+  std::string denoiser;         ///< what took the noise out; empty: nothing
   double denoise_ms = 0;
   double write_ms = 0;  ///< encoding and writing
 

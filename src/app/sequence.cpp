@@ -16,6 +16,7 @@
 #include "app/progress_bar.hpp"
 #include "app/scene_loader.hpp"
 #include "app/stopwatch.hpp"
+#include "lichtraum/noise_limit.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -134,6 +135,7 @@ class Sequence {
                     format.encode_film && has_radiance ? ": planes are stored as traced (lichtraum denoise)" : "");
       has_no_effect(options_.job.background.has_value(), has_radiance, "--background");
       has_no_effect(options_.job.sampling.has_value(), traced_planes(plan.job).has(PlaneRule::mean), "--samples");
+      has_no_effect(options_.job.noise.has_value(), has_radiance, "--noise");
       has_no_effect(options_.job.max_depth.has_value(), has_radiance, "--depth");
       has_no_effect(options_.resume, format.read_fingerprint != nullptr, "--resume");
     }
@@ -185,10 +187,20 @@ class Sequence {
 
     if (!graceful_) graceful_.emplace();
     Film film;
-    RenderResult const result = renderer_.render(ready.request, film, [&](RenderProgress const& progress) {
-      bar_.update(title(picture.plan), {fraction_of_all(progress.fraction), rays_ + progress.rays, run_.seconds()});
+    auto const progress = [&](RenderProgress const& now) {
+      bar_.update(title(picture.plan), {fraction_of_all(now.fraction), rays_ + now.rays, run_.seconds()});
       return !interrupted();
-    });
+    };
+    RenderResult result;
+    if (auto const limit = picture.plan.job.noise) {
+      auto const limited = render_to_noise(renderer_, ready.request, *limit, film, progress);
+      result = limited.render;
+      picture.noise = limited.noise;
+      warn_of_noise(picture, *limit);
+    } else {
+      result = renderer_.render(ready.request, film, progress);
+    }
+    picture.samples = film.samples().count();
     rays_ += result.statistics.rays.total();
     picture.is_complete = result.complete;
     picture.render = result.statistics;
@@ -220,6 +232,13 @@ class Sequence {
       finish_writing();
       throw Error(ErrorKind::interrupted, "interrupted");
     }
+  }
+
+  void warn_of_noise(PictureReport const& picture, double limit) {
+    if (!picture.noise || *picture.noise <= limit) return;
+    bar_.clear();
+    console_.warning(fmt::format("{}: after {} samples the noise is {:.2g}, not {}: --samples takes more",
+                                 picture.plan.output.shown, picture.plan.job.sampling->count, *picture.noise, limit));
   }
 
   Film denoised(Film const& film, PictureReady const& ready, PictureReport& picture) {

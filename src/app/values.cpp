@@ -209,6 +209,14 @@ JobView::Orbit parse_orbit(std::string_view text) {
   return {numbers[0], numbers[1], count == 3 ? std::optional(numbers[2]) : std::nullopt};
 }
 
+double parse_noise(std::string_view text) {
+  auto const noise = number<double>(text);
+  if (!noise || !(*noise > 0) || *noise > 1) {
+    throw std::invalid_argument("expected a share of the brightness above 0, at most 1, such as 0.05");
+  }
+  return *noise;
+}
+
 double parse_exposure(std::string_view text) {
   auto const stops = number<double>(text);
   constexpr double most = job_limits::exposure_ev;

@@ -166,7 +166,14 @@ Job resolved(Job job, Scene const& scene) {
   if (!job.background && job.integrator == Integrator::path) job.background = usual_background(job, scene);
   Effort const usual =
       usual_effort(*job.integrator, is_model(job), job.view.aperture.value_or(camera.lens().aperture) > 0);
-  if (!job.sampling) job.sampling = sampling_of(command.samples.value_or(usual.samples));
+  constexpr int most_samples = 4096;  // where the noise decides
+  int const samples = command.samples.value_or(job.noise ? most_samples : usual.samples);
+  if (!job.sampling) job.sampling = sampling_of(samples);
+  if (job.noise && (job.sampling->pattern == Sampling::Pattern::grid || job.samples)) {
+    throw Error(ErrorKind::usage,
+                job.samples ? "noise: not of a range of samples"
+                            : "--noise: that is of random samples, of which there must be several: --samples 4096");
+  }
   if (!job.max_depth) job.max_depth = command.depth.value_or(usual.max_depth);
   job.denoising = decided(job.denoising, *job.integrator);
   check_view(job.view);

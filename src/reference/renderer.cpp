@@ -95,15 +95,18 @@ class ReferenceRenderer final : public Renderer {
     auto const start = Clock::now();
     int const sample_count = wanted.end - film.samples().end;
     int samples_before = 0;
+    auto const goes_on = [&](double samples_done, RayCounts const& rays) {
+      return !progress || progress({samples_done / sample_count, rays.total(), seconds_since(start)});
+    };
     result.complete = trace_blocks(wanted, film, [&](SampleRange const& samples) {
+      if (samples_before > 0 && !goes_on(samples_before, result.statistics.rays)) return false;
       PixelTracer const pixels(scene_->graph, scene_->numbers, request, samples, film);
       RowQueue rows(pixels, request.region);
       RayCounts const rays_before = result.statistics.rays;
       bool const is_done = trace_rows(rows, [&] {
-        double const done = samples_before + rows.fraction() * samples.count();
         RayCounts rays = rays_before;
         rays += rows.rays();
-        return !progress || progress({done / sample_count, rays.total(), seconds_since(start)});
+        return goes_on(samples_before + rows.fraction() * samples.count(), rays);
       });
       result.statistics.rays += rows.rays();
       samples_before += samples.count();

@@ -116,6 +116,30 @@ TEST_CASE("paths are traced when asked for, with samples and a depth of their ow
   CHECK(asked_by_scene("--device reference") == std::tuple("path", 8, 3));
 }
 
+TEST_CASE("--noise takes samples until the picture is quiet", "[app][render]") {
+  Lichtraum const lichtraum;
+  auto const picture = [&](std::string const& words) {
+    auto const result =
+        lichtraum("render - -o ball.pfm --json --device reference --integrator path " + words, ball_scene);
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    return std::pair(Json::parse(result.out)["scenes"][0]["pictures"][0], result.err);
+  };
+  auto const [quiet, nothing_said] = picture("--noise 0.2");
+  CHECK(quiet["noise"] <= 0.2);
+  CHECK(quiet["samples"] >= 32);
+  CHECK(quiet["samples"] < 1024);
+  std::string const bytes = lichtraum.folder.read("ball.pfm");
+  CHECK(picture(fmt::format("--samples {}", int(quiet["samples"]))).first["noise"].is_null());
+  CHECK(lichtraum.folder.read("ball.pfm") == bytes);
+  auto const [noisy, warning] = picture("--noise 0.0001 --samples 48");
+  CHECK(noisy["samples"] == 48);
+  CHECK(warning.find("after 48 samples the noise is") != std::string::npos);
+  CHECK(lichtraum("render - --noise 0", ball_scene).exit_code == 64);
+  CHECK(lichtraum("render - --noise 1.5", ball_scene).exit_code == 64);
+  CHECK(lichtraum("render - --noise 0.1 --samples 4x4 --device reference", ball_scene).exit_code == 64);
+}
+
 TEST_CASE("samples are seeded or a grid; one is the pixel's centre", "[app][render]") {
   Lichtraum const lichtraum;
   auto const one = draw(lichtraum, "").values;

@@ -50,6 +50,7 @@ class RandomJobs {
     maybe([&] { job.size = Resolution{whole(1, most), whole(1, most)}; });
     maybe([&] { job.region = Region{whole(0, most), whole(0, most), whole(1, most), whole(1, most)}; });
     maybe([&] { job.sampling = Sampling{Sampling::Pattern::seeded, whole(1, job_limits::samples)}; });
+    maybe([&] { job.noise = 1.0 / whole(1, 1000); });
     maybe([&] {
       int const side = whole(1, job_limits::grid_side);
       job.sampling = Sampling{Sampling::Pattern::grid, side * side};
@@ -143,6 +144,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
          "orbit": {"azimuth_degrees": 35, "elevation_degrees": 20, "distance": 9},
          "aperture": 0.5, "focus": [7, 8, 9]}, "root": "robot", "turn_degrees": 30,
          "size": [640, 480], "region": [1, 2, 3, 4], "integrator": "path", "sampling": {"pattern": "grid", "count": 16},
+         "noise": 0.25,
          "sample_range": [0, 16], "max_depth": 7, "seed": 18446744073709551615, "planes": ["depth", "radiance"],
          "background": [0.1, 0.2, 0.3], "denoising": "builtin", "exposure_ev": -2, "tone_map": "reinhard", "transfer": "srgb",
          "encoding": {"bits_per_channel": 16, "jpeg_quality": 50, "ppm_ascii": true})"));
@@ -163,6 +165,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
   wanted.region = Region{1, 2, 3, 4};
   wanted.integrator = Integrator::path;
   wanted.sampling = Sampling{Sampling::Pattern::grid, 16};
+  wanted.noise = 0.25;
   wanted.samples = SampleRange{0, 16};
   wanted.max_depth = 7;
   wanted.seed = std::numeric_limits<std::uint64_t>::max();
@@ -217,6 +220,8 @@ TEST_CASE("what is wrong in a job is named by its place", "[unit][job]") {
          "/sampling/count: expected a square number, as the samples are a grid");
   expect(with(R"("sampling": {"pattern": "seeded", "count": 1048577})"), "/sampling/count: " + whole + "1 to 1048576");
   expect(with(R"("sampling": {"pattern": "halton"})"), "/sampling/pattern: expected grid or seeded");
+  expect(with(R"("noise": 0)"), "/noise: expected a number above 0, at most 1");
+  expect(with(R"("noise": 1.1)"), "/noise: expected a number above 0, at most 1");
   expect(with(R"("sampling": 4)"), "/sampling: expected an object");
   expect(with(R"("max_depth": 1001)"), "/max_depth: " + whole + "0 to 1000");
   expect(with(R"("seed": -1)"), "/seed: " + whole + "0 to 18446744073709551615");

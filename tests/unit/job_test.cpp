@@ -115,6 +115,19 @@ TEST_CASE("the integrator is the job's, the render's, or what the scene needs", 
   CHECK(by_reference().integrator == Integrator::path);  // whitted would show it black
 }
 
+TEST_CASE("a limit of noise takes up to 4096 random samples", "[unit][job]") {
+  Job job = job_of();
+  job.noise = 0.05;
+  CHECK(resolved(job, two_pictures()).sampling == Sampling{Sampling::Pattern::seeded, 4096});
+  job.picture = 1;
+  CHECK(resolved(job, two_pictures()).sampling == Sampling{Sampling::Pattern::seeded, 9});
+  job.sampling = Sampling{Sampling::Pattern::grid, 16};
+  CHECK(refusal(job, two_pictures()).first == ErrorKind::usage);
+  job.sampling.reset();
+  job.samples = SampleRange{0, 4};
+  CHECK(refusal(job, two_pictures()).second == "noise: not of a range of samples");
+}
+
 TEST_CASE("an environment is seen unless the scene has another background, or it is the studio", "[unit][job]") {
   Scene scene = two_pictures();
   auto const shown = [&](Job const& job) { return request_of(job, scene).background; };

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -66,8 +65,7 @@ std::optional<double> read_opening_angle(Interpreter& interpreter, Token token) 
 std::optional<Lens> take_lens(Interpreter& interpreter, Statement& statement) {
   Lens lens;
   auto const& arguments = statement.arguments;
-  auto const begin = arguments.begin() + std::min<std::ptrdiff_t>(1, std::ptrdiff_t(arguments.size()));
-  std::size_t const words = std::size_t(std::find_if(begin, arguments.end(), has_key) - arguments.begin());
+  std::size_t const words = first_key(statement, 1);
   auto const reader = [&interpreter](std::string_view word, double& number) {
     return [&interpreter, &number, word](Token value) {
       auto const given = read_number(interpreter, value);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -76,8 +75,7 @@ auto keys_of(Interpreter& interpreter, EnvironmentLight& light) {
 
 void define_environment(Interpreter& interpreter, Statement const& statement) {
   auto const& arguments = statement.arguments;
-  auto const begin = arguments.begin() + (arguments.empty() ? 0 : 1);
-  std::size_t const words = std::size_t(std::find_if(begin, arguments.end(), has_key) - arguments.begin());
+  std::size_t const words = first_key(statement, 1);
   if (words != 2 && words != 4) {
     interpreter.error(words > 4 ? statement.rest(4) : place_after(words > 0 ? arguments[words - 1] : statement.keyword),
                       "environment light: expected a name, and a file, studio or 3 numbers", std::string(usage));

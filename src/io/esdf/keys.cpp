@@ -51,6 +51,12 @@ std::string list_of(std::span<Key const> keys) {
   return text;
 }
 
+std::size_t first_key(Statement const& statement, std::size_t names) {
+  auto const& arguments = statement.arguments;
+  auto const begin = arguments.begin() + std::ptrdiff_t(std::min(names, arguments.size()));
+  return std::size_t(std::find_if(begin, arguments.end(), has_key) - arguments.begin());
+}
+
 bool read_keys(Interpreter& interpreter, Statement const& statement, std::size_t first, std::span<Key const> keys,
                std::string const& usage) {
   std::unordered_set<std::string_view> seen;

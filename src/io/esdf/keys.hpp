@@ -22,6 +22,10 @@ inline bool has_key(Token argument) { return argument.find('=') != Token::npos; 
 /// "reflect=, transmit= and ior="
 std::string list_of(std::span<Key const> keys);
 
+/// Where the key=value arguments of a statement begin, which are not among its `names` first ones; its size when it has
+/// none.
+std::size_t first_key(Statement const& statement, std::size_t names);
+
 /// Reads the arguments at the end of `statement` from `first` on, each of which is to be one of `keys`, and none twice.
 /// Every faulty one is reported; then false. `usage`: a hint on arguments that have no key.
 bool read_keys(Interpreter& interpreter, Statement const& statement, std::size_t first, std::span<Key const> keys,

@@ -64,7 +64,7 @@ bool check_brightness(Interpreter& interpreter, Statement const& statement, Rgb 
 
 /// Takes the keys off the end of a light with a position: its radius. The first arguments are `names`, whatever is in
 /// them. Nothing, after a report, when it is none.
-std::optional<double> take_radius(Interpreter& interpreter, Statement& statement, std::ptrdiff_t names) {
+std::optional<double> take_radius(Interpreter& interpreter, Statement& statement, std::size_t names) {
   double radius = 0;
   Key const key{"radius",
                 [&](Token value) {
@@ -78,14 +78,12 @@ std::optional<double> take_radius(Interpreter& interpreter, Statement& statement
                   return false;
                 },
                 true};
-  auto const& arguments = statement.arguments;
-  auto const begin = arguments.begin() + std::min(names, std::ptrdiff_t(arguments.size()));
-  std::size_t const words = std::size_t(std::find_if(begin, arguments.end(), has_key) - arguments.begin());
+  std::size_t const words = first_key(statement, names);
   if (!read_keys(interpreter, statement, words, std::span(&key, 1),
                  "define light diffuse <name> <x> <y> <z> <Ld: r g b> radius=<r>")) {
     return std::nullopt;
   }
-  statement.arguments = arguments.first(words);
+  statement.arguments = statement.arguments.first(words);
   return radius;
 }
 

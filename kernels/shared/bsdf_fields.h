@@ -25,6 +25,9 @@
   NUMBER(coat) /* share of a clear coat above all of this, of index 1.5 */                                           \
   NUMBER(coat_alpha)                                                                                                 \
   COLOR(sheen) /* reflectance of the fibres of cloth, between the coat and the rest */                               \
-  NUMBER(sheen_alpha)
+  NUMBER(sheen_alpha)                                                                                                \
+  NUMBER(film)           /* share of a thin film between them and the glossy lobe, ... */                            \
+  NUMBER(film_ior)       /* of this index ... */                                                                     \
+  NUMBER(film_thickness) /* and this many nm, above 0 where there is one */
 
 #endif

@@ -59,18 +59,18 @@
   SHARE(diffuse_transmission, 0, "diffuse_transmission", "diffuseTransmissionFactor")                                \
   TEXTURE(diffuse_transmission_texture, "diffuse_transmission", "diffuseTransmissionTexture") /* alpha */            \
   COLOR(diffuse_transmission_color, 1, "diffuse_transmission", "diffuseTransmissionColorFactor")                     \
-  TEXTURE(diffuse_transmission_color_texture, "diffuse_transmission", "diffuseTransmissionColorTexture")
-
-/* What none of them reads yet. */
-#define PBR_HOST_FIELDS(COLOR, SHARE, NUMBER, TEXTURE, MODE)                                                 \
-  NUMBER(dispersion, 0, 0, 1, "dispersion", "dispersion")  /* 20 / Abbe number */                            \
-  TEXTURE(thickness_texture, "volume", "thicknessTexture") /* green */                                       \
-  SHARE(iridescence, 0, "iridescence", "iridescenceFactor")                                                  \
-  TEXTURE(iridescence_texture, "iridescence", "iridescenceTexture") /* red */                                \
-  NUMBER(iridescence_ior, 1.3, 1, 3, "iridescence", "iridescenceIor")                                        \
-  NUMBER(iridescence_thickness_minimum, 100, 0, 1000, "iridescence", "iridescenceThicknessMinimum") /* nm */ \
-  NUMBER(iridescence_thickness_maximum, 400, 0, 1000, "iridescence", "iridescenceThicknessMaximum") /* nm */ \
+  TEXTURE(diffuse_transmission_color_texture, "diffuse_transmission", "diffuseTransmissionColorTexture")             \
+  NUMBER(dispersion, 0, 0, 1, "dispersion", "dispersion") /* 20 / Abbe number */                                     \
+  SHARE(iridescence, 0, "iridescence", "iridescenceFactor")                                                          \
+  TEXTURE(iridescence_texture, "iridescence", "iridescenceTexture") /* red */                                        \
+  NUMBER(iridescence_ior, 1.3, 1, 3, "iridescence", "iridescenceIor")                                                \
+  NUMBER(iridescence_thickness_minimum, 100, 0, 1000, "iridescence", "iridescenceThicknessMinimum") /* nm */         \
+  NUMBER(iridescence_thickness_maximum, 400, 0, 1000, "iridescence", "iridescenceThicknessMaximum") /* nm */         \
   TEXTURE(iridescence_thickness_texture, "iridescence", "iridescenceThicknessTexture")              /* green */
+
+/* What none of them reads. */
+#define PBR_HOST_FIELDS(COLOR, SHARE, NUMBER, TEXTURE, MODE) \
+  TEXTURE(thickness_texture, "volume", "thicknessTexture") /* green */
 
 #define PBR_FIELDS(COLOR, SHARE, NUMBER, TEXTURE, MODE) \
   PBR_DEVICE_FIELDS(COLOR, SHARE, NUMBER, TEXTURE, MODE) PBR_HOST_FIELDS(COLOR, SHARE, NUMBER, TEXTURE, MODE)

@@ -33,7 +33,7 @@ typedef struct {
 #undef PBR_TEXTURE
 #undef PBR_MODE
 } PbrMaterial;
-DEVICE_STRUCT_SIZE(PbrMaterial, 672);
+DEVICE_STRUCT_SIZE(PbrMaterial, 756);
 
 DEVICE_NAMESPACE_END
 

@@ -1,5 +1,6 @@
 #include "reference/scattering.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -40,7 +41,13 @@ ReferenceScattering::ReferenceScattering(ReferenceBsdf const& bsdf, Vec3 const& 
   Rgb reflected = dielectric_gain_ * (gloss.a * bsdf.f0 + gloss.b * bsdf.f90);
   if (is_solid()) {
     auto const solid = solid_albedo(eta_, bsdf.alpha, cosine);
-    refraction_gain_ = 1 / solid.total;
+    double total = solid.total;
+    if (bsdf.has_film) {  // it reflects more of what reflection keeps than the table knows of
+      double const ratio = (eta_ - 1) / (eta_ + 1);
+      double const more = std::max({bsdf.f0.r, bsdf.f0.g, bsdf.f0.b}) - ratio * ratio;
+      total += std::max(more, 0.0) * std::max(gloss_albedo_ - total, 0.0);
+    }
+    refraction_gain_ = 1 / total;
     dielectric_gain_ = Rgb(refraction_gain_);
     reflected = refraction_gain_ * (eta_ > 1 ? Rgb(solid.reflected) : gloss.a * bsdf.f0 + gloss.b * bsdf.f90);
   }

@@ -20,6 +20,7 @@ struct ReferenceBsdf {
   double glass = 0;         ///< eSDF's transmit
   double coat = 0;          ///< share of a clear coat
   double coat_alpha = 1;
+  bool has_film = false;  ///< f0 and metal are those of a thin film, for the viewer
 };
 
 /// GGX is no sharper than this, in the kernels as well; as far as directions are chosen here, this is no spread at all.

@@ -7,6 +7,7 @@
 
 #include "core/elementary.hpp"
 #include "lichtraum/error.hpp"
+#include "reference/thin_film.hpp"
 #include "scene/pbr_evaluation.hpp"
 
 namespace lichtraum {
@@ -24,6 +25,30 @@ void set_phong(PhongModel const& phong, ReferenceScatteringPoint& point) {
   bsdf.mirror = phong.reflect;
   bsdf.glass = phong.transmit;
   point.emission = phong.emission;
+}
+
+/// KHR_materials_iridescence: the film's colour at the viewer's angle, as the F0 by which Schlick's formula gets there.
+void cover_with_film(PbrModel const& material, MeshPoint const& at, ReferenceScatteringPoint& point) {
+  ReferenceBsdf& bsdf = point.bsdf;
+  double const factor = material.iridescence * texel_at(material.iridescence_texture, at, TexelContent::data).r;
+  double const share = std::clamp(factor, 0., 1.);
+  double const part = texel_at(material.iridescence_thickness_texture, at, TexelContent::data).g;
+  double const thickness_nm =
+      std::lerp(material.iridescence_thickness_minimum, material.iridescence_thickness_maximum, part);
+  if (!(share > 0 && thickness_nm > 0)) return;
+  double const index = point.from_outside ? 1 : bsdf.ior;
+  double const cosine = glm::dot(point.normal, point.to_viewer);
+  double const outside = std::sqrt(std::max(1 - square(index) * (1 - square(cosine)), 1e-6));
+  double const grazing = square(square(1 - outside)) * (1 - outside);
+  double const film_ior = std::max(material.iridescence_ior, 1.0);
+  auto const covered = [&](Rgb const& f0) {
+    Rgb const reflectance = thin_film_reflectance(film_ior, thickness_nm, outside, f0);
+    return glm::clamp((reflectance - grazing) / (1 - grazing), Rgb(0), Rgb(1));
+  };
+  Rgb const specular = glm::max(bsdf.f90, Rgb(1e-6));
+  bsdf.f0 = glm::mix(bsdf.f0, specular * covered(bsdf.f0 / specular), share);
+  bsdf.metal = glm::mix(bsdf.metal, covered(bsdf.metal), share);
+  bsdf.has_film = true;
 }
 
 /// glTF 2.0, appendix B.
@@ -56,6 +81,7 @@ void set_pbr(PbrModel const& material, MeshPoint const& at, ReferenceScatteringP
       material.clearcoat_roughness * texel_at(material.clearcoat_roughness_texture, at, TexelContent::data).g;
   bsdf.coat_alpha = std::max(square(std::clamp(coat_roughness, 0., 1.)), smooth_alpha);
   if (transmission > 0 && material.thickness > 0) point.solid = &material;
+  cover_with_film(material, at, point);
 }
 
 }  // namespace
@@ -105,7 +131,6 @@ void check_is_known(Material const& material) {
   std::pair<bool, char const*> const unknown[] = {
       {pbr->sheen_color != Rgb(0), "sheen"},
       {pbr->anisotropy != 0, "anisotropy"},
-      {pbr->iridescence != 0, "iridescence"},
       {pbr->dispersion != 0 && pbr->transmission > 0 && pbr->thickness > 0, "dispersion"},
       {pbr->diffuse_transmission != 0, "diffuse transmission"},
       {pbr->clearcoat != 0 && (pbr->clearcoat_normal_texture || pbr->normal_texture), "clear coats with normal maps"},

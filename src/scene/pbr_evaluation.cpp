@@ -26,7 +26,7 @@ bool varies(PbrModel const& m) {
 
 bool varies_more(PbrModel const& m) {
   return m.sheen_color_texture || m.sheen_roughness_texture || m.anisotropy_texture || m.diffuse_transmission_texture ||
-         m.diffuse_transmission_color_texture;
+         m.diffuse_transmission_color_texture || m.iridescence_texture || m.iridescence_thickness_texture;
 }
 
 bool has_cutouts(PbrModel const& m) { return m.alpha_mode != AlphaMode::opaque; }

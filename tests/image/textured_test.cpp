@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "lichtraum/gltf.hpp"
+#include "reference/thin_film.hpp"
 #include "support/catch.hpp"
 #include "support/encode_png.hpp"
 #include "support/gltf_writer.hpp"
@@ -152,4 +153,45 @@ TEST_CASE("vertex colours multiply the texture", "[image]") {
     check_pixel(image, 3, 3, {0.5, 0, 0});
     check_pixel(image, 12, 12, {0, 0.5, 0});
   });
+}
+
+TEST_CASE("a thin film's share is in the red of its texture, its thickness in the green", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  std::array<Rgba, 4> const texels{{{255, 255, 0, 0}, {255, 0, 0, 0}, {0, 255, 255, 255}, {102, 51, 255, 255}}};
+  auto writer = square_model(texels);
+  json const texture = {{"index", 0}};
+  writer.json["materials"][0] = {{"pbrMetallicRoughness", {{"baseColorFactor", {0.8, 0.6, 0.4, 1}}}},
+                                 {"extensions",
+                                  {{"KHR_materials_iridescence",
+                                    {{"iridescenceFactor", 0.75},
+                                     {"iridescenceTexture", texture},
+                                     {"iridescenceIor", 1.8},
+                                     {"iridescenceThicknessMinimum", 500},
+                                     {"iridescenceThicknessMaximum", 250},
+                                     {"iridescenceThicknessTexture", texture}}}}}};
+  TemporaryFolder const folder;
+  Model const model = import_gltf(folder.write("model.glb", writer.glb()));
+  CHECK(model.diagnostics.empty());
+  RenderRequest request = whole_picture(model.scene.cameras.front(), {16, 16});
+  request.integrator = Integrator::path;
+  request.planes = {FilmPlane::albedo};
+  Rgb const metal(0.8, 0.6, 0.4);
+  for (DeviceInfo const& device : {reference_device(), opencl_devices().front()}) {
+    Film const film = film_on(device, model.scene, request);
+    auto const albedo = film.values(FilmPlane::albedo);
+    for (int row = 0; row < 16; ++row) {
+      for (int column = 0; column < 16; ++column) {
+        Rgba const& texel = texels[std::size_t(row / 8 * 2 + column / 8)];
+        double const share = 0.75 * texel[0] / 255, thickness_nm = 500 - 250 * texel[1] / 255.0;
+        double const x = (column - 7.5) / 8, y = (row - 7.5) / 8, cosine = 1 / std::sqrt(1 + x * x + y * y);
+        double const grazing = std::pow(1 - cosine, 5);
+        Rgb const head_on = (thin_film_reflectance(1.8, thickness_nm, cosine, metal) - grazing) / (1 - grazing);
+        Rgb const expected = glm::mix(metal, glm::clamp(head_on, 0.0, 1.0), share);
+        INFO(device.name << ", row " << row << ", column " << column);
+        for (int c = 0; c < 3; ++c) {
+          CHECK(albedo[std::size_t(3 * (16 * row + column) + c)] == Approx(expected[c]).margin(1e-4));
+        }
+      }
+    }
+  }
 }

@@ -16,13 +16,19 @@ static inline Bsdf load_bsdf(__global BsdfParameters const* source) {
   return bsdf;
 }
 
+static inline BsdfView load_view(Bsdf* bsdf, uint from_outside, float4 coat_normal, __global float4 const* viewers) {
+  Real3 const wo = load_directions(viewers);
+  Mask const is_outside = lane_mask(from_outside != 0u);
+  cover_with_film(bsdf, is_outside, wo.z);
+  return view_bsdf(bsdf, is_outside, wo, broadcast3(coat_normal.xyz));
+}
+
 /* f |wi.z|, and the density as w. */
 __kernel void probe_evaluate(__global BsdfParameters const* parameters, uint from_outside, float4 coat_normal,
                              __global float4 const* viewers, __global float4 const* lights, __global float4* values) {
   size_t const first = get_global_id(0) * LANES;
-  Bsdf const bsdf = load_bsdf(parameters);
-  BsdfView const view =
-      view_bsdf(&bsdf, lane_mask(from_outside != 0u), load_directions(viewers + first), broadcast3(coat_normal.xyz));
+  Bsdf bsdf = load_bsdf(parameters);
+  BsdfView const view = load_view(&bsdf, from_outside, coat_normal, viewers + first);
   BsdfValue value = bsdf_evaluate(&bsdf, &view, load_directions(lights + first));
   for (uint lane = 0u; lane < LANES; ++lane) {
     values[first + lane] = (float4)(lane_of3(&value.value, lane), LANE_FLOAT(value.pdf, lane));
@@ -34,9 +40,8 @@ __kernel void probe_sample(__global BsdfParameters const* parameters, uint from_
                            __global float4 const* viewers, __global float4 const* uniforms, __global float4* directions,
                            __global float4* weights) {
   size_t const first = get_global_id(0) * LANES;
-  Bsdf const bsdf = load_bsdf(parameters);
-  BsdfView const view =
-      view_bsdf(&bsdf, lane_mask(from_outside != 0u), load_directions(viewers + first), broadcast3(coat_normal.xyz));
+  Bsdf bsdf = load_bsdf(parameters);
+  BsdfView const view = load_view(&bsdf, from_outside, coat_normal, viewers + first);
   Real3 const random = load_directions(uniforms + first);
   BsdfSample sample = bsdf_sample(&bsdf, &view, random.x, random.y, random.z);
   for (uint lane = 0u; lane < LANES; ++lane) {
@@ -50,9 +55,8 @@ __kernel void probe_sample(__global BsdfParameters const* parameters, uint from_
 __kernel void probe_choices(__global BsdfParameters const* parameters, uint from_outside, float4 coat_normal,
                             __global float4 const* viewers, __global float4* spread, __global float4* delta) {
   size_t const first = get_global_id(0) * LANES;
-  Bsdf const bsdf = load_bsdf(parameters);
-  BsdfView view =
-      view_bsdf(&bsdf, lane_mask(from_outside != 0u), load_directions(viewers + first), broadcast3(coat_normal.xyz));
+  Bsdf bsdf = load_bsdf(parameters);
+  BsdfView view = load_view(&bsdf, from_outside, coat_normal, viewers + first);
   for (uint lane = 0u; lane < LANES; ++lane) {
     spread[first + lane] = (float4)(LANE_FLOAT(view.to_coat, lane), LANE_FLOAT(view.to_glossy, lane),
                                     LANE_FLOAT(view.to_diffuse, lane), LANE_FLOAT(view.to_transmitted, lane));
@@ -65,6 +69,18 @@ __kernel void probe_ggx_albedo(__global float const* alphas, __global float cons
   size_t const i = get_global_id(0);
   GgxAlbedo albedo = round_ggx_albedo((Real)(alphas[i]), (Real)(cosines[i]));
   albedos[i] = (float2)(LANE_FLOAT(albedo.a, 0), LANE_FLOAT(albedo.b, 0));
+}
+
+/* Films: index, thickness in nm, and the cosine of the viewer's angle; what their bases reflect head-on. */
+__kernel void probe_thin_film(__global float4 const* films, __global float4 const* bases,
+                              __global float4* reflectances) {
+  size_t const first = get_global_id(0) * LANES;
+  Real3 const film = load_directions(films + first);
+  ThinFilm const viewed = view_thin_film(film.x, film.y, film.z);
+  Real3 reflectance = thin_film_reflectance(&viewed, load_directions(bases + first));
+  for (uint lane = 0u; lane < LANES; ++lane) {
+    reflectances[first + lane] = (float4)(lane_of3(&reflectance, lane), 0.f);
+  }
 }
 
 __kernel void probe_bsdf_from_phong(__global PhongMaterial const* materials, __global BsdfParameters* parameters) {

@@ -215,6 +215,33 @@ TEST_CASE("glTF's diffuse transmission takes its share of the matt lobe, in its 
   }
 }
 
+TEST_CASE("glTF's iridescence is a film where it has a thickness", "[kernel][bsdf]") {
+  NEEDS_OPENCL_DEVICE();
+  device::PbrMaterial material = default_pbr();
+  CHECK(of_pbr(material).film == 0);
+  material.iridescence = 0.5f;
+  BsdfParameters const film = of_pbr(material);
+  CHECK(film.film == 0.5f);
+  CHECK(film.film_ior == 1.3f);
+  CHECK(film.film_thickness == 400);  // the maximum, where no texture says otherwise
+  material.iridescence = 3;
+  material.iridescence_ior = 0.5f;
+  CHECK(of_pbr(material).film == 1);
+  CHECK(of_pbr(material).film_ior == 1);
+  material.unlit = 1;
+  CHECK(of_pbr(material).film == 0);
+  material.unlit = 0;
+  for (float const none : {0.f, -1.f, std::numeric_limits<float>::quiet_NaN()}) {
+    material.iridescence_thickness_maximum = none;
+    CHECK(of_pbr(material).film == 0);
+  }
+  material.iridescence_thickness_maximum = 400;
+  for (float const none : {-1.f, std::numeric_limits<float>::quiet_NaN()}) {
+    material.iridescence = none;
+    CHECK(of_pbr(material).film == 0);
+  }
+}
+
 TEST_CASE("glTF's sheen is what its factors say, within what makes sense", "[kernel][bsdf]") {
   NEEDS_OPENCL_DEVICE();
   device::PbrMaterial material = default_pbr();

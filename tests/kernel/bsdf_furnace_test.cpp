@@ -121,6 +121,23 @@ TEST_CASE("white furnace: what sheen reflects is missing below it", "[kernel][bs
   check(extremes(probe, fuzz), 0, 1.002);
 }
 
+TEST_CASE("white furnace: thin films add no light, and over what is matt they lose none",
+          "[kernel][bsdf][statistics]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe;
+  for (double const metallic : {0.0, 1.0}) {
+    auto const covered = [&](double roughness, double thickness) {
+      return iridescent(layered_bsdf(1, metallic, roughness), 1, 1.6, 200 + 300 * thickness);
+    };
+    check(extremes(probe, covered, true, 2), metallic == 0 ? 0.995 : 0.8, 1.002);
+  }
+  auto const solid = [](double roughness, double) {
+    return iridescent(transmitting(layered_bsdf(1, 0, roughness), 1, 1.5), 1, 1.8, 300);
+  };
+  // The table of solids is coarse (see below), and what their microfacets do several times it knows without a film.
+  for (bool const from_outside : {true, false}) check(extremes(probe, solid, from_outside, 1), 0.93, 1.02);
+}
+
 TEST_CASE("white furnace: thin walls keep all light", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
   BsdfProbe const probe;

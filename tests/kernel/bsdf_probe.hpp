@@ -30,7 +30,7 @@ inline void set_color(float (&color)[3], double value) { color[0] = color[1] = c
 /// Black, and as smooth as can be.
 inline BsdfParameters black_bsdf() {
   BsdfParameters out{};
-  out.opacity = out.stretch = out.ior = out.coat_alpha = out.sheen_alpha = 1;
+  out.opacity = out.stretch = out.ior = out.coat_alpha = out.sheen_alpha = out.film_ior = 1;
   out.alpha = 0.001f;
   set_color(out.attenuation_color, 1);
   return out;
@@ -79,6 +79,13 @@ inline BsdfParameters stretched(BsdfParameters out, double strength) {
 inline BsdfParameters with_sheen(BsdfParameters out, double color, double roughness, bool is_colored = false) {
   for (int c = 0; c < 3; ++c) out.sheen[c] = float(color * (is_colored ? 1 - 0.4 * c : 1));
   out.sheen_alpha = std::max(float(roughness * roughness), 0.0049f);
+  return out;
+}
+/// Under a thin film, whose thickness is in nm: KHR_materials_iridescence.
+inline BsdfParameters iridescent(BsdfParameters out, double share, double ior, double thickness) {
+  out.film = float(share);
+  out.film_ior = float(ior);
+  out.film_thickness = float(thickness);
   return out;
 }
 /// Lets `share` through of what was diffuse; a solid where `ior` is not 1.

@@ -102,7 +102,11 @@ PathScene metal_and_rough(char const* name, EnvironmentLight const& environment)
   Scene scene = scene_of(four_balls);
   set_material(scene, "a", pbr({0.9, 0.6, 0.3}, 1, 0.8));
   set_material(scene, "b", pbr({0.2, 0.5, 0.8}, 0, 0.6));
-  set_material(scene, "c", pbr({0.8, 0.8, 0.8}, 0.5, 1));
+  PbrModel iridescent = pbr({0.8, 0.8, 0.8}, 0.5, 0.9);
+  iridescent.iridescence = 0.9;
+  iridescent.iridescence_ior = 1.6;
+  iridescent.specular = 0.9;
+  set_material(scene, "c", iridescent);
   PbrModel special = pbr({0.9, 0.9, 0.9}, 0, 0.7);
   special.ior = 1.8;
   special.specular = 0.8;
@@ -126,6 +130,8 @@ PathScene rough_glass() {
   solid.ior = 1.5;
   solid.transmission = 0.6;
   set_material(scene, "b", solid);
+  solid.iridescence = 1;
+  solid.iridescence_ior = 1.9;
   solid.ior = 1.8;
   solid.specular = 0.7;
   solid.transmission = 0.9;
@@ -216,6 +222,12 @@ PathScene textures() {
   PbrModel clear = *(*scene.materials.find("clear"))->pbr();
   clear.roughness = 0.8;  // sharper refraction is too improbable
   set_material(scene, "clear", clear);
+  PbrModel full = *(*scene.materials.find("full"))->pbr();
+  full.iridescence = 0.9;
+  full.iridescence_ior = 1.7;
+  full.iridescence_thickness_minimum = 600;  // more than the maximum is allowed
+  full.iridescence_texture = full.iridescence_thickness_texture = full.specular_texture;
+  set_material(scene, "full", full);
   scene.environment = window_environment();
   return {"textured meshes", std::move(scene), 3, false, false, 8};
 }

@@ -1,6 +1,7 @@
 /// Cameras, lights and materials of glTF models.
 
 #include "support/catch.hpp"
+#include "support/encode_png.hpp"
 #include "support/gltf_import.hpp"
 
 using namespace lichtraum;
@@ -116,6 +117,35 @@ TEST_CASE("materials are kept whole and mapped to Phong", "[unit][gltf]") {
   CHECK(paint.pbr()->base_color == Rgb(1, 0.5, 0));
   CHECK(paint.pbr()->alpha == 0.25);
   CHECK(paint.pbr()->alpha_mode == AlphaMode::blend);
+}
+
+TEST_CASE("a thin film's factor, index, range of thickness and textures are read", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions)["material"] = 0;
+  for (int const red : {10, 20}) {
+    std::array<std::uint8_t, 4> const texel{std::uint8_t(red), 2, 3, 255};
+    writer.json["images"].push_back(
+        {{"bufferView", writer.add_view(test::encode_png(1, 1, {&texel, 1}))}, {"mimeType", "image/png"}});
+  }
+  writer.json["textures"] = {{{"source", 0}}, {{"source", 1}}};
+  nlohmann::json const film = {{"iridescenceFactor", 0.75},
+                               {"iridescenceTexture", {{"index", 1}}},
+                               {"iridescenceIor", 1.5},
+                               {"iridescenceThicknessMinimum", 200},
+                               {"iridescenceThicknessMaximum", 150},
+                               {"iridescenceThicknessTexture", {{"index", 0}, {"texCoord", 1}}}};
+  writer.json["materials"] = {{{"name", "soap"}, {"extensions", {{"KHR_materials_iridescence", film}}}}};
+  Model const model = import_model(writer);
+  PbrModel const& soap = *(*model.scene.materials.find("soap"))->pbr();
+  CHECK(soap.iridescence == 0.75);
+  CHECK(soap.iridescence_ior == 1.5);
+  CHECK(soap.iridescence_thickness_minimum == 200);
+  CHECK(soap.iridescence_thickness_maximum == 150);  // the other way round is allowed
+  REQUIRE(soap.iridescence_texture);
+  CHECK(soap.iridescence_texture.texture->image->rgba[0] == 20);
+  REQUIRE(soap.iridescence_thickness_texture);
+  CHECK(soap.iridescence_thickness_texture.texture->image->rgba[0] == 10);
+  CHECK(soap.iridescence_thickness_texture.texcoord == 1);
 }
 
 TEST_CASE("a variant gives primitives the materials that they have in it", "[unit][gltf]") {

@@ -152,9 +152,6 @@ TEST_CASE("reference paths: what they do not know is refused, not drawn wrongly"
   model.anisotropy = 0.5;
   check(model, "anisotropy");
   model = {};
-  model.iridescence = 1;
-  check(model, "iridescence");
-  model = {};
   model.dispersion = 1;
   model.transmission = 1;
   model.thickness = 1;

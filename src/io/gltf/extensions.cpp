@@ -17,7 +17,7 @@ constexpr Extension table[] = {
     {"KHR_materials_dispersion", "read, but not rendered"},
     {"KHR_materials_emissive_strength", "read"},
     {"KHR_materials_ior", "bends refracted rays; path: reflections, too"},
-    {"KHR_materials_iridescence", "read, but not rendered"},
+    {"KHR_materials_iridescence", "path: interference in a thin film, changing with the angle"},
     {"KHR_materials_pbrSpecularGlossiness", "converted to metallic-roughness"},
     {"KHR_materials_sheen", "path: fibres that stand up, above the rest"},
     {"KHR_materials_specular", "read; scales the highlight"},

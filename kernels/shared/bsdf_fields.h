@@ -18,6 +18,7 @@
   NUMBER(is_layered)                   /* 1: what it reflects is lost to the lobes below it, and it loses nothing */ \
   COLOR(transmitted)                   /* what gets through of the light that the glossy lobe leaves */              \
   NUMBER(ior)                          /* that refracts it; 1: a thin wall */                                        \
+  NUMBER(ior_spread)                   /* by which that of blue light is larger, of red smaller */                   \
   COLOR(attenuation_color)             /* of white light in a solid body ... */                                      \
   NUMBER(inverse_attenuation_distance) /* ... after 1 / this, in world units */                                      \
   NUMBER(mirror)                       /* shares of perfect mirror and glass */                                      \
@@ -26,7 +27,7 @@
   NUMBER(coat_alpha)                                                                                                 \
   COLOR(sheen) /* reflectance of the fibres of cloth, between the coat and the rest */                               \
   NUMBER(sheen_alpha)                                                                                                \
-  NUMBER(film)           /* share of a thin film between them and the glossy lobe, ... */                            \
+  NUMBER(film)           /* share of the glossy lobe that a thin film covers ... */                                  \
   NUMBER(film_ior)       /* of this index ... */                                                                     \
   NUMBER(film_thickness) /* and this many nm, above 0 where there is one */
 

@@ -166,6 +166,31 @@ TEST_CASE("glTF's transmission is a thin wall without thickness, a solid with it
   CHECK(of_pbr(material).ior == 1);
 }
 
+TEST_CASE("glTF's dispersion spreads a solid's index of refraction", "[kernel][bsdf]") {
+  NEEDS_OPENCL_DEVICE();
+  device::PbrMaterial material = default_pbr();
+  material.metallic = 0;
+  material.transmission = 0.5f;
+  material.ior = 1.8f;
+  material.dispersion = 2;
+  CHECK(of_pbr(material).ior_spread == 0);  // a thin wall bends nothing
+  material.thickness = 1;
+  BsdfParameters const prism = of_pbr(material);
+  CHECK(prism.ior_spread == Approx(0.04));  // Abbe's number is 10
+  check_color(prism.f0, {std::pow(0.76 / 2.76, 2), std::pow(0.8 / 2.8, 2), std::pow(0.84 / 2.84, 2)});
+  material.dispersion = 1000;
+  CHECK(of_pbr(material).ior_spread == Approx(0.8));  // red's index is 1
+  for (float const none : {0.f, -1.f, std::numeric_limits<float>::quiet_NaN()}) {
+    material.dispersion = none;
+    CHECK(of_pbr(material).ior_spread == 0);
+  }
+  material.dispersion = 2;
+  for (float const none : {0.f, 1.f}) {  // 0: infinite
+    material.ior = none;
+    CHECK(of_pbr(material).ior_spread == 0);
+  }
+}
+
 TEST_CASE("glTF's anisotropy makes microfacets rougher along x", "[kernel][bsdf]") {
   NEEDS_OPENCL_DEVICE();
   device::PbrMaterial material = default_pbr();

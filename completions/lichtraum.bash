@@ -29,6 +29,7 @@ _lichtraum() {
     --up) values='0,1,0 0,0,1' ;;
     --orbit) values='35,20 0,0 90,0 0,90' ;;
     --fov-x | --fov-y) values='25 45 60' ;;
+    --clamp) values='1 3 10' ;;
     --noise) values='0.02 0.05 0.1' ;;
     --exposure) values='-2 -1 1 2' ;;
     --tonemap) values='auto neutral agx aces reinhard none' ;;
@@ -61,12 +62,12 @@ _lichtraum() {
     case ${COMP_WORDS[1]} in
       render)
         options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
-        options+=" --camera $view --root --planes --integrator --samples --depth --seed --background --exposure --tonemap"
+        options+=" --camera $view --root --planes --integrator --samples --depth --clamp --seed --background --exposure --tonemap"
         options+=' --transfer --noise --denoise --device --traversal --frames --fps --turntable --resume --show --environment'
         options+=' --environment-rotation --environment-brightness'
         ;;
       view)
-        options+=" $language --watch --size --camera $view --root --integrator --samples --depth --seed --background"
+        options+=" $language --watch --size --camera $view --root --integrator --samples --depth --clamp --seed --background"
         options+=' --exposure --tonemap --transfer --denoise --device --traversal --environment --environment-rotation'
         options+=' --environment-brightness'
         ;;

@@ -70,6 +70,7 @@ complete -c lichtraum -n $seen -l samples -x -a '1 2x2 4x4 8x8 16 64' -d 'Sample
 complete -c lichtraum -n $render -l noise -x -a '0.02 0.05 0.1' -d 'Stop when so little noise is left'
 complete -c lichtraum -n $traced -l integrator -x -a 'whitted path' -d 'How light is found'
 complete -c lichtraum -n $traced -l depth -x -d 'Maximum depth of reflection and refraction'
+complete -c lichtraum -n $traced -l clamp -x -a '1 3 10' -d 'Dim scattered light to this radiance'
 complete -c lichtraum -n $traced -l seed -x -d 'Seed of the random samples'
 complete -c lichtraum -n $traced -l background -x -a 'environment none' -d 'Radiance where nothing is hit, R,G,B or two of these'
 complete -c lichtraum -n $traced -l environment -r -a 'studio none' -d 'Light from all around'

@@ -74,8 +74,9 @@ struct Job {
   std::optional<SampleRange> samples;  ///< of those of `sampling`; else all
   /// Fewer samples than `sampling` says will do once so little noise is left, 0 < noise <= 1: see render_to_noise.
   std::optional<double> noise;
-  std::optional<int> max_depth;  ///< see RenderRequest::max_depth
-  std::uint64_t seed = 0;        ///< of the random samples
+  std::optional<int> max_depth;        ///< see RenderRequest::max_depth
+  std::optional<double> max_indirect;  ///< else all, see RenderRequest::max_indirect
+  std::uint64_t seed = 0;              ///< of the random samples
   PlaneSet planes{FilmPlane::radiance};
   std::optional<JobBackground> background;
   Denoising denoising = Denoising::automatic;  ///< of pictures that are developed; films stay as they are

@@ -51,7 +51,8 @@ typedef struct {
   uint seed_high;
   uint max_depth;
   uint background_kind; /* BACKGROUND_... */
-  uint padding[2];
+  float max_indirect;   /* of paths, see RenderRequest; may be INFINITY */
+  uint padding;
 } FrameParameters;
 DEVICE_STRUCT_SIZE(FrameParameters, 224);
 

@@ -136,6 +136,8 @@ class Sequence {
       has_no_effect(options_.job.background.has_value(), has_radiance, "--background");
       has_no_effect(options_.job.sampling.has_value(), traced_planes(plan.job).has(PlaneRule::mean), "--samples");
       has_no_effect(options_.job.noise.has_value(), has_radiance, "--noise");
+      has_no_effect(options_.job.max_indirect.has_value(), has_radiance && plan.job.integrator == Integrator::path,
+                    "--clamp");
       has_no_effect(options_.job.max_depth.has_value(), has_radiance, "--depth");
       has_no_effect(options_.resume, format.read_fingerprint != nullptr, "--resume");
     }

@@ -209,6 +209,14 @@ JobView::Orbit parse_orbit(std::string_view text) {
   return {numbers[0], numbers[1], count == 3 ? std::optional(numbers[2]) : std::nullopt};
 }
 
+double parse_clamp(std::string_view text) {
+  auto const radiance = number<double>(text);
+  if (!radiance || !(*radiance > 0) || !std::isfinite(*radiance)) {
+    throw std::invalid_argument("expected a radiance above 0, such as 10");
+  }
+  return *radiance;
+}
+
 double parse_noise(std::string_view text) {
   auto const noise = number<double>(text);
   if (!noise || !(*noise > 0) || *noise > 1) {

@@ -41,6 +41,7 @@ JobView::Focus parse_focus(std::string_view text);
 double parse_fov(std::string_view text);                                  ///< degrees: > 0, < 180
 JobView::Orbit parse_orbit(std::string_view text);                        ///< two angles, or these and a distance
 JobBackground parse_background(std::string_view text);                    ///< none, environment, one colour or two
+double parse_clamp(std::string_view text);                                ///< > 0
 double parse_noise(std::string_view text);                                ///< 0 < noise <= 1
 double parse_exposure(std::string_view text);                             ///< stops: -100..100
 Integrator parse_integrator(std::string_view text);                       ///< whitted, path

@@ -42,6 +42,7 @@ void check_request(RenderRequest const& request) {
   bool const needs_environment = request.background && request.background->kind == Background::Kind::environment;
   require(!needs_environment || request.integrator != Integrator::whitted,
           "background environment: it can be seen only with an environment, and whitted draws none");
+  require(request.max_indirect > 0, fmt::format("a limit of indirect light of {} leaves none", request.max_indirect));
   require(request.max_depth >= 0, fmt::format("a depth of {} is negative", request.max_depth));
 }
 

@@ -192,6 +192,7 @@ constexpr auto job_fields = [](auto& job, auto&& field) {
         Members<SampleRange>{{{&SampleRange::first, {0, most}}, {&SampleRange::end, {1, most}}}});
   field("noise", job.noise, Number{std::numeric_limits<double>::min(), 1, "a number above 0, at most 1"});
   field("max_depth", job.max_depth, Whole{0, job_limits::depth});
+  field("max_indirect", job.max_indirect, above_zero());
   field("seed", job.seed, Whole{std::uint64_t(0), std::numeric_limits<std::uint64_t>::max()});
   field("planes", job.planes, PlaneNames{});
   field("background", job.background, BackgroundValue{});

@@ -96,6 +96,7 @@ RenderRequest request_through(Camera const& camera, Job const& job) {
   request.sampling = *job.sampling;
   request.samples = job.samples;
   request.max_depth = *job.max_depth;
+  if (job.max_indirect) request.max_indirect = *job.max_indirect;
   request.seed = job.seed;
   request.planes = traced_planes(job);
   if (job.background) request.background = job.background->shown;

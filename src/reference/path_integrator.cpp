@@ -1,5 +1,6 @@
 #include "reference/path_integrator.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -97,8 +98,12 @@ Continuation choose_continuation(ReferenceScattering const& scattering, Vec3 con
 }  // namespace
 
 PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& environment, Ray ray,
-                      Rgb const& background, int max_depth, ReferenceRandom& random, RayCounts& counts) {
+                      Rgb const& background, RenderRequest const& request, ReferenceRandom& random, RayCounts& counts) {
   PathSample sample;
+  auto const add = [&](Rgb const& radiance, bool is_indirect) {
+    double const largest = is_indirect ? std::max({radiance.r, radiance.g, radiance.b}) : 0;
+    sample.radiance += largest > request.max_indirect ? radiance * (request.max_indirect / largest) : radiance;
+  };
   Rgb throughput(1);
   bool sees_background = false;       // by a mirror or through glass
   PbrModel const* entered = nullptr;  // the solid that the path is in, as far as it has been seen to enter one
@@ -110,7 +115,7 @@ PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& e
       Rgb const from_afar = environment       ? environment.radiance(ray.direction)
                             : sees_background ? scene.background
                                               : scene.ambient;
-      sample.radiance += throughput * (depth == 0 ? background : from_afar);
+      add(throughput * (depth == 0 ? background : from_afar), depth > 1);
       return sample;
     }
     counts.camera_hits += is_first_ray;
@@ -123,10 +128,10 @@ PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& e
     }
     if (depth == 0) sample.surface = {1, point.albedo(), point.normal};
     if (!entered && point.solid && !point.from_outside) throughput *= attenuation(*point.solid, hit.t);
-    sample.radiance += throughput * point.emission;
+    add(throughput * point.emission, depth > 1);
     auto const scattering = point.scattering();
-    sample.radiance += throughput * light_of_lamps(scene, point, scattering, random, counts);
-    if (depth == max_depth) return sample;
+    add(throughput * light_of_lamps(scene, point, scattering, random, counts), depth > 0);
+    if (depth == request.max_depth) return sample;
     auto const next = choose_continuation(scattering, point.normal, random);
     throughput *= next.weight;
     if (throughput == Rgb(0) || !point.is_consistent(next.direction)) return sample;

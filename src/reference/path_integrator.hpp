@@ -13,10 +13,10 @@ struct PathSample {
 };
 
 /// One path from a camera ray of unit direction: an estimate of the same integral as kernels/integrators/path.clh, by
-/// another estimator (docs/RAYTRACING.md, section 18). A path is scattered at most `max_depth` times; light of what has
-/// no extent may scatter once more. The rays traced are added to `counts`.
-/// `background`: what the camera's ray sees where it hits nothing.
+/// another estimator (docs/RAYTRACING.md, section 18). A path is scattered at most request.max_depth times; light of
+/// what has no extent may scatter once more. The rays traced are added to `counts`. `background`: what the camera's ray
+/// sees where it hits nothing.
 PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& environment, Ray ray,
-                      Rgb const& background, int max_depth, ReferenceRandom& random, RayCounts& counts);
+                      Rgb const& background, RenderRequest const& request, ReferenceRandom& random, RayCounts& counts);
 
 }  // namespace lichtraum

@@ -112,7 +112,7 @@ PathSample PixelTracer::path_sample(int x, int y, int index, Ray const& ray, Ray
   bool const sees_environment = environment_ && background_.kind == Background::Kind::environment;
   Rgb const background = sees_environment ? environment_.radiance(ray.direction) : background_at(y);
   ReferenceRandom random(x, y, index, request_.seed);
-  return trace_path(scene_, environment_, ray, background, request_.max_depth, random, counts);
+  return trace_path(scene_, environment_, ray, background, request_, random, counts);
 }
 
 Rgb PixelTracer::background_at(int y) const {

@@ -61,6 +61,7 @@ device::FrameParameters frame_parameters(RenderRequest const& request, SceneShad
   frame.sample_count = device::uint(request.sampling.count);
   frame.seed_low = device::uint(request.seed);
   frame.seed_high = device::uint(request.seed >> 32);
+  frame.max_indirect = float(request.max_indirect);
   frame.max_depth = request.planes.has(FilmPlane::radiance) ? device::uint(request.max_depth) : 0;
   return frame;
 }

@@ -41,6 +41,17 @@ Image trace(Scene const& scene, RenderRequest const& request) {
   return image;
 }
 
+/// At most, in any channel of a pixel.
+float differs_by(Image const& a, Image const& b) {
+  float most = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(a.pixel(x, y)[c] - b.pixel(x, y)[c]));
+    }
+  }
+  return most;
+}
+
 /// Of all values of the pixels; the error is how far the mean's is likely to be, pixels being independent.
 struct Mean {
   double value = 0, error = 0, least = 1e30, most = -1e30;
@@ -156,6 +167,34 @@ TEST_CASE("paths: a closed body that shines within shows the sum of all bounces"
   // Cut short: emission of the wall that is seen, and of the one after that, ...
   check_mean(trace(scene, path_request(scene, {16, 16}, 64, 0)), 0.3);
   check_mean(trace(scene, path_request(scene, {16, 16}, 64, 2)), 0.3 * 1.75);
+}
+
+TEST_CASE("paths: a limit dims light that was scattered on its way, and no other", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene hollow = scene_of(
+      "define material m 0 0 0 0.5 0.5 0.5 0 0 0 1 emission 1 1 1\ndefine shape sphere body 0 0 0 2 m\n"
+      "define camera eye 60\n");
+  RenderRequest request = path_request(hollow, {16, 16}, 16, 2);
+  request.max_indirect = 0.1;
+  // What is seen, what lights that, and what lights that in turn.
+  CHECK(mean_of(trace(hollow, request)).value == Approx(1 + 0.5 + 0.1).epsilon(1e-5));
+  // The reference's uniform directions make the third part differ from path to path, 0 to 0.1; without a limit it is
+  // 0.25.
+  CHECK(mean_of(render_reference(hollow, request)).value == Approx(1.55).margin(0.06));
+
+  Scene const room = scene_of(
+      "define material m 0 0 0 0.8 0.6 0.4 0 0 0 1\ndefine shape box floor -3 -2 -9 3 -1 -1 m\n"
+      "define shape sphere ball 0 0 -5 1 m\ndefine light diffuse lamp 3 5 0 1 1 1 radius=1\ndefine camera eye 60\n");
+  request = path_request(room, {48, 32}, 16, 4);
+  Image const all = trace(room, request);
+  request.max_indirect = 1e30;
+  CHECK(differs_by(trace(room, request), all) == 0);
+  request.max_indirect = 1e-6;
+  Image const dimmed = trace(room, request);
+  request.max_depth = 0;
+  Image const direct = trace(room, request);
+  CHECK(mean_of(all).value > 1.05 * mean_of(direct).value);
+  CHECK(differs_by(dimmed, direct) < 1e-5f);
 }
 
 TEST_CASE("paths: what shines is in the albedo, so that denoising keeps its edges", "[image][path]") {

@@ -75,7 +75,11 @@ std::string camera_as_esdf(Camera const& camera, Resolution const& size) {
   double const sine = glm::length(axis);
   Vec3 const eye = position_of(camera);
   std::string const name = camera.name().empty() ? "view" : camera.name();
-  std::string text = fmt::format("define camera {} {} {} {}\n", name, camera.fov_x_degrees(), size.width, size.height);
+  Lens const& lens = camera.lens();
+  std::string const keys =
+      lens.aperture > 0 ? fmt::format(" aperture={} focus={}", lens.aperture, lens.focus_distance) : "";
+  std::string text =
+      fmt::format("define camera {} {} {} {}{}\n", name, camera.fov_x_degrees(), size.width, size.height, keys);
   // How long rays' directions are plays no role, so that along the view it is 1.
   Mat3 const axes(camera.world_from_camera().matrix());
   double const mirrored = glm::determinant(axes) < 0 ? -1 : 1;

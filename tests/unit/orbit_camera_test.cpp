@@ -57,6 +57,10 @@ TEST_CASE("a camera written as eSDF sees the same", "[unit][view]") {
     CHECK(scene.cameras.front().resolution() == size);
     CHECK(difference(scene.cameras.front(), camera) < 1e-9);
   }
+  Camera lens("eye", 45);
+  lens.set_lens({0.25, 7.5});
+  Scene const scene = EsdfScript::from_text(camera_as_esdf(lens, size), "camera", {}).take_scene();
+  CHECK(scene.cameras.front().lens() == Lens{0.25, 7.5});
 }
 
 TEST_CASE("a camera orbits at its distance, and not over the zenith", "[unit][view]") {

@@ -32,10 +32,9 @@ double distance_ahead(Camera const& camera, Vec3 const& point) {
   return distance > 0 ? distance : 1;
 }
 
-/// A point that the scene's camera shows sharp; without a lens, what it looks at.
-Vec3 focus_of(SceneView const& scene) {
-  Camera const& camera = scene.request.camera;
-  if (camera.lens().aperture == 0) return scene.center;
+/// A point that the camera shows sharp; without a lens, `center`.
+Vec3 focus_of(Camera const& camera, Vec3 const& center) {
+  if (camera.lens().aperture == 0) return center;
   Vec3 const ahead = glm::normalize(camera.world_from_camera().vector({0, 0, -1}));
   return camera.world_from_camera().point(Vec3(0)) + camera.lens().focus_distance * ahead;
 }
@@ -89,7 +88,7 @@ bool Window::take_news() {
       glfwSetWindowSize(graphics_->window, scene_.request.resolution.width, scene_.request.resolution.height);
     }
     panel_.set_scene(scene_);
-    focus_ = focus_of(scene_);
+    focus_ = focus_of(scene_.request.camera, scene_.center);
     mark_selection();  // of nothing: what was selected was of the scene before
     if (!is_moved_) camera_.emplace(scene_.request.camera, scene_.center);
     show();
@@ -112,11 +111,22 @@ bool Window::take_news() {
   return news.look || news.marking || news.frame || news.problem || news.scene;
 }
 
+Camera Window::camera_seen_through() const {
+  Camera camera = camera_->camera();
+  camera.set_lens({panel_.aperture, distance_ahead(camera, focus_)});
+  return camera;
+}
+
+void Window::look_through(Camera const& camera) {
+  camera_.emplace(camera, scene_.center);
+  panel_.aperture = camera.lens().aperture;
+  focus_ = focus_of(camera, scene_.center);
+}
+
 void Window::show() {
   shown_size_ = graphics_->framebuffer_size();
   RenderRequest view = scene_.request;
-  view.camera = camera_->camera();
-  view.camera.set_lens({panel_.aperture, distance_ahead(view.camera, focus_)});
+  view.camera = camera_seen_through();
   view.resolution = shown_size_;
   view.planes = {panel_.plane};
   has_marking_ = false;
@@ -202,7 +212,7 @@ void Window::handle_character(char32_t character) {
   if (character == 'c') copy_camera();
   if (character == 'f') frame_everything();
   if (character == 'r') {
-    camera_.emplace(scene_.request.camera, scene_.center);
+    look_through(scene_.request.camera);
     is_moved_ = false;
     show();
   }
@@ -218,7 +228,7 @@ void Window::close() { glfwSetWindowShouldClose(graphics_->window, GLFW_TRUE); }
 void Window::choose_camera(std::size_t number) {
   if (number >= scene_.cameras.size()) return;
   is_moved_ = true;
-  camera_.emplace(scene_.cameras[number].fitted(shown_size_), scene_.center);
+  look_through(scene_.cameras[number].fitted(shown_size_));
   show();
 }
 
@@ -247,7 +257,7 @@ void Window::save() {
 }
 
 void Window::copy_camera() const {
-  std::string const text = camera_as_esdf(camera_->camera(), shown_size_);
+  std::string const text = camera_as_esdf(camera_seen_through(), shown_size_);
   glfwSetClipboardString(graphics_->window, text.c_str());
   app::write_standard_output(text);  // for those whose clipboard ends with the window
 }

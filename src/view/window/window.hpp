@@ -37,6 +37,9 @@ class Window {
   void draw_help() const;
 
   void choose_camera(std::size_t number);
+  /// As it is now: where it was moved, with the lens that the panel gives it.
+  Camera camera_seen_through() const;
+  void look_through(Camera const& camera);
   void frame_everything();
   void show();
   void show(FilmPlane plane);

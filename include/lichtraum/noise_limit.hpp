@@ -10,7 +10,8 @@ namespace lichtraum {
 /// its samples and the radiance `earlier` (Film::values): the square root of the relative mean square error, which
 /// divides the square of each value's error by the square of the value, plus 0.01 (Rousselle, Knaus and Zwicker,
 /// "Adaptive Sampling and Reconstruction using Greedy Error Minimization", SIGGRAPH Asia 2011). 0.05 looks quiet at a
-/// first glance. Throws std::invalid_argument unless 0 < earlier_samples < the film's count, and for a film without
+/// first glance. Exact on average for independent samples; the even ones of paths on a device leave rather less noise
+/// than is told. Throws std::invalid_argument unless 0 < earlier_samples < the film's count, and for a film without
 /// radiance or of another size.
 double noise_since(std::vector<float> const& earlier, int earlier_samples, Film const& film);
 

@@ -61,7 +61,6 @@ PicturePlan plan_picture(Scene const& scene, RenderCommand const& command, Job j
   // What stores planes stores them as they were traced; other planes have no noise.
   bool const is_developed = plan.output.format->encode && plan.job.planes.has(FilmPlane::radiance);
   if (!is_developed) plan.job.denoising = Denoising::off;
-  if (!plan.job.planes.has(FilmPlane::radiance)) plan.job.noise.reset();
   check_memory(*plan.job.region, traced_planes(plan.job), plan.job.sampling->count,
                is_size_asked ? ErrorKind::usage : ErrorKind::scene, plan.job.denoising != Denoising::off);
   check_encoding(plan);

@@ -64,9 +64,10 @@ bool parse_preview(Arguments const& arguments, PreviewOptions& options, Console&
 }
 
 /// Enough for a picture of a few characters.
-Sampling usual_sampling(Integrator integrator) {
-  return integrator == Integrator::whitted ? Sampling{Sampling::Pattern::grid, 9}
-                                           : Sampling{Sampling::Pattern::seeded, 16};
+Sampling usual_sampling(RenderRequest const& view) {
+  if (view.camera.lens().aperture > 0) return {Sampling::Pattern::seeded, 64};
+  if (view.integrator == Integrator::path) return {Sampling::Pattern::seeded, 16};
+  return {Sampling::Pattern::grid, 9};
 }
 
 /// Developed, without the noise that paths leave.
@@ -130,8 +131,8 @@ int preview_command(Arguments const& arguments, Console& console) {
   LoadedScene const loaded = source.load(job.reading, load);
   console.show(loaded.diagnostics());
   job.integrator = chosen_integrator(job, loaded.scene(), load.device).integrator;
-  if (!job.sampling) job.sampling = usual_sampling(*job.integrator);
   RenderRequest request = view_of(job, loaded.scene());
+  if (!job.sampling) request.sampling = usual_sampling(request);
 
   // A pipe or a file cannot be asked: blocks are text, and every terminal that it is shown in later knows them.
   TerminalGraphics const graphics = options.graphics ? *options.graphics

@@ -12,6 +12,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Nothing where a limit of noise decided how many, once before.
+Json samples_json(PictureReport const& report) {
+  if (!report.is_skipped) return report.samples;
+  return report.plan.job.noise ? Json() : Json(report.plan.job.sampling->count);
+}
+
 Json picture_json(PictureReport const& report) {
   RayCounts const& rays = report.render.rays;
   Job const& job = report.plan.job;
@@ -28,7 +34,7 @@ Json picture_json(PictureReport const& report) {
           {"region", {region.x, region.y, region.width, region.height}},
           {"integrator", find_word<Integrator>(integrator_words, *job.integrator)},
           {"integrator_reason", report.plan.integrator_reason},
-          {"samples", report.is_skipped ? job.sampling->count : report.samples},
+          {"samples", samples_json(report)},
           {"noise", report.noise ? Json(*report.noise) : Json()},
           {"depth", *job.max_depth},
           {"triangles", report.scene.triangles},

@@ -24,7 +24,7 @@ std::unique_ptr<Renderer> choose_renderer(std::string const& selector, std::opti
     }
   }
   console.warning(
-      "no OpenCL device can be used: the reference tracer draws, slowly and models by --integrator whitted "
+      "no OpenCL device can be used: the reference tracer draws instead, slowly, and models by whitted "
       "(see lichtraum doctor)");
   return make_renderer(reference_device());
 }

@@ -59,7 +59,7 @@ class Pictures {
       if (plan.output.format->encode) picture.development = development_of(plan.job, scene);
       picture.fingerprint = fmt::format("{}-{}", picture_fingerprint(*prepared, picture.request, picture.development),
                                         plan.job.encoding.bits);
-      if (plan.job.noise) picture.fingerprint += fmt::format("-noise {}", *plan.job.noise);
+      if (plan.job.noise) picture.fingerprint += fmt::format("-noise-{}", *plan.job.noise);
       if (plan.job.denoising != Denoising::off) {
         picture.denoiser = denoiser_.name(plan.job.denoising);
         picture.fingerprint += "-" + picture.denoiser;

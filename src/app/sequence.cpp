@@ -198,11 +198,11 @@ class Sequence {
       auto const limited = render_to_noise(renderer_, ready.request, *limit, film, progress);
       result = limited.render;
       picture.noise = limited.noise;
-      warn_of_noise(picture, *limit);
     } else {
       result = renderer_.render(ready.request, film, progress);
     }
     picture.samples = film.samples().count();
+    if (result.complete) warn_of_noise(picture);
     rays_ += result.statistics.rays.total();
     picture.is_complete = result.complete;
     picture.render = result.statistics;
@@ -236,11 +236,14 @@ class Sequence {
     }
   }
 
-  void warn_of_noise(PictureReport const& picture, double limit) {
-    if (!picture.noise || *picture.noise <= limit) return;
+  /// Of a film, once.
+  void warn_of_noise(PictureReport const& picture) {
+    auto const limit = picture.plan.job.noise;
+    if (!limit || !picture.noise || *picture.noise <= *limit) return;
+    if (is_film_ && !warned_.insert({"--noise", picture.plan.output.path.extension()}).second) return;
     bar_.clear();
-    console_.warning(fmt::format("{}: after {} samples the noise is {:.2g}, not {}: --samples takes more",
-                                 picture.plan.output.shown, picture.plan.job.sampling->count, *picture.noise, limit));
+    console_.warning(fmt::format("{}: after {} samples the noise is {:.2g}, not {}: a larger --samples allows more",
+                                 picture.plan.output.shown, picture.samples, *picture.noise, *limit));
   }
 
   Film denoised(Film const& film, PictureReady const& ready, PictureReport& picture) {

@@ -156,6 +156,7 @@ PlaneSet traced_planes(Job const& job) {
 }
 
 Job resolved(Job job, Scene const& scene) {
+  if (!job.planes.has(FilmPlane::radiance)) job.noise.reset();  // other planes have next to none
   RenderCommand const command = command_of(job, scene);
   Camera const camera = find_camera(job, scene, command.camera);
   job.camera = camera.name();
@@ -170,10 +171,10 @@ Job resolved(Job job, Scene const& scene) {
   constexpr int most_samples = 4096;  // where the noise decides
   int const samples = command.samples.value_or(job.noise ? most_samples : usual.samples);
   if (!job.sampling) job.sampling = sampling_of(samples);
-  if (job.noise && (job.sampling->pattern == Sampling::Pattern::grid || job.samples)) {
-    throw Error(ErrorKind::usage,
-                job.samples ? "noise: not of a range of samples"
-                            : "--noise: that is of random samples, of which there must be several: --samples 4096");
+  if (job.noise && job.samples) throw Error(ErrorKind::usage, "noise: it takes all samples, not a range of them");
+  if (job.noise && (job.sampling->pattern == Sampling::Pattern::grid || job.sampling->count <= Film::block_size)) {
+    throw Error(ErrorKind::usage, fmt::format("--noise needs random samples, more than {}: --samples {}",
+                                              Film::block_size, most_samples));
   }
   if (!job.max_depth) job.max_depth = command.depth.value_or(usual.max_depth);
   job.denoising = decided(job.denoising, *job.integrator);
@@ -200,6 +201,7 @@ RenderRequest view_of(Job job, Scene const& scene) {
   job.samples.reset();
   job.planes = {FilmPlane::radiance};
   job.denoising = Denoising::off;
+  job.noise.reset();
   if (!job.sampling) job.sampling = Sampling();
   if (job.background && !job.background->shown) job.background->shown = Rgb(0);
   return request_of(job, scene);

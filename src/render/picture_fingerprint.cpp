@@ -19,7 +19,7 @@ std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const&
   hasher.add(request.sampling.count);
   hasher.add(int(request.integrator));
   hasher.add(request.max_depth);
-  hasher.add(request.max_indirect);
+  if (request.integrator == Integrator::path) hasher.add(request.max_indirect);
   bool const is_random =
       request.integrator == Integrator::path || request.sampling.pattern == Sampling::Pattern::seeded;
   hasher.add(is_random ? request.seed : std::uint64_t(0));

@@ -135,6 +135,11 @@ TEST_CASE("--noise takes samples until the picture is quiet", "[app][render]") {
   auto const [noisy, warning] = picture("--noise 0.0001 --samples 48");
   CHECK(noisy["samples"] == 48);
   CHECK(warning.find("after 48 samples the noise is") != std::string::npos);
+  CHECK(picture("--clamp 0.5").first["complete"] == true);
+  CHECK(lichtraum("render - --clamp 0", ball_scene).exit_code == 64);
+  CHECK(lichtraum("render - --clamp inf", ball_scene).exit_code == 64);
+  auto const no_effect = lichtraum("render - --integrator whitted --clamp 1 --device reference -o b.png", ball_scene);
+  CHECK(no_effect.err.find("--clamp has no effect on 'b.png'") != std::string::npos);
   CHECK(lichtraum("render - --noise 0", ball_scene).exit_code == 64);
   CHECK(lichtraum("render - --noise 1.5", ball_scene).exit_code == 64);
   CHECK(lichtraum("render - --noise 0.1 --samples 4x4 --device reference", ball_scene).exit_code == 64);

@@ -120,12 +120,21 @@ TEST_CASE("a limit of noise takes up to 4096 random samples", "[unit][job]") {
   job.noise = 0.05;
   CHECK(resolved(job, two_pictures()).sampling == Sampling{Sampling::Pattern::seeded, 4096});
   job.picture = 1;
-  CHECK(resolved(job, two_pictures()).sampling == Sampling{Sampling::Pattern::seeded, 9});
-  job.sampling = Sampling{Sampling::Pattern::grid, 16};
-  CHECK(refusal(job, two_pictures()).first == ErrorKind::usage);
+  std::string const too_few = "--noise needs random samples, more than 16: --samples 4096";
+  CHECK(refusal(job, two_pictures()).second == too_few);  // the render's 9
+  job.sampling = Sampling{Sampling::Pattern::grid, 64};
+  CHECK(refusal(job, two_pictures()).second == too_few);
+  job.planes = {FilmPlane::albedo};
+  CHECK(!resolved(job, two_pictures()).noise);
+  CHECK(resolved(job, two_pictures()).sampling == job.sampling);
+  job.planes = {FilmPlane::radiance};
+  job.sampling = Sampling{Sampling::Pattern::seeded, 17};
+  CHECK(resolved(job, two_pictures()).noise == 0.05);
   job.sampling.reset();
+  job.picture = 0;
+  CHECK(view_of(job, two_pictures()).sampling == Sampling());
   job.samples = SampleRange{0, 4};
-  CHECK(refusal(job, two_pictures()).second == "noise: not of a range of samples");
+  CHECK(refusal(job, two_pictures()).second == "noise: it takes all samples, not a range of them");
 }
 
 TEST_CASE("an environment is seen unless the scene has another background, or it is the studio", "[unit][job]") {

@@ -42,9 +42,8 @@ struct LightFieldVisitor {
 //   FLAG
 //   RANGE       at this distance it has fallen off to nothing (KHR_lights_punctual's formula); > 0, infinite: no end
 //   CONE
-//   RADIUS      in units of the world, >= 0. From each point the light is seen as a disc of that radius around its
-//   position,
-//               which no ray meets; 0: as a point. Only paths show it
+//   RADIUS      in units of the world, >= 0: from each point the light is seen as a disc of that radius around its
+//               position, which no ray meets; 0: as a point. Only paths show it
 
 /// Arrives everywhere.
 #define LICHTRAUM_AMBIENT_LIGHT(POSITION, DIRECTION, BRIGHTNESS, AMBIENT, FLAG, RANGE, CONE, RADIUS) BRIGHTNESS(la, 0)

@@ -42,8 +42,9 @@ struct RenderRequest {
   std::optional<SampleRange> samples;  ///< of those of `sampling`; nothing: all. Begins with a block of the film
   Integrator integrator = Integrator::whitted;
   int max_depth = 5;  ///< how often a ray may be mirrored or refracted, a path scattered; 0: not at all
-  /// Of paths: what light that was scattered on its way brings to a sample at most, in its largest channel. Less noise,
-  /// but the picture is darker than it should be. > 0; infinite: all.
+  /// Of paths: what scattered light adds at most each time it is found, in its largest channel. Less noise, but the
+  /// picture is darker than it should be, by another amount on the reference tracer, which finds light in other ways.
+  /// > 0; infinite: all.
   double max_indirect = std::numeric_limits<double>::infinity();
   std::uint64_t seed = 0;
   PlaneSet planes{FilmPlane::radiance};

@@ -34,10 +34,10 @@ double visibility(ReferenceScene const& scene, Ray const& ray, double t_max) {
   return share;
 }
 
-/// The light, or where it has a radius, one at any point of the disc as which `point` sees it.
+/// The light; where it has a radius, one at any point of the disc as which `point` sees it.
 Light placed(Light const& light, Vec3 const& point, ReferenceRandom& random) {
   PointLight const* const lamp = light.get<PointLight>();
-  if (!lamp || lamp->radius == 0) return light;
+  if (!lamp || lamp->radius == 0 || lamp->position == point) return light;
   Vec3 const way = lamp->position - point;
   Vec3 const aside = std::abs(way.x) < std::abs(way.y) ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
   Vec3 const x = glm::normalize(glm::cross(way, aside)), y = glm::normalize(glm::cross(way, x));

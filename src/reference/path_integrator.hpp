@@ -14,7 +14,7 @@ struct PathSample {
 
 /// One path from a camera ray of unit direction: an estimate of the same integral as kernels/integrators/path.clh, by
 /// another estimator (docs/RAYTRACING.md, section 18). A path is scattered at most request.max_depth times; light of
-/// what has no extent may scatter once more. The rays traced are added to `counts`. `background`: what the camera's ray
+/// what no ray meets may scatter once more. The rays traced are added to `counts`. `background`: what the camera's ray
 /// sees where it hits nothing.
 PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& environment, Ray ray,
                       Rgb const& background, RenderRequest const& request, ReferenceRandom& random, RayCounts& counts);

@@ -14,7 +14,7 @@ constexpr Extension table[] = {
     {"KHR_materials_anisotropy", "path: stretched highlights"},
     {"KHR_materials_clearcoat", "path: a coat above all else"},
     {"KHR_materials_diffuse_transmission", "path: what leaves and paper let through"},
-    {"KHR_materials_dispersion", "path: a body bends red, green and blue by indices of their own"},
+    {"KHR_materials_dispersion", "path: solids refract red, green and blue by three indices"},
     {"KHR_materials_emissive_strength", "read"},
     {"KHR_materials_ior", "bends refracted rays; path: reflections, too"},
     {"KHR_materials_iridescence", "path: interference in a thin film, changing with the angle"},

@@ -97,6 +97,27 @@ TEST_CASE("every plane is what the reference tracer finds", "[image][planes]") {
   check_planes(scene_of(graph), "graph");
 }
 
+TEST_CASE("what needs no light looks for none", "[image][planes][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  // So many that to take one of them for something else leads far out of the tables.
+  std::string lights;
+  for (int i = 0; i < 1000; ++i) lights += "define light " + std::to_string(i) + " -3 4 5 0.001 0.001 0.001 1\n";
+  Scene const scene = scene_of(graph + lights);
+  RenderRequest request = whole_picture(scene.cameras.front(), size);
+  for (Integrator const integrator : {Integrator::whitted, Integrator::path}) {
+    request.integrator = integrator;
+    for (DeviceInfo const& device : opencl_devices()) {
+      auto const renderer = make_renderer(device);
+      renderer->set_scene(scene);
+      Film film;
+      request.planes = {FilmPlane::albedo};
+      CHECK(renderer->render(request, film).statistics.rays.shadow == 0);
+      request.planes.add(FilmPlane::radiance);
+      CHECK(renderer->render(request, film).statistics.rays.shadow > 0);
+    }
+  }
+}
+
 TEST_CASE("a picture's objects lead back to their places in the graph", "[image][planes]") {
   REQUIRE_OPENCL_DEVICE();
   Scene const scene = scene_of(graph);

@@ -62,12 +62,12 @@ _lichtraum() {
     case ${COMP_WORDS[1]} in
       render)
         options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
-        options+=" --camera $view --root --planes --integrator --samples --depth --clamp --seed --background --exposure --tonemap"
+        options+=" --camera $view --root --planes --integrator --samples --depth --clamp --seed --ground --ground=glossy --background --exposure --tonemap"
         options+=' --transfer --noise --denoise --device --traversal --frames --fps --turntable --resume --show --environment'
         options+=' --environment-rotation --environment-brightness'
         ;;
       view)
-        options+=" $language --watch --size --camera $view --root --integrator --samples --depth --clamp --seed --background"
+        options+=" $language --watch --size --camera $view --root --integrator --samples --depth --clamp --seed --ground --ground=glossy --background"
         options+=' --exposure --tonemap --transfer --denoise --device --traversal --environment --environment-rotation'
         options+=' --environment-brightness'
         ;;

@@ -73,6 +73,8 @@ complete -c lichtraum -n $traced -l depth -x -d 'Maximum depth of reflection and
 complete -c lichtraum -n $traced -l clamp -x -a '1 3 10' -d 'Dim scattered light to this radiance'
 complete -c lichtraum -n $traced -l seed -x -d 'Seed of the random samples'
 complete -c lichtraum -n $traced -l background -x -a 'environment none' -d 'Radiance where nothing is hit, R,G,B or two of these'
+complete -c lichtraum -n $traced -l ground -d 'Stand the scene on a ground that shows shadows'
+complete -c lichtraum -n $traced -o -ground=glossy -d 'The same, with reflections'
 complete -c lichtraum -n $traced -l environment -r -a 'studio none' -d 'Light from all around'
 complete -c lichtraum -n $traced -l environment-rotation -x -d 'Turn it counter-clockwise, seen from above'
 complete -c lichtraum -n $traced -l environment-brightness -x -d 'Multiply its light'

@@ -32,6 +32,12 @@ struct NoisyPicture {
 /// These planes, and those that denoising goes by where they have radiance: albedo and normals.
 PlaneSet with_guides(PlaneSet planes);
 
+/// What of a film has noise besides its radiance.
+struct NoiseBesides {
+  bool in_guides = false;  ///< see NoisyPicture::has_noisy_guides
+  bool in_alpha = false;   ///< as with a ground's shadows
+};
+
 /// Of a film with radiance. Throws std::invalid_argument for one without, or without samples.
 NoisyPicture noisy_picture(Film const& film);
 
@@ -77,8 +83,8 @@ class Denoiser {
   std::string take_note();
 
   /// The film's radiance without noise, as the one sample of a film that has alpha as well where `film` has it.
-  /// `has_noisy_guides`: see NoisyPicture.
-  Film denoised(Film const& film, Denoising denoising, bool has_noisy_guides = false);
+  /// Alpha with noise is treated the same, but where all samples have hit something.
+  Film denoised(Film const& film, Denoising denoising, NoiseBesides const& besides = {});
   /// The same for any picture.
   std::vector<float> denoised(NoisyPicture const& picture, Denoising denoising);
 

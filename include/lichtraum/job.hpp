@@ -79,6 +79,7 @@ struct Job {
   std::uint64_t seed = 0;              ///< of the random samples
   PlaneSet planes{FilmPlane::radiance};
   std::optional<JobBackground> background;
+  Ground ground = Ground::none;
   Denoising denoising = Denoising::automatic;  ///< of pictures that are developed; films stay as they are
 
   double exposure_ev = 0;
@@ -112,8 +113,8 @@ struct IntegratorChoice {
 };
 
 /// The job's integrator; else that of the scene's `render`; else path for a scene that holds what only paths show (an
-/// environment, a lamp with a size, a material with emission); else usual_integrator. Throws Error{usage} for a picture
-/// that there is not.
+/// environment, a lamp with a size, a material with emission) or a job that asks for a ground; else usual_integrator.
+/// Throws Error{usage} for a picture that there is not.
 IntegratorChoice chosen_integrator(Job const& job, Scene const& scene, DeviceKind device = DeviceKind::cpu);
 
 /// What is done about noise in a picture of that integrator: `asked`, unless that is `automatic`. Whitted's rays make

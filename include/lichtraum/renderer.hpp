@@ -34,6 +34,15 @@ struct Sampling {
 };
 
 /// Which picture of a scene to compute: planes of a region of pixels, of a range of samples.
+/// What the scene stands on: a level plane at the lowest point of its shapes (but infinite ones), which nothing but the
+/// camera sees. In the open it looks
+/// like the background, or is transparent where that is; it shows shadows, and the light that the scene sends there.
+enum class Ground {
+  none,
+  matt,
+  glossy,  ///< shows what it mirrors, too; not where the background is transparent
+};
+
 struct RenderRequest {
   Camera camera;
   Resolution resolution;
@@ -49,6 +58,7 @@ struct RenderRequest {
   std::uint64_t seed = 0;
   PlaneSet planes{FilmPlane::radiance};
   std::optional<Background> background;  ///< instead of the scene's
+  Ground ground = Ground::none;          ///< only of paths
 };
 
 struct RayCounts {

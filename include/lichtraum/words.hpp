@@ -44,6 +44,8 @@ inline constexpr auto material_extra_words =
 #define LICHTRAUM_INTEGRATOR_WORD(name) {#name, Integrator::name},
 inline constexpr auto integrator_words = std::to_array<Word<Integrator>>({INTEGRATORS(LICHTRAUM_INTEGRATOR_WORD)});
 #undef LICHTRAUM_INTEGRATOR_WORD
+inline constexpr auto ground_words =
+    std::to_array<Word<Ground>>({{"none", Ground::none}, {"matt", Ground::matt}, {"glossy", Ground::glossy}});
 inline constexpr auto pattern_words =
     std::to_array<Word<Sampling::Pattern>>({{"grid", Sampling::Pattern::grid}, {"seeded", Sampling::Pattern::seeded}});
 

@@ -33,6 +33,10 @@ DEVICE_STRUCT_SIZE(ThinLens, 48);
 #define BACKGROUND_COLORS 0u
 #define BACKGROUND_ENVIRONMENT 1u
 
+#define GROUND_NONE 0u
+#define GROUND_MATT 1u
+#define GROUND_GLOSSY 2u
+
 /* Everything about the picture that is the same for each of its pixels. */
 typedef struct {
   PinholeCamera camera;
@@ -52,9 +56,11 @@ typedef struct {
   uint max_depth;
   uint background_kind; /* BACKGROUND_... */
   float max_indirect;   /* of paths, see RenderRequest; may be INFINITY */
-  uint padding;
+  uint ground;          /* GROUND_... */
+  float ground_y;       /* world */
+  uint padding[3];
 } FrameParameters;
-DEVICE_STRUCT_SIZE(FrameParameters, 224);
+DEVICE_STRUCT_SIZE(FrameParameters, 240);
 
 /* What one launch computes: a rectangle of pixels, a range of their samples. */
 typedef struct {

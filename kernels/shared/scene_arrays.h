@@ -93,8 +93,9 @@ typedef struct {
   float environment_power;         /* the mean luminance of that, over the sphere, times 4 pi; 0: black */
   float environment_sampled_power; /* what of it environment_sample draws from; 0: it draws nothing */
   float environment_poles[6];      /* rgb at the top, and at the bottom: the mean of the first row, and of the last */
+  float environment_on_level[3];   /* its irradiance on a level surface, from above, over pi */
 } SceneConstants;
-DEVICE_STRUCT_SIZE(SceneConstants, 76);
+DEVICE_STRUCT_SIZE(SceneConstants, 88);
 
 /* For SceneConstants.ray_epsilon: 16 rounding units of float, several times what the device code can be off. */
 #define DEFAULT_RAY_EPSILON 9.5367431640625e-7f

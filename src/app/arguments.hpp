@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -39,6 +40,24 @@ void add_value(CLI::App& parser, std::string const& names, Target& target, Parse
           },
           description)
       ->type_name(value_name)
+      ->take_last()
+      ->group(group);
+}
+
+/// An option whose value may be left out; `parse_value` gets "true" then. It never takes the next word for its value:
+/// that is given by --name=VALUE.
+template <class Target, class Parse>
+void add_flag_or_value(CLI::App& parser, std::string const& name, Target& target, Parse parse_value,
+                       std::string const& description, std::string const& group) {
+  auto const text = std::make_shared<std::string>();
+  parser.add_flag(name, *text, description)
+      ->each([text, &target, parse_value, name](std::string const& value) {
+        try {
+          target = parse_value(value);
+        } catch (std::invalid_argument const& error) {
+          throw Error(ErrorKind::usage, name + ": " + error.what() + ", not '" + value + "'");
+        }
+      })
       ->take_last()
       ->group(group);
 }

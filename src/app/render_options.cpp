@@ -70,6 +70,9 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
             "Radiance where nothing is hit: R,G,B, or two of\nthese (top,bottom), environment, or none "
             "for\ntransparent (default: the scene's)",
             group);
+  add_flag_or_value(parser, "--ground", options.job.ground, parse_ground,
+                    "Stand the scene on a ground that shows nothing but\nshadows; --ground=glossy mirrors it, too",
+                    group);
   auto const exposure = [&options](std::string const& text) {
     options.has_development = true;
     return parse_exposure(text);

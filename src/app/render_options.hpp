@@ -46,8 +46,8 @@ void add_device_option(CLI::App& parser, RenderOptions& options, std::string con
 void add_environment_options(CLI::App& parser, EnvironmentChoice& environment);
 /// --denoise.
 void add_denoise_option(CLI::App& parser, Denoising& denoising);
-/// --samples, --depth, --seed, --background, --exposure, --tonemap, --transfer, --device and --traversal.
-/// `default_samples`: for the help.
+/// --integrator, --samples, --depth, --clamp, --seed, --background, --ground, --exposure, --tonemap, --transfer,
+/// --device and --traversal. `default_samples`: for the help.
 void add_quality_options(CLI::App& parser, RenderOptions& options, std::string const& default_samples);
 
 }  // namespace lichtraum::app

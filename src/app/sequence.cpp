@@ -139,6 +139,8 @@ class Sequence {
       has_no_effect(options_.job.max_indirect.has_value(), has_radiance && plan.job.integrator == Integrator::path,
                     "--clamp");
       has_no_effect(options_.job.max_depth.has_value(), has_radiance, "--depth");
+      has_no_effect(options_.job.ground != Ground::none, has_radiance || traced_planes(plan.job).has(FilmPlane::alpha),
+                    "--ground");
       has_no_effect(options_.resume, format.read_fingerprint != nullptr, "--resume");
     }
   }
@@ -249,8 +251,11 @@ class Sequence {
   Film denoised(Film const& film, PictureReady const& ready, PictureReport& picture) {
     Denoising const denoising = picture.plan.job.denoising;
     Stopwatch const stopwatch;
-    bool const has_lens = ready.request.camera.lens().aperture > 0;  // whose blur is noise in albedo and normals, too
-    Film result = denoiser_.denoised(film, denoising, has_lens);
+    RenderRequest const& request = ready.request;
+    // A lens blurs albedo and normals, too.
+    Film result = denoiser_.denoised(
+        film, denoising,
+        {request.camera.lens().aperture > 0, request.ground != Ground::none && request.planes.has(FilmPlane::alpha)});
     picture.denoise_ms = stopwatch.milliseconds();
     picture.denoiser = denoiser_.name(denoising);
     if (picture.denoiser != ready.denoiser) picture.plan.fingerprint.clear();  // it failed with this picture

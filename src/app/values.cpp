@@ -234,6 +234,10 @@ double parse_exposure(std::string_view text) {
   return *stops;
 }
 
+Ground parse_ground(std::string_view text) {
+  return text == "true" ? Ground::matt : word(text, ground_words);  // CLI11's name for a flag without a value
+}
+
 Integrator parse_integrator(std::string_view text) { return word(text, integrator_words); }
 double parse_environment_rotation(std::string_view text) {
   auto const degrees = number<double>(text);

@@ -44,6 +44,7 @@ JobBackground parse_background(std::string_view text);                    ///< n
 double parse_clamp(std::string_view text);                                ///< > 0
 double parse_noise(std::string_view text);                                ///< 0 < noise <= 1
 double parse_exposure(std::string_view text);                             ///< stops: -100..100
+Ground parse_ground(std::string_view text);                               ///< true (matt), none, matt, glossy
 Integrator parse_integrator(std::string_view text);                       ///< whitted, path
 double parse_environment_rotation(std::string_view text);                 ///< degrees: -1e6..1e6
 double parse_environment_brightness(std::string_view text);               ///< 0..1e6

@@ -58,7 +58,8 @@ Arguments arguments_for_view(CLI::App const& parser) {
     std::string const name = "--" + option->get_lnames().front();
     if (!known->get_option_no_throw(name)) continue;
     bool const is_flag = option->get_type_size() == 0;
-    for (std::string const& value : option->results()) arguments.push_back(is_flag ? name : name + "=" + value);
+    for (std::string const& value : option->results())
+      arguments.push_back(is_flag && value == "true" ? name : name + "=" + value);
   }
   return arguments;
 }

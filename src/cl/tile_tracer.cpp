@@ -206,7 +206,8 @@ void TileTracer::begin_frame(device::FrameParameters const& frame, Integrator in
       for (cl::Buffer const& buffer : *buffers) state.kernel.setArg(argument++, buffer);
     }
     auto constants = scene_constants(*state.scene, *state.tables);
-    if (!planes.has(FilmPlane::radiance)) constants.light_count = constants.light_choice_count = 0;
+    bool const is_lit = planes.has(FilmPlane::radiance) || frame.ground != GROUND_NONE;
+    if (!is_lit) constants.light_count = constants.light_choice_count = 0;
     state.kernel.setArg(argument++, constants);
     state.arguments_before = argument;
     state.kernel.setArg(argument + RenderProgram::frame_argument, state.frame_buffer);

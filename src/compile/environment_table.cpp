@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -83,6 +84,26 @@ std::array<float, 3> mean_of_row(EnvironmentMap const& map, std::size_t row) {
   return {float(sum[0] / map.width), float(sum[1] / map.width), float(sum[2] / map.width)};
 }
 
+/// See EnvironmentTable::on_level: by the kernels' interpolation between rows, which is linear along v.
+Rgb irradiance_on_level(EnvironmentMap const& map) {
+  std::vector<Rgb> means;
+  for (int row = 0; row <= map.height / 2 + 1 && row < map.height; ++row) {
+    auto const mean = mean_of_row(map, std::size_t(row));
+    means.emplace_back(mean[0], mean[1], mean[2]);
+  }
+  constexpr int steps_a_row = 32;
+  int const steps = std::max(map.height * steps_a_row / 2, 1);  // from the zenith to the horizon
+  Rgb sum(0);
+  for (int i = 0; i < steps; ++i) {
+    double const share = (i + 0.5) / steps;
+    double const row = std::max(0.5 * share * map.height - 0.5, 0.0);  // above the first one, nothing changes
+    auto const upper = std::min(std::size_t(row), means.size() - 1), lower = std::min(upper + 1, means.size() - 1);
+    double const above = cos_of(0.5 * pi * i / steps), below = cos_of(0.5 * pi * (i + 1) / steps);
+    sum += glm::mix(means[upper], means[lower], row - double(upper)) * (above * above - below * below);
+  }
+  return sum;
+}
+
 /// Calls work(row) for all rows, on every core.
 template <class Work>
 void for_rows(EnvironmentMap const& map, Work const& make_work) {
@@ -108,6 +129,7 @@ EnvironmentTable make_environment_table(std::shared_ptr<EnvironmentMap const> sh
   table.environment_densities.resize(width * height);
   std::ranges::copy(mean_of_row(map, 0), table.poles.begin());
   std::ranges::copy(mean_of_row(map, last), table.poles.begin() + 3);
+  table.on_level = irradiance_on_level(map);
 
   // At first the densities are mean luminances, then what of these is above the threshold.
   auto const densities_of = [&](std::size_t row) {
@@ -169,6 +191,7 @@ void set_environment(device::SceneConstants& constants, EnvironmentTable const& 
   constants.environment_power = to_float(4 * pi * light.brightness * table.mean_luminance);
   constants.environment_sampled_power = to_float(4 * pi * light.brightness * table.sampled_mean_luminance);
   std::ranges::copy(table.poles, constants.environment_poles);
+  for (int c = 0; c < 3; ++c) constants.environment_on_level[c] = to_float(light.brightness * table.on_level[c]);
 }
 
 }  // namespace lichtraum

@@ -5,6 +5,7 @@
 
 #include "compile/scene_arrays.hpp"
 #include "lichtraum/environment.hpp"
+#include "lichtraum/math.hpp"
 
 namespace lichtraum {
 
@@ -14,6 +15,7 @@ struct EnvironmentTable : device::EnvironmentArrays {
   double mean_luminance = 0;          ///< over the sphere
   double sampled_mean_luminance = 0;  ///< of what the table chooses by; 0: it chooses nothing
   std::array<float, 6> poles{};       ///< the mean of the first row, and of the last
+  Rgb on_level{0};                    ///< irradiance on a level surface, from above, over pi
 };
 
 /// Directions are chosen by the luminance that arrives, as the kernels interpolate it. `is_compensated`: by what of it

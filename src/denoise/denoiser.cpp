@@ -60,15 +60,23 @@ std::vector<float> Denoiser::denoised(NoisyPicture const& picture, Denoising den
   return builtin_(picture);
 }
 
-Film Denoiser::denoised(Film const& film, Denoising denoising, bool has_noisy_guides) {
+Film Denoiser::denoised(Film const& film, Denoising denoising, NoiseBesides const& besides) {
   PlaneSet planes{FilmPlane::radiance};
   if (film.planes().has(FilmPlane::alpha)) planes.add(FilmPlane::alpha);
   Film result(film.region(), planes);
   NoisyPicture picture = noisy_picture(film);
-  picture.has_noisy_guides = has_noisy_guides;
+  picture.has_noisy_guides = besides.in_guides;
   std::ranges::copy(denoised(picture, denoising), result.floats(FilmPlane::radiance).begin());
   if (planes.has(FilmPlane::alpha)) {
-    std::ranges::copy(film.values(FilmPlane::alpha), result.floats(FilmPlane::alpha).begin());
+    std::vector<float> alpha = film.values(FilmPlane::alpha);
+    if (besides.in_alpha) {
+      for (std::size_t i = 0; i < picture.radiance.size(); ++i) picture.radiance[i] = std::max(alpha[i / 3], 0.0f);
+      std::vector<float> const smooth = denoised(picture, denoising);
+      for (std::size_t i = 0; i < alpha.size(); ++i) {
+        if (alpha[i] != 1) alpha[i] = std::clamp(smooth[3 * i], 0.0f, 1.0f);
+      }
+    }
+    std::ranges::copy(alpha, result.floats(FilmPlane::alpha).begin());
   }
   result.set_end(1);
   return result;

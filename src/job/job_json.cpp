@@ -196,6 +196,7 @@ constexpr auto job_fields = [](auto& job, auto&& field) {
   field("seed", job.seed, Whole{std::uint64_t(0), std::numeric_limits<std::uint64_t>::max()});
   field("planes", job.planes, PlaneNames{});
   field("background", job.background, BackgroundValue{});
+  field("ground", job.ground, one_of(ground_words));
   field("denoising", job.denoising, one_of(denoising_words));
 
   field("exposure_ev", job.exposure_ev, stops_up_to(job_limits::exposure_ev));

@@ -100,6 +100,7 @@ RenderRequest request_through(Camera const& camera, Job const& job) {
   request.seed = job.seed;
   request.planes = traced_planes(job);
   if (job.background) request.background = job.background->shown;
+  request.ground = job.ground;
   return request;
 }
 
@@ -127,6 +128,7 @@ Integrator usual_integrator(bool is_model, DeviceKind device) {
 IntegratorChoice chosen_integrator(Job const& job, Scene const& scene, DeviceKind device) {
   if (job.integrator) return {*job.integrator, "that is asked for"};
   if (auto const asked = command_of(job, scene).integrator) return {*asked, "the scene's render asks for it"};
+  if (job.ground != Ground::none) return {Integrator::path, "only paths show a ground"};
   if (is_model(job)) {
     bool const is_reference = device == DeviceKind::reference;
     return {usual_integrator(true, device),

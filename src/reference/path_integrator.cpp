@@ -95,42 +95,63 @@ Continuation choose_continuation(ReferenceScattering const& scattering, Vec3 con
   return {direction, double(choices) * solid_angle * reflected};
 }
 
-}  // namespace
+struct FollowedPath : PathSample {
+  bool begins_on_ground = false;
+};
 
-PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& environment, Ray ray,
-                      Rgb const& background, RenderRequest const& request, ReferenceRandom& random, RayCounts& counts) {
-  PathSample sample;
+/// The same as trace_path, where the ground is a surface among others.
+FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const& environment,
+                         ReferenceGround const& ground, Ray ray, Rgb const& background, RenderRequest const& request,
+                         ReferenceRandom& random, RayCounts& counts) {
+  FollowedPath sample;
   auto const add = [&](Rgb const& radiance, bool is_indirect) {
     double const largest = is_indirect ? std::max({radiance.r, radiance.g, radiance.b}) : 0;
     sample.radiance += largest > request.max_indirect ? radiance * (request.max_indirect / largest) : radiance;
   };
   Rgb throughput(1);
+  bool const sees_environment =
+      environment && request.background && request.background->kind == Background::Kind::environment;
+  bool mirrored = false;              // in the ground's gloss
   bool sees_background = false;       // by a mirror or through glass
   PbrModel const* entered = nullptr;  // the solid that the path is in, as far as it has been seen to enter one
   int depth = 0;
   for (bool is_first_ray = true;; is_first_ray = false) {
     ++(is_first_ray ? counts.camera : counts.secondary);
     Hit hit;
-    if (!find_closest(scene, ray, 0, hit)) {
+    bool const is_hit = find_closest(scene, ray, 0, hit);
+    bool const is_ground = depth == 0 && ground && ground.distance(ray) < hit.t;
+    bool const is_in_gloss =
+        mirrored && depth == 1;  // where the open ground mirrors its background, and counts nothing
+    if (!is_hit && !is_ground) {
+      if (is_in_gloss) return sample;
       Rgb const from_afar = environment       ? environment.radiance(ray.direction)
                             : sees_background ? scene.background
                                               : scene.ambient;
       add(throughput * (depth == 0 ? background : from_afar), depth > 1);
       return sample;
     }
-    counts.camera_hits += is_first_ray;
-    auto const point = find_scattering_point(ray, hit);
+    counts.camera_hits += is_first_ray && !is_ground;
+    if (is_ground) {
+      sample.begins_on_ground = true;
+      mirrored = ground.is_glossy() && random.uniform() < 0.5;
+      if (ground.is_glossy()) throughput *= 2.0;
+    }
+    ReferenceScatteringPoint const point = mirrored && is_ground ? ground.glossy_point(ray, ground.distance(ray))
+                                           : is_ground ? ground.matt_point(ray, ground.distance(ray), background)
+                                                       : find_scattering_point(ray, hit);
     if (entered) throughput *= attenuation(*entered, hit.t);
     bool const is_hidden_back = depth == 0 && !point.from_outside && !point.shows_back;
     if (is_hidden_back || random.uniform() >= point.opacity) {
       ray = {point.below(), ray.direction};
       continue;
     }
-    if (depth == 0) sample.surface = {1, point.albedo(), point.normal};
+    if (is_in_gloss) add(-throughput * (sees_environment ? environment.radiance(ray.direction) : background), false);
+    if (depth == 0 && !is_ground) sample.surface = {1, point.albedo(), point.normal};
     if (!entered && point.solid && !point.from_outside) throughput *= attenuation(*point.solid, hit.t);
     add(throughput * point.emission, depth > 1);
     auto const scattering = point.scattering();
-    add(throughput * light_of_lamps(scene, point, scattering, random, counts), depth > 0);
+    bool const is_gloss = mirrored && is_ground;
+    if (!is_gloss) add(throughput * light_of_lamps(scene, point, scattering, random, counts), depth > 0);
     if (depth == request.max_depth) return sample;
     auto const next = choose_continuation(scattering, point.normal, random);
     throughput *= next.weight;
@@ -141,6 +162,21 @@ PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& e
     sees_background = next.is_mirror_or_glass;
     ++depth;
   }
+}
+
+}  // namespace
+
+PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& environment,
+                      ReferenceGround const& ground, Ray const& ray, Rgb const& background,
+                      RenderRequest const& request, ReferenceRandom& random, RayCounts& counts) {
+  bool const has_alpha = request.planes.has(FilmPlane::alpha);
+  FollowedPath const path =
+      follow_path(scene, environment, ground, ray, has_alpha ? Rgb(1) : background, request, random, counts);
+  if (!has_alpha || !path.begins_on_ground) return path;
+  // Whatever is behind it, the ground covers as much of that as it is darker than in the open.
+  PathSample sample;
+  sample.surface.alpha = 1 - glm::dot(path.radiance, Rgb(0.2126, 0.7152, 0.0722));
+  return sample;
 }
 
 }  // namespace lichtraum

@@ -71,6 +71,7 @@ PixelTracer::PixelTracer(ReferenceScene const& scene, ReferenceNumbers const& nu
     for (auto const& [material, number] : numbers.materials) {
       if (material) check_is_known(*material);
     }
+    ground_ = ReferenceGround(scene_, environment_, request.ground);
   }
   scene_.background = background_.mean();
 }
@@ -112,7 +113,7 @@ PathSample PixelTracer::path_sample(int x, int y, int index, Ray const& ray, Ray
   bool const sees_environment = environment_ && background_.kind == Background::Kind::environment;
   Rgb const background = sees_environment ? environment_.radiance(ray.direction) : background_at(y);
   ReferenceRandom random(x, y, index, request_.seed);
-  return trace_path(scene_, environment_, ray, background, request_, random, counts);
+  return trace_path(scene_, environment_, ground_, ray, background, request_, random, counts);
 }
 
 Rgb PixelTracer::background_at(int y) const {

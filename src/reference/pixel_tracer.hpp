@@ -26,6 +26,7 @@ class PixelTracer {
 
   ReferenceScene scene_;
   ReferenceEnvironment environment_;
+  ReferenceGround ground_;
   ReferenceSurfaces surfaces_;
   RenderRequest const& request_;
   Background background_;

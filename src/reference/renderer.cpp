@@ -63,7 +63,7 @@ class ReferenceRenderer final : public Renderer {
     prepared->statistics.spheres = summary.defined[ShapeKind::sphere];
     prepared->statistics.boxes = summary.defined[ShapeKind::box];
     prepared->statistics.instances = count_instances(drawn.roots);
-    prepared->bounds = summary.bounds;
+    prepared->bounds = drawn.bounds = summary.bounds;
     return prepared;
   }
 

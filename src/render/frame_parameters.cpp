@@ -40,9 +40,21 @@ device::uint sampling_of(RenderRequest const& request) {
   return request.integrator == Integrator::path ? SAMPLING_SOBOL : SAMPLING_SEEDED;
 }
 
+device::uint ground_of(Ground ground) {
+  switch (ground) {
+    case Ground::none:
+      return GROUND_NONE;
+    case Ground::matt:
+      return GROUND_MATT;
+    case Ground::glossy:
+      return GROUND_GLOSSY;
+  }
+  return GROUND_NONE;
+}
+
 }  // namespace
 
-device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene) {
+device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene, Bounds const& drawn) {
   check_request(request);
   device::FrameParameters frame{};
   frame.camera = pinhole_camera(request.camera, request.resolution);
@@ -62,7 +74,11 @@ device::FrameParameters frame_parameters(RenderRequest const& request, SceneShad
   frame.seed_low = device::uint(request.seed);
   frame.seed_high = device::uint(request.seed >> 32);
   frame.max_indirect = float(request.max_indirect);
-  frame.max_depth = request.planes.has(FilmPlane::radiance) ? device::uint(request.max_depth) : 0;
+  bool const has_ground = request.ground != Ground::none && !drawn.is_empty();
+  bool const is_lit = request.planes.has(FilmPlane::radiance) || (has_ground && request.planes.has(FilmPlane::alpha));
+  frame.max_depth = is_lit ? device::uint(request.max_depth) : 0;
+  frame.ground = has_ground && is_lit ? ground_of(request.ground) : GROUND_NONE;
+  frame.ground_y = has_ground ? float(drawn.min.y) : 0;
   return frame;
 }
 

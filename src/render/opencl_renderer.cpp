@@ -153,7 +153,7 @@ class OpenClRenderer final : public Renderer {
   }
 
   RenderResult render(RenderRequest const& request, Film& film, ProgressFunction const& progress) override {
-    auto const frame = frame_parameters(request, scene_->shading);
+    auto const frame = frame_parameters(request, scene_->shading, scene_->bounds);
     SampleRange const wanted = wanted_samples(request);
     if (!has_begun(request, film)) {
       PlaneSet planes = request.planes;

@@ -19,7 +19,10 @@ std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const&
   hasher.add(request.sampling.count);
   hasher.add(int(request.integrator));
   hasher.add(request.max_depth);
-  if (request.integrator == Integrator::path) hasher.add(request.max_indirect);
+  if (request.integrator == Integrator::path) {
+    hasher.add(request.max_indirect);
+    hasher.add(int(request.ground));
+  }
   bool const is_random =
       request.integrator == Integrator::path || request.sampling.pattern == Sampling::Pattern::seeded;
   hasher.add(is_random ? request.seed : std::uint64_t(0));

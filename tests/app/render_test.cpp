@@ -116,6 +116,35 @@ TEST_CASE("paths are traced when asked for, with samples and a depth of their ow
   CHECK(asked_by_scene("--device reference") == std::tuple("path", 8, 3));
 }
 
+TEST_CASE("--ground stands a scene on one, matt unless it says otherwise", "[app][render]") {
+  Lichtraum const lichtraum;
+  auto const picture = [&](std::string const& words) {
+    auto const result =
+        lichtraum("render " + words + " - -o ball.png --json --samples 16 --device reference", ball_scene);
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    Json const drawn = Json::parse(result.out)["scenes"][0]["pictures"][0];
+    return std::pair(drawn["integrator"].get<std::string>(), lichtraum.folder.read("ball.png"));
+  };
+  auto const without = picture("--integrator path --ground=none"), matt = picture("--ground");
+  CHECK(without.second == picture("--integrator path").second);
+  CHECK(matt.first == "path");
+  CHECK(matt.second != without.second);
+  CHECK(picture("--ground=matt").second == matt.second);
+  CHECK(picture("--ground=glossy").second != matt.second);
+  CHECK(picture("--ground=glossy --ground").second == matt.second);
+  auto const refusal = [&](std::string const& words) {
+    auto const result = lichtraum("render - -o no.png --device reference " + words, ball_scene);
+    CHECK(result.exit_code == 64);
+    CHECK(!std::filesystem::exists(lichtraum.folder.path() / "no.png"));
+    return result.err;
+  };
+  CHECK_THAT(refusal("--ground=blue"), contains_text("--ground: expected none, matt or glossy, not 'blue'"));
+  CHECK_THAT(refusal("--ground --integrator whitted"), contains_text("ground: whitted draws none"));
+  CHECK_THAT(refusal("--ground=glossy --background none"), contains_text("--ground alone keeps shadows"));
+  CHECK_THAT(refusal("--ground --depth 0"), contains_text("it takes 1 or more"));
+}
+
 TEST_CASE("--noise takes samples until the picture is quiet", "[app][render]") {
   Lichtraum const lichtraum;
   auto const picture = [&](std::string const& words) {

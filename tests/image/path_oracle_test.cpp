@@ -1,5 +1,5 @@
 /// The path integrator of the kernels, and the reference tracer's: two estimators of one integral (docs/RAYTRACING.md,
-/// section 18). Whatever they disagree about, one of them does wrong.
+/// section 19). Whatever they disagree about, one of them does wrong.
 
 #include <array>
 #include <map>
@@ -29,6 +29,7 @@ RenderRequest request_for(PathScene const& drawn, int samples, int seed) {
   request.integrator = Integrator::path;
   request.sampling = {Sampling::Pattern::seeded, samples};
   request.max_depth = drawn.max_depth;
+  request.ground = drawn.ground;
   request.seed = std::uint64_t(seed);
   request.planes = {FilmPlane::radiance, FilmPlane::albedo, FilmPlane::normal};
   if (drawn.has_alpha_plane) request.planes.add(FilmPlane::alpha);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "lichtraum/renderer.hpp"
 #include "lichtraum/scene.hpp"
 
 namespace lichtraum::test {
@@ -15,6 +16,7 @@ struct PathScene {
   bool has_alpha_plane = false;   ///< whether to draw it with one
   bool sees_environment = false;  ///< whether the environment is its background
   int cost = 1;                   ///< what a path costs, by that of the others
+  Ground ground = Ground::none;
 };
 std::vector<PathScene> path_scenes();
 

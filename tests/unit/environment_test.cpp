@@ -84,6 +84,26 @@ TEST_CASE("an alias table chooses by the weights that it was made of", "[unit][e
   CHECK(chosen_by({0, 0}) == std::vector<double>{0.5, 0.5});
 }
 
+TEST_CASE("an environment's light on a level surface is that from above", "[unit][environment]") {
+  CHECK(make_environment_table(one_value(8, 4, 3)).on_level.r == Approx(3).epsilon(1e-4));
+  CHECK(make_environment_table(one_value(3, 1, 2)).on_level.b == Approx(2).epsilon(1e-3));
+  // cos(theta)^2 from above, and far more from below, which does not count: 2 * the integral of cos^3 sin is 1/2.
+  auto map = std::make_shared<EnvironmentMap>(EnvironmentMap{4, 256, {}});
+  for (int row = 0; row < map->height; ++row) {
+    double const cosine = std::cos(pi * (row + 0.5) / map->height);
+    double const radiance = cosine > 0 ? cosine * cosine : 50;
+    for (int column = 0; column < map->width; ++column) {
+      for (double const channel : {1.0, 2.0, 0.0}) {
+        map->radiance.push_back(float(2 * radiance * channel * (cosine > 0 && column % 2 == 1 ? 0 : 1)));
+      }
+    }
+  }
+  Rgb const on_level = make_environment_table(map).on_level;
+  CHECK(on_level.r == Approx(0.5).epsilon(2e-3));
+  CHECK(on_level.g == Approx(1).epsilon(2e-3));
+  CHECK(on_level.b == 0);
+}
+
 TEST_CASE("an environment's table has densities, and its light's power", "[unit][environment]") {
   for (bool const is_compensated : {false, true}) {
     for (auto const& map : {random_map(40, 20), random_map(3, 1), studio_environment()}) {

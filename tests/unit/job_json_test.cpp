@@ -61,6 +61,8 @@ class RandomJobs {
     });
     maybe([&] { job.integrator = coin() ? Integrator::path : Integrator::whitted; });
     maybe([&] { job.max_depth = whole(0, job_limits::depth); });
+    maybe([&] { job.max_indirect = 1.0 / whole(1, 1000); });
+    job.ground = Ground(whole(0, 2));
     job.seed = std::uniform_int_distribution<std::uint64_t>()(random_);
     job.planes = {FilmPlane(whole(0, int(plane_count) - 1))};
     while (coin()) job.planes.add(FilmPlane(whole(0, int(plane_count) - 1)));
@@ -144,7 +146,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
          "orbit": {"azimuth_degrees": 35, "elevation_degrees": 20, "distance": 9},
          "aperture": 0.5, "focus": [7, 8, 9]}, "root": "robot", "turn_degrees": 30,
          "size": [640, 480], "region": [1, 2, 3, 4], "integrator": "path", "sampling": {"pattern": "grid", "count": 16},
-         "noise": 0.25, "max_indirect": 8,
+         "noise": 0.25, "max_indirect": 8, "ground": "glossy",
          "sample_range": [0, 16], "max_depth": 7, "seed": 18446744073709551615, "planes": ["depth", "radiance"],
          "background": [0.1, 0.2, 0.3], "denoising": "builtin", "exposure_ev": -2, "tone_map": "reinhard", "transfer": "srgb",
          "encoding": {"bits_per_channel": 16, "jpeg_quality": 50, "ppm_ascii": true})"));
@@ -167,6 +169,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
   wanted.sampling = Sampling{Sampling::Pattern::grid, 16};
   wanted.noise = 0.25;
   wanted.max_indirect = 8;
+  wanted.ground = Ground::glossy;
   wanted.samples = SampleRange{0, 16};
   wanted.max_depth = 7;
   wanted.seed = std::numeric_limits<std::uint64_t>::max();

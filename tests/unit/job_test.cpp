@@ -90,9 +90,13 @@ TEST_CASE("the integrator is the job's, the render's, or what the scene needs", 
   scene.lights = {};
   scene.materials.insert(std::make_shared<Material>("lamp", PhongModel{.emission = Rgb(0, 0, 1)}));
   CHECK(choice(job_of()) == Choice(Integrator::path, "only paths show what an emission lights"));
+  scene.materials = {};
+  Job on_ground = job_of();
+  on_ground.ground = Ground::matt;
+  CHECK(choice(on_ground) == Choice(Integrator::path, "only paths show a ground"));
+  CHECK(request_of(on_ground, scene).ground == Ground::matt);
   scene.renders[1].integrator = Integrator::whitted;
   CHECK(choice(job_of(1)) == Choice(Integrator::whitted, "the scene's render asks for it"));
-  scene.materials = {};
   scene.renders[1].integrator = Integrator::path;
   CHECK(choice(job_of(1)) == Choice(Integrator::path, "the scene's render asks for it"));
   CHECK(choice(job_of(0)).first == Integrator::whitted);

@@ -129,6 +129,21 @@ TEST_CASE("a film's radiance is denoised, its alpha is not", "[unit][denoise]") 
   CHECK(denoised.values(FilmPlane::alpha) == std::vector<float>{0.5f, 0});
 }
 
+TEST_CASE("alpha with noise is denoised where not all samples have hit something", "[unit][denoise]") {
+  Film film({0, 0, 4, 1}, {FilmPlane::radiance, FilmPlane::alpha});
+  float const sums[] = {4, 2, -0.5f, 3.9f};
+  std::ranges::copy(sums, film.floats(FilmPlane::alpha).begin());
+  film.set_end(4);
+  Denoiser denoiser([](NoisyPicture const& picture) {
+    auto smooth = picture.radiance;
+    for (float& value : smooth) value += 0.125f;
+    return smooth;
+  });
+  Film const denoised = denoiser.denoised(film, Denoising::builtin, {.in_alpha = true});
+  CHECK(denoised.values(FilmPlane::radiance) == std::vector<float>(12, 0.125f));
+  CHECK(denoised.values(FilmPlane::alpha) == std::vector<float>{1, 0.625f, 0.125f, 1});
+}
+
 TEST_CASE("Open Image Denoise takes out the noise", "[unit][denoise]") {
   Variable const anywhere("LICHTRAUM_OIDN", std::nullopt);
   std::optional<OpenImageDenoise> library;

@@ -1,0 +1,81 @@
+#include "reference/ground.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/elementary.hpp"
+
+namespace lichtraum {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// The irradiance from above, over pi: by the middles of a fine grid of directions.
+Rgb light_on_level(ReferenceEnvironment const& environment) {
+  constexpr int rings = 512, sectors = 1024;
+  Rgb sum(0);
+  for (int ring = 0; ring < rings; ++ring) {
+    double const theta = 0.5 * pi * (ring + 0.5) / rings, sine = sin_of(theta), cosine = cos_of(theta);
+    for (int sector = 0; sector < sectors; ++sector) {
+      double const phi = 2 * pi * (sector + 0.5) / sectors;
+      sum += sine * cosine * environment.radiance({sine * cos_of(phi), cosine, sine * sin_of(phi)});
+    }
+  }
+  return sum * (pi / rings / sectors);
+}
+
+}  // namespace
+
+ReferenceGround::ReferenceGround(ReferenceScene const& scene, ReferenceEnvironment const& environment, Ground kind)
+    : kind_(scene.bounds.is_empty() ? Ground::none : kind), lights_(scene.lights) {
+  if (kind_ == Ground::none) return;
+  y_ = scene.bounds.min.y;
+  from_afar_ = environment ? light_on_level(environment) : scene.ambient;
+}
+
+double ReferenceGround::distance(Ray const& ray) const {
+  double const height = ray.origin.y - y_;
+  bool const meets = height > 0 && ray.direction.y < 0;
+  return meets ? height / -ray.direction.y : std::numeric_limits<double>::infinity();
+}
+
+Rgb ReferenceGround::open_radiance(Vec3 const& position) const {
+  Rgb sum = from_afar_;
+  for (Light const& light : lights_) {
+    Vec3 const way = light.way_from(position);
+    if (way.y > 0) sum += glm::normalize(way).y * light.arriving_at(position);
+  }
+  return sum;
+}
+
+ReferenceScatteringPoint ReferenceGround::black_point(Ray const& ray, double t) const {
+  ReferenceScatteringPoint point{};
+  point.position = ray.origin + t * ray.direction;
+  point.position.y = y_;
+  point.geometric_normal = point.normal = Vec3(0, 1, 0);
+  point.to_viewer = -ray.direction;
+  point.offset = reference_ray_epsilon * glm::length(point.position);
+  return point;
+}
+
+ReferenceScatteringPoint ReferenceGround::matt_point(Ray const& ray, double t, Rgb const& shown) const {
+  ReferenceScatteringPoint point = black_point(ray, t);
+  Rgb const open = open_radiance(point.position);
+  for (int c = 0; c < 3; ++c) {
+    bool const is_lit = open[c] > 0;
+    point.bsdf.diffuse[c] = is_lit ? shown[c] / open[c] : 0;
+    point.emission[c] = is_lit ? 0 : shown[c];
+  }
+  return point;
+}
+
+ReferenceScatteringPoint ReferenceGround::glossy_point(Ray const& ray, double t) const {
+  ReferenceScatteringPoint point = black_point(ray, t);
+  point.bsdf.f0 = Rgb(0.04);
+  point.bsdf.f90 = Rgb(1);
+  point.bsdf.alpha = 0.03;
+  return point;
+}
+
+}  // namespace lichtraum

@@ -14,6 +14,7 @@ FIRST_ROULETTE = 4
 class Mitsuba:
     def __init__(self, sampler):
         mitsuba.set_variant("llvm_ad_rgb")
+        mitsuba.set_log_level(mitsuba.LogLevel.Error)
         self.sampler = sampler
 
     def open(self, scene, job):

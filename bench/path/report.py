@@ -66,7 +66,7 @@ def print_scene(scene, job, rows):
     for label, row in rows.items():
         paths = job.width * job.height * job.samples / row["seconds"] * 1e-6
         print(f"  {label:<10}{row['seconds']:8.2f} s {paths:6.2f} Mpaths/s  noise {row['noise']:.5f}  "
-              f"noise x s {row['product']:.5f}  first's over it {first['product'] / row['product']:5.2f}  |  "
+              f"noise x s {row['product']:.5f}  ratio {first['product'] / row['product']:5.2f}  |  "
               f"mean {row['mean']:.4f} ({100 * (row['mean_ratio'] - 1):+.1f} %), blocks {100 * row['block_difference']:.1f} %",
               flush=True)
 

@@ -197,6 +197,35 @@ TEST_CASE("paths: a limit dims light that was scattered on its way, and no other
   CHECK(differs_by(dimmed, direct) < 1e-5f);
 }
 
+TEST_CASE("paths: a room is as bright wherever it is", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  // A box of a unit's size whose lamp, two triangles, hangs a hundredth below the ceiling.
+  auto const mean_at = [](double x, double y, double z) {
+    auto const at = [&](double a, double b, double c) { return fmt::format(" {} {} {}", x + a, y + b, z + c); };
+    auto const box = [&](char const* name, double a, double b, double c, double d, double e, double f) {
+      return fmt::format("define shape box {}{}{} grey\n", name, at(a, b, c), at(d, e, f));
+    };
+    auto const triangle = [&](char const* name, double a, double b, double c, double d) {
+      return fmt::format("define shape triangle {}{}{}{} lamp\n", name, at(0.3, 0.99, 0.3), at(a, 0.99, b),
+                         at(c, 0.99, d));
+    };
+    Scene const scene = scene_of(
+        "define material grey 0 0 0  0.6 0.6 0.6  0 0 0 1\n"
+        "define material lamp 0 0 0  0 0 0  0 0 0 1  emission 10 10 10\n" +
+        box("floor", -1, -1, -1, 2, 0, 1) + box("ceiling", -1, 1, -1, 2, 2, 1) + box("left", -1, -1, -1, 0, 2, 1) +
+        box("right", 1, -1, -1, 2, 2, 1) + box("back", -1, -1, -1, 2, 2, 0) + triangle("one", 0.7, 0.3, 0.7, 0.7) +
+        triangle("two", 0.7, 0.7, 0.3, 0.7) + "define camera eye 60\ntransform eye translate" + at(0.5, 0.5, 1.4) +
+        "\n");
+    return mean_of(trace(scene, path_request(scene, {48, 48}, 256, 6)));
+  };
+  Mean const near = mean_at(0, 0, 0);
+  CHECK(near.value > 0.3);
+  for (double const away : {10.0, 30.0, 100.0}) {
+    INFO(away);
+    CHECK(mean_at(away, away, away).value == Approx(near.value).epsilon(0.003));
+  }
+}
+
 TEST_CASE("paths: what shines is in the albedo, so that denoising keeps its edges", "[image][path]") {
   REQUIRE_OPENCL_DEVICE();
   Scene scene = scene_of(

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -43,12 +44,19 @@ std::vector<double> whole_animation(double duration_seconds, double rate, std::s
 /// Of the studio, beside lights that a model has itself.
 constexpr double dim = 0.3;
 
-/// What lights a model whose lights are its own, or were made up for integrators that know no environment.
+bool shines(Scene const& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(), [](auto const& material) {
+    PbrModel const* const pbr = material->pbr();
+    return pbr ? pbr->emissive != Rgb(0) : material->phong().emission != Rgb(0);
+  });
+}
+
+/// What lights a model by paths, whose lights are its own, or were made up so that it is not black.
 void light_model(Scene& scene, bool is_studio_chosen) {
-  if (!scene.environment) return;
+  if (!scene.environment && !shines(scene)) return;
   if (!scene.has_own_lights) {
     scene.lights = {};
-  } else if (!is_studio_chosen) {
+  } else if (scene.environment && !is_studio_chosen) {
     scene.environment->brightness *= dim;
   }
 }

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
 #include "lichtraum.hpp"
 #include "support/catch.hpp"
 
@@ -23,6 +27,28 @@ TEST_CASE("a picture with another environment is another picture for --resume", 
   CHECK(!is_there_already("--environment studio --environment-brightness 0.5"));
   CHECK(!is_there_already("--environment sky.hdr"));
   CHECK(is_there_already("--environment ./sky.hdr"));  // the light counts, not its name
+}
+
+TEST_CASE("without an environment a model is lit by what shines in it, or by lamps that are made up",
+          "[app][environment]") {
+  Lichtraum const lichtraum;
+  auto const brightest = [&](std::string const& emission) {
+    lichtraum.folder.write("lit.obj",
+                           "mtllib lit.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nv 9 9.001 9\nv 9 9 9.001\n"
+                           "usemtl wall\nf 1 2 3\nusemtl lamp\nf 4 5 6\n");
+    lichtraum.folder.write("lit.mtl", "newmtl wall\nKd 0.8 0.8 0.8\nnewmtl lamp\nKd 0 0 0\nKe " + emission + "\n");
+    auto const result = lichtraum(
+        "render lit.obj --environment none --background 0,0,0 --denoise off --samples 16 "
+        "--size 32x24 --eye 0.3,0.3,2 --look-at 0.3,0.3,0 -o lit.pfm");
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    std::string const bytes = lichtraum.folder.read("lit.pfm");
+    std::vector<float> values(32 * 24 * 3);
+    std::memcpy(values.data(), bytes.data() + bytes.size() - 4 * values.size(), 4 * values.size());
+    return *std::max_element(values.begin(), values.end());
+  };
+  CHECK(brightest("0 0 0") > 0.1f);
+  CHECK(brightest("0.1 0.1 0.1") < 0.01f);
 }
 
 TEST_CASE("every picture of a scene that moves has the environment", "[app][environment]") {

@@ -106,6 +106,9 @@ inline constexpr int jpeg_quality = 100;
 /// reference tracer, which follows paths too slowly for pictures; scenes by whitted.
 Integrator usual_integrator(bool is_model, DeviceKind device = DeviceKind::cpu);
 
+/// What the job itself decides: the integrator that it names, or path where it asks for what only paths show.
+std::optional<Integrator> asked_integrator(Job const& job);
+
 /// What draws a picture, and why.
 struct IntegratorChoice {
   Integrator integrator;

@@ -182,7 +182,7 @@ int render_command(Arguments const& arguments, Console& console) {
   auto const renderer = choose_renderer(options.device, options.traversal, console);
   console.detail(fmt::format("device {}: {}", renderer->device().index, renderer->device().name));
   options.load.device = renderer->device().kind;
-  options.load.integrator = options.job.integrator;
+  options.load.integrator = asked_integrator(options.job);
   RunReport report;
   report.device = renderer->device();
   int const code = draw_sequence(inputs, options, names, *renderer, console, report);

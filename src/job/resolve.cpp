@@ -125,6 +125,11 @@ Integrator usual_integrator(bool is_model, DeviceKind device) {
   return is_model && device != DeviceKind::reference ? Integrator::path : Integrator::whitted;
 }
 
+std::optional<Integrator> asked_integrator(Job const& job) {
+  if (job.integrator || job.ground == Ground::none) return job.integrator;
+  return Integrator::path;
+}
+
 IntegratorChoice chosen_integrator(Job const& job, Scene const& scene, DeviceKind device) {
   if (job.integrator) return {*job.integrator, "that is asked for"};
   if (auto const asked = command_of(job, scene).integrator) return {*asked, "the scene's render asks for it"};

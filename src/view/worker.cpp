@@ -115,7 +115,7 @@ void Worker::work(std::stop_token const& stop) {
     }
     wake_();
     load_options_.device = renderer->device().kind;
-    load_options_.integrator = job_.integrator;
+    load_options_.integrator = asked_integrator(job_);
     load(*renderer);
     while (!stop.stop_requested()) {
       look_at_files();

@@ -95,6 +95,10 @@ TEST_CASE("the integrator is the job's, the render's, or what the scene needs", 
   on_ground.ground = Ground::matt;
   CHECK(choice(on_ground) == Choice(Integrator::path, "only paths show a ground"));
   CHECK(request_of(on_ground, scene).ground == Ground::matt);
+  CHECK(asked_integrator(on_ground) == Integrator::path);
+  CHECK(!asked_integrator(job_of()));
+  on_ground.integrator = Integrator::whitted;
+  CHECK(asked_integrator(on_ground) == Integrator::whitted);
   scene.renders[1].integrator = Integrator::whitted;
   CHECK(choice(job_of(1)) == Choice(Integrator::whitted, "the scene's render asks for it"));
   scene.renders[1].integrator = Integrator::path;

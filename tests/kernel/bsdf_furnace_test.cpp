@@ -171,6 +171,27 @@ TEST_CASE("white furnace: solids keep all light, from outside and from within", 
   }
 }
 
+TEST_CASE("past the critical angle a smooth solid mirrors all light, whatever its specular factor", "[kernel][bsdf]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe;
+  for (double const specular : {0.0, 0.5, 1.0}) {
+    for (double const metallic : {0.0, 0.5}) {
+      BsdfParameters surface = transmitting(layered_bsdf(1, metallic, 0.03), 1, 1.5);
+      for (int c = 0; c < 3; ++c) {
+        surface.f0[c] *= float(specular);
+        surface.f90[c] *= float(specular);
+      }
+      INFO("specular " << specular << ", metallic " << metallic);
+      auto const means = furnace(probe, {"", surface, false});
+      for (std::size_t i = 0; i < means.size(); ++i) {
+        if (viewer_angles_degrees[i] < 45 || viewer_angles_degrees[i] > 85) continue;  // 42 degrees is the critical one
+        INFO(viewer_angles_degrees[i] << " degrees");
+        CHECK(means[i].x == Approx(1).margin(0.02));
+      }
+    }
+  }
+}
+
 TEST_CASE("white furnace: Phong's shares", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
   BsdfProbe const probe;

@@ -33,16 +33,16 @@ struct Sampling {
   friend bool operator==(Sampling const&, Sampling const&) = default;
 };
 
-/// Which picture of a scene to compute: planes of a region of pixels, of a range of samples.
-/// What the scene stands on: a level plane at the lowest point of its shapes (but infinite ones), which nothing but the
-/// camera sees. In the open it looks
-/// like the background, or is transparent where that is; it shows shadows, and the light that the scene sends there.
+/// What the scene stands on: a level plane at the lowest point of its shapes (but infinite ones), which only the camera
+/// sees. In the open it looks like the background, or is transparent where that is; it shows the scene's shadows, and
+/// the light that the scene throws on it.
 enum class Ground {
   none,
   matt,
   glossy,  ///< shows what it mirrors, too; not where the background is transparent
 };
 
+/// Which picture of a scene to compute: planes of a region of pixels, of a range of samples.
 struct RenderRequest {
   Camera camera;
   Resolution resolution;
@@ -60,6 +60,11 @@ struct RenderRequest {
   std::optional<Background> background;  ///< instead of the scene's
   Ground ground = Ground::none;          ///< only of paths
 };
+
+/// Whether alpha holds shadows as well, and so has noise.
+inline bool has_shadows_in_alpha(RenderRequest const& request) {
+  return request.ground != Ground::none && request.planes.has(FilmPlane::alpha);
+}
 
 struct RayCounts {
   std::uint64_t camera = 0;
@@ -119,6 +124,8 @@ class PreparedScene {
 
   SceneStatistics statistics;  ///< device_bytes and upload_ms are known once a renderer was given the scene
   Bounds bounds;               ///< of all that is drawn, in the world
+  double lowest_y =
+      std::numeric_limits<double>::infinity();  ///< of all but infinite planes; infinity: nothing is drawn
   /// A hash of all that decides what rays see: shapes as floats, where they are, materials with their textures, lights,
   /// background, tone map; not names. 32 hexadecimal digits. Equal for equal scenes, whichever renderer prepared them
   /// and whether they were written or edited so.

@@ -136,11 +136,12 @@ class Sequence {
       has_no_effect(options_.job.background.has_value(), has_radiance, "--background");
       has_no_effect(options_.job.sampling.has_value(), traced_planes(plan.job).has(PlaneRule::mean), "--samples");
       has_no_effect(options_.job.noise.has_value(), has_radiance, "--noise");
-      has_no_effect(options_.job.max_indirect.has_value(), has_radiance && plan.job.integrator == Integrator::path,
+      bool const has_shadows = plan.job.ground != Ground::none && traced_planes(plan.job).has(FilmPlane::alpha);
+      bool const is_lit = has_radiance || has_shadows;
+      has_no_effect(options_.job.max_indirect.has_value(), is_lit && plan.job.integrator == Integrator::path,
                     "--clamp");
-      has_no_effect(options_.job.max_depth.has_value(), has_radiance, "--depth");
-      has_no_effect(options_.job.ground != Ground::none, has_radiance || traced_planes(plan.job).has(FilmPlane::alpha),
-                    "--ground");
+      has_no_effect(options_.job.max_depth.has_value(), is_lit, "--depth");
+      has_no_effect(options_.job.ground != Ground::none, is_lit, "--ground");
       has_no_effect(options_.resume, format.read_fingerprint != nullptr, "--resume");
     }
   }
@@ -253,9 +254,8 @@ class Sequence {
     Stopwatch const stopwatch;
     RenderRequest const& request = ready.request;
     // A lens blurs albedo and normals, too.
-    Film result = denoiser_.denoised(
-        film, denoising,
-        {request.camera.lens().aperture > 0, request.ground != Ground::none && request.planes.has(FilmPlane::alpha)});
+    Film result =
+        denoiser_.denoised(film, denoising, {request.camera.lens().aperture > 0, has_shadows_in_alpha(request)});
     picture.denoise_ms = stopwatch.milliseconds();
     picture.denoiser = denoiser_.name(denoising);
     if (picture.denoiser != ready.denoiser) picture.plan.fingerprint.clear();  // it failed with this picture

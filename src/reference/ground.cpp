@@ -25,12 +25,21 @@ Rgb light_on_level(ReferenceEnvironment const& environment) {
   return sum * (pi / rings / sectors);
 }
 
+/// What arrives on the ground from a light's disc, over what its middle would send: the mean over the disc of the
+/// cosine, and of the fall-off.
+double share_of_disc(Light const& light, double distance) {
+  PointLight const* const lamp = light.get<PointLight>();
+  if (!lamp || lamp->radius == 0) return 1;
+  double const slant = std::hypot(1, lamp->radius / distance);
+  return 2 / (slant + 1) / (lamp->falls_off ? slant : 1);
+}
+
 }  // namespace
 
 ReferenceGround::ReferenceGround(ReferenceScene const& scene, ReferenceEnvironment const& environment, Ground kind)
-    : kind_(scene.bounds.is_empty() ? Ground::none : kind), lights_(scene.lights) {
+    : kind_(std::isfinite(scene.lowest_y) ? kind : Ground::none), lights_(scene.lights) {
   if (kind_ == Ground::none) return;
-  y_ = scene.bounds.min.y;
+  y_ = scene.lowest_y;
   from_afar_ = environment ? light_on_level(environment) : scene.ambient;
 }
 
@@ -44,7 +53,7 @@ Rgb ReferenceGround::open_radiance(Vec3 const& position) const {
   Rgb sum = from_afar_;
   for (Light const& light : lights_) {
     Vec3 const way = light.way_from(position);
-    if (way.y > 0) sum += glm::normalize(way).y * light.arriving_at(position);
+    if (way.y > 0) sum += glm::normalize(way).y * share_of_disc(light, glm::length(way)) * light.arriving_at(position);
   }
   return sum;
 }

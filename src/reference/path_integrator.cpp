@@ -111,6 +111,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
   Rgb throughput(1);
   bool const sees_environment =
       environment && request.background && request.background->kind == Background::Kind::environment;
+  Rgb thrown_share(1);                // of what it throws on the ground, that reflects no more of it than white does
   bool mirrored = false;              // in the ground's gloss
   bool sees_background = false;       // by a mirror or through glass
   PbrModel const* entered = nullptr;  // the solid that the path is in, as far as it has been seen to enter one
@@ -145,10 +146,12 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
       ray = {point.below(), ray.direction};
       continue;
     }
+    if (depth == 1) throughput *= thrown_share;
     if (is_in_gloss) add(-throughput * (sees_environment ? environment.radiance(ray.direction) : background), false);
     if (depth == 0 && !is_ground) sample.surface = {1, point.albedo(), point.normal};
     if (!entered && point.solid && !point.from_outside) throughput *= attenuation(*point.solid, hit.t);
     add(throughput * point.emission, depth > 1);
+    if (is_ground) thrown_share = Rgb(1) / glm::max(point.bsdf.diffuse, Rgb(1));
     auto const scattering = point.scattering();
     bool const is_gloss = mirrored && is_ground;
     if (!is_gloss) add(throughput * light_of_lamps(scene, point, scattering, random, counts), depth > 0);

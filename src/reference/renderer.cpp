@@ -15,6 +15,7 @@
 #include "scene/copy_graph.hpp"
 #include "scene/flatten.hpp"
 #include "scene/graph_order.hpp"
+#include "scene/lowest_point.hpp"
 #include "scene/scene_content.hpp"
 
 namespace lichtraum {
@@ -63,7 +64,7 @@ class ReferenceRenderer final : public Renderer {
     prepared->statistics.spheres = summary.defined[ShapeKind::sphere];
     prepared->statistics.boxes = summary.defined[ShapeKind::box];
     prepared->statistics.instances = count_instances(drawn.roots);
-    prepared->bounds = drawn.bounds = summary.bounds;
+    prepared->bounds = summary.bounds;
     return prepared;
   }
 
@@ -135,6 +136,7 @@ class ReferenceRenderer final : public Renderer {
       materials.emplace(flat.materials[i].get(), std::uint32_t(i + 1));
     }
     prepared.numbers.objects = ObjectNumbers(flat);
+    prepared.lowest_y = prepared.graph.lowest_y = lowest_point(flat);
     prepared.fingerprint = scene_fingerprint(content_of(flat, lights, environment), prepared.graph);
   }
 

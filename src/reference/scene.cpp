@@ -13,7 +13,7 @@ std::vector<Light> casting_shadows(std::vector<Light> const& lights) {
 }
 
 ReferenceScene make_reference_scene(Scene const& scene, std::string_view root) {
-  ReferenceScene result{shading_of(scene), {}, {}, scene.environment, {}};
+  ReferenceScene result{shading_of(scene), {}, {}, scene.environment, 0};
   result.roots = drawn_roots(scene, root);
   result.lights = casting_shadows({scene.lights.begin(), scene.lights.end()});
   return result;

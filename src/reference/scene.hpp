@@ -15,7 +15,7 @@ struct ReferenceScene : SceneShading {
   std::vector<std::shared_ptr<Shape const>> roots;
   std::vector<Light> lights;  ///< all but ambient ones
   std::optional<EnvironmentLight> environment;
-  Bounds bounds;  ///< of all that is drawn, in the world
+  double lowest_y = 0;  ///< see PreparedScene
 };
 
 /// All but ambient ones.

@@ -1,5 +1,6 @@
 #include "render/frame_parameters.hpp"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -54,7 +55,7 @@ device::uint ground_of(Ground ground) {
 
 }  // namespace
 
-device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene, Bounds const& drawn) {
+device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene, double lowest_y) {
   check_request(request);
   device::FrameParameters frame{};
   frame.camera = pinhole_camera(request.camera, request.resolution);
@@ -74,11 +75,11 @@ device::FrameParameters frame_parameters(RenderRequest const& request, SceneShad
   frame.seed_low = device::uint(request.seed);
   frame.seed_high = device::uint(request.seed >> 32);
   frame.max_indirect = float(request.max_indirect);
-  bool const has_ground = request.ground != Ground::none && !drawn.is_empty();
-  bool const is_lit = request.planes.has(FilmPlane::radiance) || (has_ground && request.planes.has(FilmPlane::alpha));
+  bool const has_ground = request.ground != Ground::none && std::isfinite(lowest_y);
+  bool const is_lit = request.planes.has(FilmPlane::radiance) || (has_ground && has_shadows_in_alpha(request));
   frame.max_depth = is_lit ? device::uint(request.max_depth) : 0;
   frame.ground = has_ground && is_lit ? ground_of(request.ground) : GROUND_NONE;
-  frame.ground_y = has_ground ? float(drawn.min.y) : 0;
+  frame.ground_y = has_ground ? float(lowest_y) : 0;
   return frame;
 }
 

@@ -12,6 +12,7 @@
 #include "render/tile_plan.hpp"
 #include "scene/drawn_roots.hpp"
 #include "scene/flatten.hpp"
+#include "scene/lowest_point.hpp"
 #include "scene/object_numbers.hpp"
 #include "scene/scene_content.hpp"
 
@@ -105,6 +106,7 @@ class OpenClRenderer final : public Renderer {
     FlatScene flat = flatten(drawn_roots(scene, root));
     for (auto const& material : flat.materials) prepared->materials.push_back(material.get());
     prepared->numbers = ObjectNumbers(flat);
+    prepared->lowest_y = lowest_point(flat);
     prepared->content = content_of(flat, {scene.lights.begin(), scene.lights.end()}, scene.environment);
     prepared->fingerprint = scene_fingerprint(prepared->content, prepared->shading);
     statistics.flatten_ms = 1e3 * seconds_since(start);
@@ -153,7 +155,7 @@ class OpenClRenderer final : public Renderer {
   }
 
   RenderResult render(RenderRequest const& request, Film& film, ProgressFunction const& progress) override {
-    auto const frame = frame_parameters(request, scene_->shading, scene_->bounds);
+    auto const frame = frame_parameters(request, scene_->shading, scene_->lowest_y);
     SampleRange const wanted = wanted_samples(request);
     if (!has_begun(request, film)) {
       PlaneSet planes = request.planes;

@@ -87,6 +87,26 @@ TEST_CASE("ground: a lamp's shadow has its shape, and all else is the background
   }
 }
 
+TEST_CASE("ground: nothing is darker than where a large lamp is hidden, on a glossy one as well",
+          "[image][path][ground]") {
+  REQUIRE_OPENCL_DEVICE();
+  // The ball hides the lamp, which is larger, from all of the ground that is looked at, between the ball and that.
+  Scene const scene = scene_of(
+      "define material black 0 0 0  0 0 0  0 0 0 1\ndefine shape sphere ball 0 0 0 1 black\n"
+      "define shape sphere low 50 -1.5 0 0.05 black\ndefine light lamp 0 2 0  1 1 1  3 radius=1.5\n"
+      "define camera eye 3\ntransform eye rotate -10 1 0 0\ntransform eye translate 0 -1.2 2.2\n");
+  Ground const ground = GENERATE(Ground::matt, Ground::glossy);
+  RenderRequest const request = ground_request(scene, ground, 1024);
+  for (DeviceInfo const& device : {reference_device(), opencl_devices().front()}) {
+    auto const radiance = film_on(device, scene, request).values(FilmPlane::radiance);
+    Rgb sum(0);
+    for (std::size_t i = 0; i < radiance.size(); ++i) sum[int(i % 3)] += radiance[i] / (48 * 32);
+    INFO(device.name << ", ground " << int(ground));
+    // What the gloss mirrors is the background below the ball, as in the open.
+    for (int c = 0; c < 3; ++c) CHECK(sum[c] / background[c] == Approx(0).margin(0.02));
+  }
+}
+
 TEST_CASE("ground: without light there is nothing that it could be darker than", "[image][path][ground]") {
   REQUIRE_OPENCL_DEVICE();
   Scene const scene = scene_of(camera + "define shape sphere ball 0 50 0 1 grey\n");

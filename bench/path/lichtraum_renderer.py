@@ -27,7 +27,7 @@ class Lichtraum:
                         "--fov-x", repr(float(camera.fov_x))]
         sky = scene.environment
         if isinstance(sky, float):
-            # Also where it is black: `--environment none` would add lights of its own to a model that has none.
+            # Also where it is black, so that all scenes are drawn alike.
             sky = job.folder / "constant.pfm"
             radiance_map.write_pfm(sky, numpy.full((4, 8, 3), scene.environment))
         self.command += ["--environment", str(sky), "--background", "environment"]

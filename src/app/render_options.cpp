@@ -71,8 +71,7 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
             "for\ntransparent (default: the scene's)",
             group);
   add_flag_or_value(parser, "--ground", options.job.ground, parse_ground,
-                    "Stand the scene on a ground that shows nothing but\nshadows; --ground=glossy mirrors it, too",
-                    group);
+                    "Stand the scene on a ground that shows its\nshadows; --ground=glossy mirrors it, too", group);
   auto const exposure = [&options](std::string const& text) {
     options.has_development = true;
     return parse_exposure(text);

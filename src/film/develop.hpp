@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "lichtraum/film.hpp"
@@ -24,7 +25,7 @@ Image develop_film(Film film, Development const& development, DevelopSums const&
   auto radiance = film.take_sums(FilmPlane::radiance);
   auto alpha = film.planes().has(FilmPlane::alpha) ? film.take_sums(FilmPlane::alpha) : std::vector<float>();
   develop(radiance, alpha, parameters);
-  for (float& value : alpha) value /= parameters.sample_count;
+  for (float& value : alpha) value = std::clamp(value / parameters.sample_count, 0.0f, 1.0f);
   Image image(film.size(), std::move(radiance));
   image.alpha() = std::move(alpha);
   return image;

@@ -15,6 +15,15 @@ void check(RenderRequest const& request, double limit) {
 
 double square(double x) { return x * x; }
 
+/// What has noise: radiance, and where shadows are in it, alpha.
+std::vector<float> noisy_values(Film const& film, bool has_shadows_in_alpha) {
+  std::vector<float> values = film.values(FilmPlane::radiance);
+  if (!has_shadows_in_alpha) return values;
+  std::vector<float> const alpha = film.values(FilmPlane::alpha);
+  values.insert(values.end(), alpha.begin(), alpha.end());
+  return values;
+}
+
 /// How many samples to have next: as many as will probably do, in whole blocks, but at most twice as many.
 int next_count(int count, std::optional<double> noise, double limit) {
   double const factor = noise ? std::clamp(square(*noise / limit), 1.0, 2.0) : 2;
@@ -30,9 +39,8 @@ double expected_count(int count, std::optional<double> noise, double limit, int 
 
 }  // namespace
 
-double noise_since(std::vector<float> const& earlier, int earlier_samples, Film const& film) {
-  int const count = film.samples().count();
-  auto const values = film.values(FilmPlane::radiance);
+double noise_since(std::vector<float> const& earlier, int earlier_samples, std::vector<float> const& values,
+                   int count) {
   if (earlier.size() != values.size() || earlier_samples <= 0 || earlier_samples >= count) {
     throw std::invalid_argument("noise is estimated from what more samples change");
   }
@@ -72,9 +80,10 @@ NoiseLimitedResult render_to_noise(Renderer& renderer, RenderRequest request, do
     total.trace_ms += part.statistics.trace_ms;
     result.render.complete = part.complete;
     if (!part.complete) return result;
-    if (earlier_samples > 0) result.noise = noise_since(earlier, earlier_samples, film);
+    std::vector<float> values = noisy_values(film, has_shadows_in_alpha(request));
+    if (earlier_samples > 0) result.noise = noise_since(earlier, earlier_samples, values, end);
     if (end == most || (result.noise && *result.noise <= limit)) return result;
-    earlier = film.values(FilmPlane::radiance);
+    earlier = std::move(values);
     earlier_samples = end;
     end = std::min(most, next_count(end, result.noise, limit));
   }

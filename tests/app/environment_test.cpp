@@ -49,6 +49,7 @@ TEST_CASE("without an environment a model is lit by what shines in it, or by lam
   };
   CHECK(brightest("0 0 0") > 0.1f);
   CHECK(brightest("0.1 0.1 0.1") < 0.01f);
+  CHECK(brightest("1e9 1e9 1e9") > 0.1f);
 }
 
 TEST_CASE("every picture of a scene that moves has the environment", "[app][environment]") {

@@ -61,9 +61,9 @@ TEST_CASE("noise is estimated as it is", "[unit][noise]") {
     }
     double const noise = std::sqrt(sum / double(values.size()));
     INFO(earlier_samples << " of " << samples << " samples: " << noise);
-    CHECK(noise_since(earlier, earlier_samples, film) == Approx(noise).epsilon(0.15));
-    CHECK_THROWS_AS(noise_since(earlier, samples, film), std::invalid_argument);
-    CHECK_THROWS_AS(noise_since({}, earlier_samples, film), std::invalid_argument);
+    CHECK(noise_since(earlier, earlier_samples, values, samples) == Approx(noise).epsilon(0.15));
+    CHECK_THROWS_AS(noise_since(earlier, samples, values, samples), std::invalid_argument);
+    CHECK_THROWS_AS(noise_since({}, earlier_samples, values, samples), std::invalid_argument);
   }
 }
 

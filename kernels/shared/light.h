@@ -32,6 +32,20 @@ typedef struct {
 } EmissiveTriangle;
 DEVICE_STRUCT_SIZE(EmissiveTriangle, 44);
 
+/* Of a light tree (lights/light_tree.clh): so many children a node, each in a ball; light or lights. */
+#define LIGHT_TREE_CHILDREN 16
+typedef struct {
+  float center[3][LIGHT_TREE_CHILDREN]; /* world */
+  float radius[LIGHT_TREE_CHILDREN];    /* > 0 */
+  float axis[3][LIGHT_TREE_CHILDREN];   /* unit: the normal of flat lights, which shine to both sides, on the average */
+  float spread[LIGHT_TREE_CHILDREN]; /* how far their normals' tips are from the axis', at most; 1: any way, and no axis
+                                      */
+  float intensity[LIGHT_TREE_CHILDREN]; /* of all lights' sum; 0: there is no child */
+  uint children[LIGHT_TREE_CHILDREN];   /* nodes; or a light's number, and LIGHT_TREE_LEAF */
+} LightTreeNode;
+DEVICE_STRUCT_SIZE(LightTreeNode, 640);
+#define LIGHT_TREE_LEAF 0x80000000u
+
 DEVICE_NAMESPACE_END
 
 #endif

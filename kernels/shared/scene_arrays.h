@@ -59,13 +59,15 @@
   ARRAY(uint, texels)
 
 /* What surfaces and lights are like: all that can change without a look at shapes and textures. */
-#define SHADING_ARRAYS(ARRAY)                                                                               \
-  ARRAY(PhongMaterial, materials)                                                                           \
-  ARRAY(PbrMaterial, pbr_materials) /* as many as materials, or none */                                     \
-  ARRAY(PunctualLight, lights)                                                                              \
-  ARRAY(AliasEntry, light_choices)  /* of what lights the scene: lights, environment, emissive triangles */ \
-  ARRAY(float, light_probabilities) /* with which each is chosen */                                         \
-  ARRAY(float, emission_densities)  /* of materials: of their triangles' points to be chosen, per world area */
+#define SHADING_ARRAYS(ARRAY)                                                                                 \
+  ARRAY(PhongMaterial, materials)                                                                             \
+  ARRAY(PbrMaterial, pbr_materials) /* as many as materials, or none */                                       \
+  ARRAY(PunctualLight, lights)                                                                                \
+  ARRAY(AliasEntry, light_choices)  /* of what lights the scene: lights, environment, emissive triangles */   \
+  ARRAY(float, light_probabilities) /* with which each is chosen */                                           \
+  ARRAY(LightTreeNode, light_tree)  /* where many lights have a place; a choice instead of the triangles */   \
+  ARRAY(float, emission_densities)  /* of materials: of their triangles' points to be chosen, per world area; \
+                                       with a tree, from where all its lights are as important as 1 */
 
 /* What arrives from infinitely far away (lights/environment.clh); none of them has elements where nothing does. */
 #define ENVIRONMENT_ARRAYS(ARRAY)                                                     \
@@ -82,6 +84,7 @@ typedef struct {
   uint light_count;
   uint light_choice_count;
   float environment_probability; /* to be chosen of the lights */
+  float light_tree_probability;  /* and the tree; 0: there is none */
   uint features;                 /* SCENE_... */
   float ray_epsilon; /* how far, relative to its coordinates, a computed hit point may lie off its surface */
   /* The environment; all 0 where there is none. */
@@ -95,7 +98,7 @@ typedef struct {
   float environment_poles[6];      /* rgb at the top, and at the bottom: the mean of the first row, and of the last */
   float environment_on_level[3];   /* its irradiance on a level surface, from above, over pi */
 } SceneConstants;
-DEVICE_STRUCT_SIZE(SceneConstants, 88);
+DEVICE_STRUCT_SIZE(SceneConstants, 92);
 
 /* For SceneConstants.ray_epsilon: 16 rounding units of float, several times what the device code can be off. */
 #define DEFAULT_RAY_EPSILON 9.5367431640625e-7f

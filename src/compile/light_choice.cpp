@@ -1,8 +1,10 @@
 #include "compile/light_choice.hpp"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "compile/alias_table.hpp"
+#include "compile/light_tree.hpp"
 
 namespace lichtraum {
 namespace {
@@ -21,9 +23,12 @@ double emitted_luminance(device::ShadingArrays const& tables, std::size_t materi
   return luminance(tables.materials[material].emission);
 }
 
-double area(device::EmissiveTriangle const& triangle) {
-  auto const edge = [&](int i) { return Vec3(triangle.edges[i][0], triangle.edges[i][1], triangle.edges[i][2]); };
-  return 0.5 * glm::length(glm::cross(edge(0), edge(1)));
+Vec3 edge(device::EmissiveTriangle const& triangle, int i) {
+  return {triangle.edges[i][0], triangle.edges[i][1], triangle.edges[i][2]};
+}
+/// As long as the triangle's area is large.
+Vec3 area_vector(device::EmissiveTriangle const& triangle) {
+  return 0.5 * glm::cross(edge(triangle, 0), edge(triangle, 1));
 }
 
 /// Squared: half the scene's diagonal, at which a light that has a place is thought to be.
@@ -32,6 +37,53 @@ double usual_distance_squared(DeviceBounds const& bounds) {
   Vec3 const diagonal = Vec3(bounds.max) - Vec3(bounds.min);
   double const squared = 0.25 * glm::dot(diagonal, diagonal);
   return squared > 0 ? squared : 1;
+}
+
+/// More lights that have a place are chosen by a tree: that takes time, and less noise for it.
+constexpr std::size_t most_without_tree = 64;
+
+LightLeaf leaf_of(device::EmissiveTriangle const& triangle) {
+  Vec3 const corner(triangle.corner[0], triangle.corner[1], triangle.corner[2]);
+  LightLeaf leaf;
+  for (Vec3 const& point : {corner, corner + edge(triangle, 0), corner + edge(triangle, 1)}) leaf.bounds.add(point);
+  leaf.normal = glm::normalize(area_vector(triangle));
+  return leaf;
+}
+LightLeaf leaf_of(device::PunctualLight const& light) {
+  Vec3 const position(light.position[0], light.position[1], light.position[2]);
+  LightLeaf leaf;
+  leaf.bounds.add(position - Vec3(light.radius));
+  leaf.bounds.add(position + Vec3(light.radius));
+  return leaf;
+}
+
+/// Where there are many lights that have a place and fall off, they become a tree, which counts as one: its weight
+/// takes the place of those of the triangles. `weights` are of lights, environment and triangles.
+void plant_light_tree(ShadingTables& tables, SceneBuffers const& scene, std::vector<double>& weights,
+                      double distance_squared) {
+  std::vector<LightLeaf> leaves;
+  auto const add = [&](auto const& light, std::size_t number) {
+    if (!(weights[number] > 0)) return;
+    LightLeaf leaf = leaf_of(light);
+    leaf.intensity = weights[number];
+    leaf.number = device::uint(number);
+    leaves.push_back(leaf);
+  };
+  for (std::size_t i = 0; i < tables.lights.size(); ++i) {
+    if (tables.lights[i].kind == LIGHT_FALLS_OFF) add(tables.lights[i], i);
+  }
+  std::size_t const first_triangle = tables.lights.size() + 1;
+  for (std::size_t i = 0; i < scene.emissive_triangles.size(); ++i)
+    add(scene.emissive_triangles[i], first_triangle + i);
+  if (leaves.size() <= most_without_tree) return;
+  double in_tree = 0;
+  for (LightLeaf const& leaf : leaves) {
+    in_tree += weights[leaf.number];
+    weights[leaf.number] = 0;
+  }
+  weights.resize(first_triangle);
+  weights.push_back(in_tree);
+  tables.light_tree = make_light_tree(std::move(leaves), 2 * std::sqrt(distance_squared));
 }
 
 }  // namespace
@@ -54,20 +106,22 @@ void set_light_choices(ShadingTables& tables, SceneBuffers const& scene) {
   std::vector<double> emitted(tables.materials.size());
   for (std::size_t i = 0; i < emitted.size(); ++i) emitted[i] = emitted_luminance(tables, i);
   for (device::EmissiveTriangle const& triangle : scene.emissive_triangles) {
-    weights.push_back(emitted[triangle.material] * area(triangle) / distance_squared);
+    weights.push_back(emitted[triangle.material] * glm::length(area_vector(triangle)) / distance_squared);
   }
   double sum = 0;
   for (double const weight : weights) sum += weight;
   tables.light_choices.clear();
   tables.light_probabilities.clear();
+  tables.light_tree.clear();
   tables.emission_densities.assign(emitted.size(), 0.0f);
   if (!(sum > 0)) return;
-  tables.light_choices.resize(weights.size());
-  AliasTableMaker().fill(weights, tables.light_choices);
-  for (double const weight : weights) tables.light_probabilities.push_back(float(weight / sum));
   for (device::EmissiveTriangle const& triangle : scene.emissive_triangles) {
     tables.emission_densities[triangle.material] = float(emitted[triangle.material] / distance_squared / sum);
   }
+  plant_light_tree(tables, scene, weights, distance_squared);
+  tables.light_choices.resize(weights.size());
+  AliasTableMaker().fill(weights, tables.light_choices);
+  for (double const weight : weights) tables.light_probabilities.push_back(float(weight / sum));
 }
 
 }  // namespace lichtraum

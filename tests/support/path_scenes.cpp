@@ -216,6 +216,56 @@ define light diffuse key 2 4 4  0.4 0.4 0.4
   return {"sheets that shine and blend", std::move(scene), 4, true};
 }
 
+/// So many lamps that a tree chooses among them: two panels of tiles, of which one is stretched, and lights that fall
+/// off; over what is matt, glossy or lets light through.
+PathScene many_lamps() {
+  std::string text = std::string(things) + R"(
+define material tile 0 0 0  0.2 0.2 0.2  0 0 0 1
+define shape plane floor 0 -1 0  0 1 0 floor
+define shape sphere ball 1.2 -0.3 0 0.7 b
+define shape box crate -1.8 -1 -1  -1 0.2 0 a
+define shape triangle sheet -1 -1 0.6  0.6 -1 0.9  -0.2 0.6 0.7 c
+)";
+  std::string tiles;
+  for (int i = 0; i < 25; ++i) {
+    double const x = -1 + 0.4 * (i % 5), z = -1 + 0.4 * (i / 5);
+    char const* const material = i % 3 == 0 ? "d" : "tile";
+    for (char const half : {'a', 'b'}) {
+      std::string const name = "tile" + std::to_string(i) + half;
+      double const corner_x = half == 'a' ? x + 0.4 : x, corner_z = half == 'a' ? z : z + 0.4;
+      text += "define shape triangle " + name + ' ' + std::to_string(x) + " 0 " + std::to_string(z) + "  " +
+              std::to_string(corner_x) + " 0 " + std::to_string(corner_z) + "  " + std::to_string(x + 0.4) + " 0 " +
+              std::to_string(z + 0.4) + ' ' + material + '\n';
+      tiles += ' ' + name;
+    }
+  }
+  text += "define shape composite panel" + tiles + R"(
+define shape composite above panel
+define shape composite beside panel
+transform above scale 1.5 1 0.8
+transform above translate -0.3 1.9 0
+transform beside rotate 90 0 0 1
+transform beside translate 2.4 0.2 -0.6
+define shape composite root floor ball crate sheet above beside
+define light ambient sky 0.02 0.03 0.04
+define background 0.1 0.2 0.3
+)";
+  Scene scene = scene_of(text);
+  for (int i = 0; i < 4; ++i) {
+    scene.lights.insert(
+        Light::falling_off("spark" + std::to_string(i), Vec3(-1.5 + i, 0.6, 0.8 - 0.4 * i), Rgb(0.08, 0.05, 0.02 * i)));
+  }
+  set_material(scene, "a", PhongModel{.kd = {0.8, 0.3, 0.1}});
+  set_material(scene, "b", PhongModel{.kd = {0.2, 0.3, 0.4}, .ks = Rgb(0.5), .m = 20});
+  PbrModel sheet = pbr({0.8, 0.7, 0.4}, 0, 0.9);
+  sheet.transmission = 0.6;
+  sheet.double_sided = true;
+  set_material(scene, "c", sheet);
+  let_shine(scene, "d", {4, 3.5, 3});
+  let_shine(scene, "tile", {0.5, 0.7, 1});
+  return {"many lamps", std::move(scene), 4};
+}
+
 /// What stands, lies and hangs over a ground, with lamps and lights of its own; one of these is under a veil.
 Scene still_life() {
   Scene scene = scene_of(std::string(things) + R"(
@@ -280,6 +330,7 @@ std::vector<PathScene> path_scenes() {
   scenes.push_back(coats());
   scenes.push_back(smooth());
   scenes.push_back(sheets());
+  scenes.push_back(many_lamps());
   scenes.push_back(textures());
   scenes.push_back(on_ground_in_the_open());
   scenes.push_back(on_ground_seen_through());

@@ -171,7 +171,8 @@ TEST_CASE("white furnace: solids keep all light, from outside and from within", 
   }
 }
 
-TEST_CASE("past the critical angle a smooth solid mirrors all light, whatever its specular factor", "[kernel][bsdf]") {
+TEST_CASE("past the critical angle a smooth solid mirrors all light, whatever its specular factor",
+          "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
   BsdfProbe const probe;
   for (double const specular : {0.0, 0.5, 1.0}) {

@@ -68,12 +68,12 @@ __kernel void closest_in_turn(SCENE_PARAMETERS, __global float4 const* origins, 
   for (uint i = 0u; i < FREE_RAYS_PER_ITEM + RAYS_IN_TURN; ++i) {
     uint place = i;
     if (i >= RAYS_IN_TURN) {
-      Hit hit;
-      place = finish_ray(&scene, &stream, &hit);
-      hits[numbers[place]] = bench_hit(&scene, hit);
+      WideResult result;
+      place = finish_ray(&scene, &stream, QUERY_CLOSEST, &result);
+      hits[numbers[place]] = bench_hit(&scene, result.hit);
     }
     if (next < end) {
-      start_ray(&scene, &stream, place, make_ray(origins[next].xyz, directions[next].xyz));
+      start_ray(&scene, &stream, place, make_ray(origins[next].xyz, directions[next].xyz), INFINITY);
       numbers[place] = next++;
     }
   }

@@ -32,9 +32,8 @@ __kernel void probe_closest(SCENE_PARAMETERS, __global float4 const* origins, __
 #define RAYS_A_STREAM 64u
 
 /* One work-item a stream; the first has one ray in turn, the next two, and so on. */
-__kernel void probe_stream_closest(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
-                                   __global ProbeHit* hits) {
-  Scene const scene = SCENE_FROM_PARAMETERS;
+static void probe_stream(Scene const* scene, __global float4 const* origins, __global float4 const* directions,
+                         float t_max, int query, __global ProbeHit* hits, __global float* visibility) {
   uint const places = 1u + (uint)get_global_id(0) % RAYS_IN_TURN;
   uint next = (uint)get_global_id(0) * RAYS_A_STREAM;
   uint const end = next + RAYS_A_STREAM;
@@ -42,18 +41,34 @@ __kernel void probe_stream_closest(SCENE_PARAMETERS, __global float4 const* orig
   RayStream stream;
   clear_stream(&stream);
   for (uint place = 0u; place < places; ++place, ++next) {
-    start_ray(&scene, &stream, place, make_ray(origins[next].xyz, directions[next].xyz));
+    start_ray(scene, &stream, place, make_ray(origins[next].xyz, directions[next].xyz), t_max);
     numbers[place] = next;
   }
   for (uint finished = 0u; finished < RAYS_A_STREAM; ++finished) {
-    Hit hit;
-    uint const place = finish_ray(&scene, &stream, &hit);
-    hits[numbers[place]] = probe_hit(&scene, hit);
+    WideResult result;
+    uint const place = finish_ray(scene, &stream, query, &result);
+    if (query == QUERY_CLOSEST) {
+      hits[numbers[place]] = probe_hit(scene, result.hit);
+    } else {
+      visibility[numbers[place]] = result.visibility;
+    }
     if (next < end) {
-      start_ray(&scene, &stream, place, make_ray(origins[next].xyz, directions[next].xyz));
+      start_ray(scene, &stream, place, make_ray(origins[next].xyz, directions[next].xyz), t_max);
       numbers[place] = next++;
     }
   }
+}
+
+__kernel void probe_stream_closest(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
+                                   __global ProbeHit* hits) {
+  Scene const scene = SCENE_FROM_PARAMETERS;
+  probe_stream(&scene, origins, directions, INFINITY, QUERY_CLOSEST, hits, 0);
+}
+__kernel void probe_stream_visibility(SCENE_PARAMETERS, __global float4 const* origins,
+                                      __global float4 const* directions, float const t_max,
+                                      __global float* visibility) {
+  Scene const scene = SCENE_FROM_PARAMETERS;
+  probe_stream(&scene, origins, directions, t_max, QUERY_VISIBILITY, 0, visibility);
 }
 #endif
 
@@ -64,6 +79,13 @@ __kernel void probe_hidden(SCENE_PARAMETERS, __global float4 const* origins, __g
   size_t const i = get_global_id(0);
   Ray const ray = make_ray(origins[i].xyz, directions[i].xyz);
   hidden[i] = (trace_any(&scene, ray, t_max) ? 1u : 0u) | (trace_visibility(&scene, ray, t_max) == 0.f ? 2u : 0u);
+}
+
+__kernel void probe_visibility(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
+                               float const t_max, __global float* visibility) {
+  Scene const scene = SCENE_FROM_PARAMETERS;
+  size_t const i = get_global_id(0);
+  visibility[i] = trace_visibility(&scene, make_ray(origins[i].xyz, directions[i].xyz), t_max);
 }
 
 #ifdef TRACE_PACKETS

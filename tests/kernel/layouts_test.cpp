@@ -41,6 +41,17 @@ class LayoutProbe {
     run("probe_stream_closest", rays, {out(hits)}, packet_size);
     return hits;
   }
+  /// What gets through to t_max, 0..1.
+  std::vector<float> visibility(Rays const& rays, float t_max) const {
+    std::vector<float> visibility(rays.size());
+    run("probe_visibility", rays, {value(t_max), out(visibility)}, 1);
+    return visibility;
+  }
+  std::vector<float> visibility_in_turn(Rays const& rays, float t_max) const {
+    std::vector<float> visibility(rays.size());
+    run("probe_stream_visibility", rays, {value(t_max), out(visibility)}, packet_size);
+    return visibility;
+  }
   std::vector<device::uint> hidden(Rays const& rays, float t_max) const {
     std::vector<device::uint> hidden(rays.size());
     run(packets_ ? "probe_packet_hidden" : "probe_hidden", rays, {value(t_max), out(hidden)},
@@ -183,6 +194,22 @@ TEST_CASE("a ray hits among others in turn what it hits alone", "[kernel][layout
   auto const expected = LayoutProbe(mixed_scene(1), Traversal::wide).closest(rays);
   for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
     CHECK(count_different(LayoutProbe(mixed_scene(1), traversal).closest_in_turn(rays), expected) == 0);
+  }
+}
+
+TEST_CASE("as much light gets through to a ray among others in turn as alone", "[kernel][layouts]") {
+  NEEDS_OPENCL_DEVICE();
+  Rays const rays = mixed_rays(9, scaled_count(400));
+  for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
+    LayoutProbe const probe(mixed_scene(1), traversal);
+    for (float const t_max : {0.3f, 20.f}) {
+      auto const expected = LayoutProbe(mixed_scene(1), Traversal::wide).visibility(rays, t_max);
+      CHECK(probe.visibility_in_turn(rays, t_max) == expected);
+      if (rays.size() < 1000) continue;
+      CHECK(std::ranges::count(expected, 0.f) > 10);
+      CHECK(std::ranges::count(expected, 1.f) > 10);
+      CHECK(std::ranges::count_if(expected, [](float share) { return share > 0 && share < 1; }) > 10);
+    }
   }
 }
 

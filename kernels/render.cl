@@ -25,23 +25,19 @@ __kernel void render_tile(SCENE_PARAMETERS, FILM_PARAMETERS, __global FrameParam
   if (is_empty(&square)) {
     return;
   }
-  RayBatch rays;
   if (wants(&film, CENTER_PLANES) && tile.first_sample == 0u) {
+    RayBatch rays;
     generate_center_rays(frame, &tile, square.corner_x, square.corner_y, &rays);
     write_centers(&scene, frame, &film, &square, &rays, &counts);
   }
-  Samples sums;
-  Samples samples;
-  clear_samples(&film, &sums);
-  if (tile.first_sample % FILM_BLOCK_SIZE != 0u) {
-    load_samples(frame, &film, &square, &sums);
+  if (wants(&film, MEAN_PLANES)) {
+    Samples sums;
+    clear_samples(&film, &sums);
+    if (tile.first_sample % FILM_BLOCK_SIZE != 0u) {
+      load_samples(frame, &film, &square, &sums);
+    }
+    INTEGRATE(&scene, frame, &film, &square, &tile, &sums, &counts);
+    store_samples(frame, &film, &square, &sums);
   }
-  uint const sample_count = wants(&film, MEAN_PLANES) ? tile.sample_count : 0u;
-  for (uint i = 0u; i < sample_count; ++i) {
-    generate_camera_rays(frame, &tile, square.corner_x, square.corner_y, tile.first_sample + i, &rays);
-    INTEGRATE(&scene, frame, &film, &square, tile.first_sample + i, &rays, &samples, &counts);
-    add_samples(&film, &rays, &samples, &sums, &counts);
-  }
-  store_samples(frame, &film, &square, &sums);
   traced[(size_t)row * work_items_a_row + column] = counts;
 }

@@ -52,7 +52,7 @@ SHARED_FUNCTION Real unit_real(Word bits) { return real_of_whole(whole_of_word(b
 
 /* Point `sample` of the sequence that belongs to a pixel and a dimension (a number for each use). The hash is pcg4d
  * of Jarzynski and Olano (2020), as in shared/sampling.h. */
-SHARED_FUNCTION SobolPoint sobol_point(Word pixel_x, Word pixel_y, Word dimension, uint sample, uint seed_low,
+SHARED_FUNCTION SobolPoint sobol_point(Word pixel_x, Word pixel_y, Word dimension, Word sample, uint seed_low,
                                        uint seed_high) {
   Word x = pixel_x * 1664525u + 1013904223u;
   Word y = pixel_y * 1664525u + 1013904223u;
@@ -72,7 +72,7 @@ SHARED_FUNCTION SobolPoint sobol_point(Word pixel_x, Word pixel_y, Word dimensio
   x += y * w;
   y += z * x;
   z += x * y;
-  index = reverse_bits(scramble_reversed(reverse_bits((x ^ x) + sample), z));
+  index = reverse_bits(scramble_reversed(reverse_bits(sample), z));
   point.x = unit_real(reverse_bits(scramble_reversed(index, x)));
   point.y = unit_real(reverse_bits(scramble_reversed(sobol_second_reversed(index), y)));
   return point;

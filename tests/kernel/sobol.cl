@@ -11,7 +11,7 @@ __kernel void probe_sobol(__global uint4 const* keys, uint sample, uint seed_low
     LANE_WORD(pixel_y, lane) = keys[first + lane].y;
     LANE_WORD(dimension, lane) = keys[first + lane].z;
   }
-  SobolPoint point = sobol_point(pixel_x, pixel_y, dimension, sample, seed_low, seed_high);
+  SobolPoint point = sobol_point(pixel_x, pixel_y, dimension, (Word)(sample), seed_low, seed_high);
   for (uint lane = 0u; lane < LANES; ++lane) {
     points[first + lane] = (float2)(LANE_FLOAT(point.x, lane), LANE_FLOAT(point.y, lane));
   }

@@ -30,47 +30,55 @@ struct Cluster {
   double extent() const { return leaves.size() > 1 ? intensity * squared_diagonal(bounds) : -1; }
 };
 
+constexpr std::size_t bin_count = 16;
+
+/// What falls into a part of a cluster.
+struct Bin {
+  Bounds bounds;
+  double intensity = 0;
+  void add(Bounds const& more_bounds, double more_intensity) {
+    bounds.add(more_bounds);
+    intensity += more_intensity;
+  }
+  double cost() const { return intensity * squared_diagonal(bounds); }
+};
+
 /// Where to divide a cluster: the surface area heuristic, with intensity for the number of primitives, and for the area
 /// the square of the diagonal, as points have none. Returns the first leaf of the second part.
 std::size_t divide(Cluster const& cluster) {
-  constexpr std::size_t bin_count = 16;
   std::span<LightLeaf> const leaves = cluster.leaves;
   Bounds centers;
   for (LightLeaf const& leaf : leaves) centers.add(leaf.bounds.center());
+  Vec3 const width = centers.max - centers.min;
+  Vec3 scale(0);  // flat along an axis: all in the first bin
+  for (int axis = 0; axis < 3; ++axis) {
+    if (width[axis] > 0) scale[axis] = double(bin_count) / width[axis];
+  }
+  std::array<std::array<Bin, bin_count>, 3> bins;
+  for (LightLeaf const& leaf : leaves) {
+    Vec3 const place = (leaf.bounds.center() - centers.min) * scale;
+    for (int axis = 0; axis < 3; ++axis) {
+      bins[std::size_t(axis)][std::min(std::size_t(place[axis]), bin_count - 1)].add(leaf.bounds, leaf.intensity);
+    }
+  }
   double best_cost = std::numeric_limits<double>::infinity();
   int best_axis = 0;
   double best_end = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    double const begin = centers.min[axis], width = centers.max[axis] - begin;
-    if (!(width > 0)) continue;
-    struct Bin {
-      Bounds bounds;
-      double intensity = 0;
-      void add(Bounds const& more_bounds, double more_intensity) {
-        bounds.add(more_bounds);
-        intensity += more_intensity;
-      }
-      double cost() const { return intensity * squared_diagonal(bounds); }
-    };
-    std::array<Bin, bin_count> bins;
-    for (LightLeaf const& leaf : leaves) {
-      double const place = (leaf.bounds.center()[axis] - begin) / width * bin_count;
-      bins[std::min(std::size_t(place), bin_count - 1)].add(leaf.bounds, leaf.intensity);
-    }
+    auto const& along = bins[std::size_t(axis)];
     std::array<double, bin_count> costs_above{};
-    Bin above;
+    Bin above, below;
     for (std::size_t i = bin_count - 1; i > 0; --i) {
-      above.add(bins[i].bounds, bins[i].intensity);
+      above.add(along[i].bounds, along[i].intensity);
       costs_above[i] = above.cost();
     }
-    Bin below;
-    for (std::size_t i = 1; i < bin_count; ++i) {
-      below.add(bins[i - 1].bounds, bins[i - 1].intensity);
+    for (std::size_t i = 1; i < bin_count && width[axis] > 0; ++i) {
+      below.add(along[i - 1].bounds, along[i - 1].intensity);
       double const cost = below.cost() + costs_above[i];
       if (cost < best_cost) {
         best_cost = cost;
         best_axis = axis;
-        best_end = begin + width * double(i) / bin_count;
+        best_end = centers.min[axis] + width[axis] * double(i) / double(bin_count);
       }
     }
   }

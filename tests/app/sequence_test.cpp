@@ -199,7 +199,9 @@ TEST_CASE("resume leaves what is there and draws what has changed", "[app][seque
   CHECK(resume("") == 2);
   CHECK(lichtraum.folder.read("1.png") == whole);
   // Settings.
-  for (std::string const words : {"--size 23x16", "--samples 2x2", "--depth 2", "--bits 16", "--transfer srgb"}) {
+  for (std::string const words :
+       {"--size 23x16", "--samples 2x2", "--depth 2", "--bits 16", "--transfer srgb", "--integrator path",
+        "--integrator path --ground", "--integrator path --ground=glossy"}) {
     INFO(words);
     CHECK(resume(words) == 3);
     CHECK(resume(words) == 0);

@@ -14,34 +14,31 @@ double squared_diagonal(Bounds const& bounds) {
   return bounds.is_empty() ? 0 : glm::dot(diagonal, diagonal);
 }
 
-/// Lights together: what a child of a node knows of those below it.
-struct Cluster {
-  std::span<LightLeaf> leaves;
+/// Where lights lie together, and how bright they are.
+struct Extent {
   Bounds bounds;
   double intensity = 0;
 
-  explicit Cluster(std::span<LightLeaf> all) : leaves(all) {
-    for (LightLeaf const& leaf : leaves) {
-      bounds.add(leaf.bounds);
-      intensity += leaf.intensity;
-    }
-  }
-  /// What is to be gained by dividing it: little for one that is dim, or small.
-  double extent() const { return leaves.size() > 1 ? intensity * squared_diagonal(bounds) : -1; }
-};
-
-constexpr std::size_t bin_count = 16;
-
-/// What falls into a part of a cluster.
-struct Bin {
-  Bounds bounds;
-  double intensity = 0;
   void add(Bounds const& more_bounds, double more_intensity) {
     bounds.add(more_bounds);
     intensity += more_intensity;
   }
   double cost() const { return intensity * squared_diagonal(bounds); }
 };
+
+/// What becomes a child of a node.
+struct Cluster {
+  std::span<LightLeaf> leaves;
+  Extent extent;
+
+  explicit Cluster(std::span<LightLeaf> all) : leaves(all) {
+    for (LightLeaf const& leaf : leaves) extent.add(leaf.bounds, leaf.intensity);
+  }
+  /// What is to be gained by dividing it: little for one that is dim, or small.
+  double gain() const { return leaves.size() > 1 ? extent.cost() : -1; }
+};
+
+constexpr std::size_t bin_count = 16;
 
 /// Where to divide a cluster: the surface area heuristic, with intensity for the number of primitives, and for the area
 /// the square of the diagonal, as points have none. Returns the first leaf of the second part.
@@ -54,7 +51,7 @@ std::size_t divide(Cluster const& cluster) {
   for (int axis = 0; axis < 3; ++axis) {
     if (width[axis] > 0) scale[axis] = double(bin_count) / width[axis];
   }
-  std::array<std::array<Bin, bin_count>, 3> bins;
+  std::array<std::array<Extent, bin_count>, 3> bins;
   for (LightLeaf const& leaf : leaves) {
     Vec3 const place = (leaf.bounds.center() - centers.min) * scale;
     for (int axis = 0; axis < 3; ++axis) {
@@ -67,7 +64,7 @@ std::size_t divide(Cluster const& cluster) {
   for (int axis = 0; axis < 3; ++axis) {
     auto const& along = bins[std::size_t(axis)];
     std::array<double, bin_count> costs_above{};
-    Bin above, below;
+    Extent above, below;
     for (std::size_t i = bin_count - 1; i > 0; --i) {
       above.add(along[i].bounds, along[i].intensity);
       costs_above[i] = above.cost();
@@ -92,7 +89,7 @@ std::size_t divide(Cluster const& cluster) {
 std::vector<Cluster> parts_of(std::span<LightLeaf> leaves) {
   std::vector<Cluster> parts{Cluster(leaves)};
   while (parts.size() < LIGHT_TREE_CHILDREN) {
-    auto const widest = std::ranges::max_element(parts, {}, &Cluster::extent);
+    auto const widest = std::ranges::max_element(parts, {}, &Cluster::gain);
     if (widest->leaves.size() < 2) break;
     std::size_t const middle = divide(*widest);
     std::span<LightLeaf> const all = widest->leaves;
@@ -130,7 +127,7 @@ Facing facing_of(std::span<LightLeaf const> leaves) {
 }  // namespace
 
 BigVector<device::LightTreeNode> make_light_tree(std::vector<LightLeaf> leaves, double diagonal) {
-  double const total = Cluster(leaves).intensity;
+  double const total = Cluster(leaves).extent.intensity;
   double const least_radius = 1e-6 * diagonal;
   BigVector<device::LightTreeNode> nodes(1, device::LightTreeNode{});
   std::vector<std::span<LightLeaf>> open{leaves};  // what is below nodes[i] is open[i]; no recursion, as it may be deep
@@ -138,16 +135,16 @@ BigVector<device::LightTreeNode> make_light_tree(std::vector<LightLeaf> leaves, 
     std::vector<Cluster> const parts = parts_of(open[i]);
     for (std::size_t lane = 0; lane < parts.size(); ++lane) {
       Cluster const& part = parts[lane];
-      Vec3 const center = part.bounds.center();
+      Vec3 const center = part.extent.bounds.center();
       Facing const facing = facing_of(part.leaves);
       device::LightTreeNode& node = nodes[i];
       for (int axis = 0; axis < 3; ++axis) {
         node.center[axis][lane] = float(center[axis]);
         node.axis[axis][lane] = float(facing.axis[axis]);
       }
-      node.radius[lane] = float(std::max(0.5 * std::sqrt(squared_diagonal(part.bounds)), least_radius));
+      node.radius[lane] = float(std::max(0.5 * std::sqrt(squared_diagonal(part.extent.bounds)), least_radius));
       node.spread[lane] = float(facing.spread);
-      node.intensity[lane] = float(part.intensity / total);
+      node.intensity[lane] = float(part.extent.intensity / total);
       if (part.leaves.size() == 1) {
         node.children[lane] = LIGHT_TREE_LEAF | part.leaves.front().number;
       } else {

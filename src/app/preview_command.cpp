@@ -2,13 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
 #include "app/interruption.hpp"
-#include "app/picture_plan.hpp"
-#include "app/renderer_choice.hpp"
+#include "app/quick_look.hpp"
 #include "app/terminal.hpp"
 #include "app/values.hpp"
 
@@ -63,33 +61,12 @@ bool parse_preview(Arguments const& arguments, PreviewOptions& options, Console&
   return true;
 }
 
-/// Enough for a picture of a few characters.
-Sampling usual_sampling(RenderRequest const& view) {
-  if (view.camera.lens().aperture > 0) return {Sampling::Pattern::seeded, 64};
-  if (view.integrator == Integrator::path) return {Sampling::Pattern::seeded, 16};
-  return {Sampling::Pattern::grid, 9};
-}
-
-/// Developed, without the noise that paths leave.
-Image draw(Renderer& renderer, RenderRequest request, Development const& development) {
-  bool const is_noisy = request.integrator == Integrator::path;
-  if (is_noisy) request.planes = with_guides(request.planes);
-  Film film;
-  renderer.render(request, film);
-  if (is_noisy) {
-    Denoiser denoiser([&](NoisyPicture const& picture) { return renderer.filter_noise(picture); });
-    film = denoiser.denoised(film, Denoising::builtin);
-  }
-  return renderer.develop(std::move(film), development);
-}
-
 /// As large as fits into the area with the picture's proportions, leaving a row for the shell's next line.
 Resolution fit(Resolution const& picture, TerminalSize const& area, TerminalGraphics graphics) {
   bool const is_blocks = graphics == TerminalGraphics::blocks;
   double const width = area.columns * (is_blocks ? 1.0 : area.cell_width);
   double const height = std::max(1, area.rows - 1) * (is_blocks ? 2.0 : area.cell_height);
-  double const scale = std::min(width / picture.width, height / picture.height);
-  return {std::max(1, int(std::lround(picture.width * scale))), std::max(1, int(std::lround(picture.height * scale)))};
+  return fitted(picture, width, height);
 }
 
 std::string encode(Image const& image, TerminalGraphics graphics) {
@@ -122,27 +99,13 @@ int preview_command(Arguments const& arguments, Console& console) {
     throw Error(ErrorKind::usage, fmt::format("--size: at most {0}x{0} characters", most_characters));
   }
 
-  SceneSource const source(render.scenes.front());
-  auto const renderer = choose_renderer(render.device, std::nullopt, console);
-  Job job = source.job(render.job);
-  LoadOptions load;
-  load.device = renderer->device().kind;
-  load.integrator = job.integrator;
-  LoadedScene const loaded = source.load(job.reading, load);
-  console.show(loaded.diagnostics());
-  job.integrator = chosen_integrator(job, loaded.scene(), load.device).integrator;
-  RenderRequest request = view_of(job, loaded.scene());
-  if (!job.sampling) request.sampling = usual_sampling(request);
-
+  QuickLook const look(render, console);
   // A pipe or a file cannot be asked: blocks are text, and every terminal that it is shown in later knows them.
   TerminalGraphics const graphics = options.graphics ? *options.graphics
                                     : terminal       ? ask_for_graphics(patience)
                                                      : TerminalGraphics::blocks;
   if (interrupted()) throw Error(ErrorKind::interrupted, "interrupted");
-  request.resolution = fit(request.resolution, area, graphics);
-  request.region = whole_picture(request.resolution);
-  renderer->set_scene(loaded.scene(), job.root);
-  Image const image = draw(*renderer, request, development_of(job, loaded.scene()));
+  Image const image = look.draw(fit(look.size(), area, graphics));
   write_standard_output(encode(image, graphics));
   return 0;
 }

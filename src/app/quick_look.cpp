@@ -26,13 +26,18 @@ QuickLook::QuickLook(RenderOptions const& options, Console const& console) {
   LoadOptions load;
   load.device = renderer_->device().kind;
   load.integrator = job.integrator;
-  LoadedScene const loaded = source.load(job.reading, load);
+  LoadedScene loaded = source.load(job.reading, load);
   console.show(loaded.diagnostics());
+  bool const has_sampling = job.sampling.has_value();
   job.integrator = chosen_integrator(job, loaded.scene(), load.device).integrator;
-  request_ = view_of(job, loaded.scene());
-  if (!job.sampling) request_.sampling = usual_sampling(request_);
-  development_ = development_of(job, loaded.scene());
-  renderer_->set_scene(loaded.scene(), job.root);
+  job = resolved(std::move(job), loaded.scene());
+  loaded.play([&](Scene const& scene, std::size_t) {
+    request_ = view_of(job, scene);
+    if (!has_sampling) request_.sampling = usual_sampling(request_);
+    development_ = development_of(job, scene);
+    renderer_->set_scene(scene, job.root);
+    return false;
+  });
 }
 
 Image QuickLook::draw(Resolution const& size) const {

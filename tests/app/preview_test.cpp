@@ -132,6 +132,19 @@ TEST_CASE("a terminal that does not answer shows blocks, soon", "[app][preview]"
   CHECK_THAT(forced.out, contains_text("\x1bP0;1q"));
 }
 
+TEST_CASE("of a film, the first picture is shown as the scene is there", "[app][preview]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("ball.sdf", wide_scene);
+  lichtraum.folder.write("film.sdf", wide_scene + "define camera side 60 300 100\nrender eye a.ppm 200 100\n" +
+                                         "transform ball translate 0 0 100\nrender side b.ppm 300 100\n");
+  auto const preview = [&](std::string const& scene) {
+    auto const result = lichtraum("preview --device reference --size 40x30 " + scene);
+    REQUIRE(result.exit_code == 0);
+    return result.out;
+  };
+  CHECK(preview("film.sdf") == preview("ball.sdf"));
+}
+
 TEST_CASE("what cannot be previewed is said", "[app][preview]") {
   Lichtraum const lichtraum;
   CHECK(lichtraum("preview").exit_code == 64);

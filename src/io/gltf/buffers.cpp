@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/percent.hpp"
 #include "io/gltf/meshopt.hpp"
 #include "io/gltf/uri.hpp"
 #include "io/gltf/values.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/percent.hpp"
 #include "io/gltf/container.hpp"
 #include "io/gltf/nodes.hpp"
 #include "io/gltf/schema.hpp"

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/ascii.hpp"
+#include "core/percent.hpp"
 
 namespace lichtraum::gltf {
 namespace {
@@ -49,13 +50,6 @@ std::optional<std::string> decode_base64(std::string_view text) {
   return bytes;
 }
 
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
 }  // namespace
 
 bool is_data_uri(std::string_view uri) { return to_lower_ascii(uri.substr(0, data_scheme.size())) == data_scheme; }
@@ -76,20 +70,6 @@ std::string_view media_type_of_data_uri(std::string_view uri) {
   if (!is_data_uri(uri)) return {};
   std::string_view const rest = uri.substr(data_scheme.size());
   return rest.substr(0, rest.find_first_of(";,"));
-}
-
-std::string decode_percent(std::string_view text) {
-  std::string result;
-  result.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '%' && i + 2 < text.size() && hex_digit(text[i + 1]) >= 0 && hex_digit(text[i + 2]) >= 0) {
-      result.push_back(static_cast<char>(hex_digit(text[i + 1]) * 16 + hex_digit(text[i + 2])));
-      i += 2;
-    } else {
-      result.push_back(text[i]);
-    }
-  }
-  return result;
 }
 
 bool has_scheme(std::string_view uri) {

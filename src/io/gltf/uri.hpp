@@ -14,9 +14,6 @@ std::optional<std::string> decode_data_uri(std::string_view uri);
 /// "image/png" in "data:image/png;base64,...".
 std::string_view media_type_of_data_uri(std::string_view uri);
 
-/// %20 becomes a blank; a '%' without two hex digits, and '+', stay as they are.
-std::string decode_percent(std::string_view text);
-
 /// Whether a URI names another protocol: "http://...", "file:...". A single letter is a Windows drive and counts too.
 bool has_scheme(std::string_view uri);
 

@@ -2,7 +2,7 @@
 
 _lichtraum() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
-  local commands='render view preview denoise check info devices doctor'
+  local commands='render view preview thumbnail denoise check info devices doctor'
   local general='-q --quiet -v --verbose -h --help'
   local language='--strict --keep-going --transform-order --rotation --material-extras --allow-path --scene --variant --time --animation --max-texture'
   COMPREPLY=()
@@ -41,7 +41,10 @@ _lichtraum() {
     --device) values='cpu gpu reference' ;;
     --integrator) values='whitted path' ;;
     --samples) values='1 2x2 4x4 8x8 16 64' ;;
-    --size) values='640x480 1280x720 1920x1080 3840x2160' ;;
+    --size)
+      values='640x480 1280x720 1920x1080 3840x2160'
+      [[ ${COMP_WORDS[1]} != thumbnail ]] || values='128 256 512 1024'
+      ;;
     --output-dir | --allow-path)
       mapfile -t COMPREPLY < <(compgen -d -- "$current")
       return
@@ -72,6 +75,7 @@ _lichtraum() {
         options+=' --environment-brightness'
         ;;
       preview) options+=" $language --size --graphics --camera $view --root --samples --device" ;;
+      thumbnail) options+=' --size --device' ;;
       denoise) options+=' -o --output --exposure --tonemap --transfer --denoise --prefilter --device' ;;
       check) options+=" $language" ;;
       info) options+=" $language --json" ;;
@@ -82,7 +86,7 @@ _lichtraum() {
   fi
 
   case ${COMP_WORDS[1]} in
-    render | view | preview | check | info) # scenes, and folders on the way to them
+    render | view | preview | thumbnail | check | info) # scenes, and folders on the way to them
       compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(
         compgen -d -- "$current"

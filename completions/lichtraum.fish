@@ -1,6 +1,6 @@
 # fish completion for lichtraum
 
-set -l commands render view preview denoise check info devices doctor
+set -l commands render view preview thumbnail denoise check info devices doctor
 set -l first "not __fish_seen_subcommand_from $commands"
 set -l any "__fish_seen_subcommand_from $commands"
 set -l scenes '__fish_seen_subcommand_from render view preview check info'
@@ -9,6 +9,7 @@ set -l seen '__fish_seen_subcommand_from render view preview'
 set -l traced '__fish_seen_subcommand_from render view'
 set -l view '__fish_seen_subcommand_from view'
 set -l preview '__fish_seen_subcommand_from preview'
+set -l thumbnail '__fish_seen_subcommand_from thumbnail'
 set -l denoise '__fish_seen_subcommand_from denoise'
 set -l json '__fish_seen_subcommand_from render info devices'
 
@@ -17,6 +18,7 @@ complete -c lichtraum -n $first -s V -l version -d 'Print the version'
 complete -c lichtraum -n $first -a render -d 'Draw scenes to pictures'
 complete -c lichtraum -n $first -a view -d 'Open a window on a scene'
 complete -c lichtraum -n $first -a preview -d 'Show a scene in the terminal'
+complete -c lichtraum -n $first -a thumbnail -d 'Draw a small picture for file managers'
 complete -c lichtraum -n $first -a denoise -d 'Take the noise out of a stored film'
 complete -c lichtraum -n $first -a check -d 'Report what is wrong in scenes'
 complete -c lichtraum -n $first -a info -d 'Describe what is in a scene'
@@ -87,6 +89,10 @@ complete -c lichtraum -n $seen -l device -x -a 'cpu gpu reference' -d 'Device to
 
 complete -c lichtraum -n $preview -l size -x -d 'Columns and rows of characters'
 complete -c lichtraum -n $preview -l graphics -x -a 'auto blocks kitty sixel' -d 'What the terminal shows'
+
+complete -c lichtraum -n $thumbnail -k -a '(__fish_complete_suffix .glb .obj .ply .sdf)'
+complete -c lichtraum -n $thumbnail -l size -x -a '128 256 512 1024' -d 'Pixels of its longer side'
+complete -c lichtraum -n $thumbnail -l device -x -a 'cpu gpu reference' -d 'Device to draw on'
 
 complete -c lichtraum -n $denoise -k -a '(__fish_complete_suffix .exr)'
 complete -c lichtraum -n $denoise -s o -l output -r -F -d 'Write to this file'

@@ -22,6 +22,7 @@ struct Command {
 int render_command(Arguments const& arguments, Console& console);
 int view_command(Arguments const& arguments, Console& console);
 int preview_command(Arguments const& arguments, Console& console);
+int thumbnail_command(Arguments const& arguments, Console& console);
 int denoise_command(Arguments const& arguments, Console& console);
 int check_command(Arguments const& arguments, Console& console);
 int info_command(Arguments const& arguments, Console& console);
@@ -32,6 +33,7 @@ inline constexpr Command commands[] = {
     {"render", "SCENE...", "draw scenes to pictures", render_command},
     {"view", "SCENE", "open a window on a scene", view_command},
     {"preview", "SCENE", "show a scene in the terminal", preview_command},
+    {"thumbnail", "INPUT OUTPUT.png", "draw a small picture for file managers", thumbnail_command},
     {"denoise", "FILE", "take the noise out of a stored film", denoise_command},
     {"check", "SCENE...", "report what is wrong in scenes, draw nothing", check_command},
     {"info", "FILE", "describe what is in a scene", info_command},

@@ -133,6 +133,8 @@ int parse_turntable(std::string_view text) { return number_in_range(text, 1, 100
 
 int parse_texture_size(std::string_view text) { return number_in_range(text, 1, job_limits::texture_side); }
 
+int parse_thumbnail_side(std::string_view text) { return number_in_range(text, 1, 2048); }
+
 int parse_bits(std::string_view text) { return word(text, std::to_array<Word<int>>({{"8", 8}, {"16", 16}})); }
 
 int parse_quality(std::string_view text) { return number_in_range(text, 1, job_limits::jpeg_quality); }

@@ -9,7 +9,8 @@
 
 namespace {
 
-char const* const commands[] = {"render", "view", "preview", "denoise", "check", "info", "devices", "doctor"};
+char const* const commands[] = {"render", "view", "preview", "thumbnail", "denoise",
+                                "check",  "info", "devices", "doctor"};
 
 std::string read_source(std::string const& name) {
   std::ifstream file(std::string(LICHTRAUM_SOURCE_DIR "/") + name);
@@ -57,7 +58,8 @@ TEST_CASE("the examples in the help texts are good commands", "[app][help]") {
   std::filesystem::create_directory(lichtraum.folder / "frames");
   lichtraum.folder.write("frames/1.sdf", "define nonsense\n");
   std::size_t count = 0;
-  for (std::string const command : {"", "render", "view", "preview", "denoise", "check", "info", "devices", "doctor"}) {
+  for (std::string const command :
+       {"", "render", "view", "preview", "thumbnail", "denoise", "check", "info", "devices", "doctor"}) {
     std::string const help = lichtraum(command + " --help").out;
     std::string const examples = help.substr(help.find("Examples:"));
     for (std::string const& example : matches(examples, "\n  (lichtraum [^\n]*?)(?=  |\n)")) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # view_in_xvfb.sh PROGRAM FOLDER: opens scene.sdf of the folder in a window on a display of its own, and does what a user
 # would; then draws it with --show. Leaves there: opened.png, turned.png, saved.png, faulty.png, camera.sdf, exit_code,
-# then written.png, shown.png, exit_code_shown, and log.txt.
+# then written.png, shown.png, exit_code_shown, and log.txt. In class: the windows that desktops take for lichtraum's.
 set -u
 program=$1
 # shellcheck source-path=SCRIPTDIR source=../support/xvfb_window.sh
@@ -12,6 +12,7 @@ start_display 400x300
 "$program" view scene.sdf --watch --size 320x240 >camera.sdf 2>log.txt &
 window=$!
 await_window scene.sdf 320x240
+xdotool search --class '^lichtraum$' >class
 press Tab # the numbers change all the time
 until_true changed opened.png empty.png || exit 1
 press Right Right Right Up

@@ -92,6 +92,7 @@ TEST_CASE("a window is opened, turned, saved to, and closed", "[app][view]") {
   INFO(result.out + result.err);
   REQUIRE(result.exit_code == 0);
   CHECK(lichtraum.folder.read("exit_code") == "0\n");
+  CHECK(!lichtraum.folder.read("class").empty());  // StartupWMClass of lichtraum.desktop
 
   auto const shot = [&](char const* name) { return decode(lichtraum.folder.read(name)); };
   auto const drawn = [&](std::string const& scene) {

@@ -65,6 +65,12 @@ void Graphics::open(std::string const& title, Resolution const& size) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  // What desktops find lichtraum.desktop by, and with it the icon.
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "lichtraum");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "lichtraum");
+#ifdef GLFW_WAYLAND_APP_ID  // since GLFW 3.4
+  glfwWindowHintString(GLFW_WAYLAND_APP_ID, "lichtraum");
+#endif
   window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
   if (!window) no_display();
   glfwMakeContextCurrent(window);

@@ -107,11 +107,10 @@ class Sequence {
   }
 
   void say_what_was_decided(std::vector<PicturePlan> const& plans) {
-    std::map<std::filesystem::path, int> uses;
     for (PicturePlan const& plan : plans) {
       ImageFormat const& format = *plan.output.format;
       bool const is_own_file = !plan.output.is_standard_output() && !plan.output.is_film;
-      int const use = is_own_file ? ++uses[plan.output.path] : 1;
+      int const use = is_own_file ? ++uses_[plan.output.path] : 1;
       if (use == 2) {
         console_.warning(
             fmt::format("several pictures are called '{}': the last one is kept (-o picture-%04d.png numbers them)",
@@ -367,6 +366,7 @@ class Sequence {
 
   SceneOpened scene_;
   std::optional<Resolution> film_size_;
+  std::map<std::filesystem::path, int> uses_;             // pictures of that name
   std::set<std::pair<std::string, std::string>> warned_;  // option and extension
   bool has_explained_ = false;
   int code_ = 0;

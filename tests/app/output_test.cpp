@@ -62,6 +62,13 @@ TEST_CASE("an animation draws its pictures in order", "[app][output]") {
   CHECK(same.exit_code == 0);
   CHECK_THAT(same.err, contains_text("several pictures are called 'ball.ppm'"));
   CHECK(lichtraum.folder.read("ball.ppm") == lichtraum.folder.read("late.ppm"));
+  // Of two scenes as well, but not of two that have pictures of their own.
+  lichtraum.folder.write("a.sdf", ball_scene);
+  lichtraum.folder.write("b.sdf", move + "render eye late.ppm 32 24\n");
+  CHECK_THAT(lichtraum.render("a.sdf b.sdf").err, contains_text("several pictures are called 'ball.ppm'"));
+  lichtraum.folder.write("b.sdf",
+                         std::string(ball_scene).replace(std::string(ball_scene).find("ball.ppm"), 8, "b.ppm"));
+  CHECK(lichtraum.render("a.sdf b.sdf").err.find("several pictures") == std::string::npos);
   REQUIRE(lichtraum.render("- -o 100%%-%d.png", ball_scene).exit_code == 0);
   CHECK(std::filesystem::exists(lichtraum.folder / "100%-1.png"));
 }

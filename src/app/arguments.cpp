@@ -49,7 +49,8 @@ std::vector<std::string> option_names(CLI::App const& parser) {
 }
 
 void refuse_unknown_options(CLI::App const& parser) {
-  std::vector<std::string> const unknown = parser.remaining();
+  std::vector<std::string> unknown = parser.remaining();
+  std::erase(unknown, "--");  // CLI11 takes what follows for files, and leaves the mark itself
   if (unknown.empty()) return;
   std::string const option = unknown.front().substr(0, unknown.front().find('='));
   if (option.empty() || option.front() != '-') fail(parser, fmt::format("unexpected argument '{}'", option));

@@ -45,6 +45,16 @@ TEST_CASE("a file without render draws its first camera to <scene>.png", "[app][
   CHECK(decode(lichtraum.folder.read("my.scene.png")).width == 4);
 }
 
+TEST_CASE("what follows -- are files, whatever they begin with", "[app][output]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("-q.sdf", ball_scene);
+  CHECK(lichtraum.render("-- -q.sdf").exit_code == 0);
+  CHECK(decode(lichtraum.folder.read("ball.ppm")).width == 32);
+  CHECK(lichtraum("check -- -q.sdf").exit_code == 0);
+  CHECK(lichtraum("check --").exit_code == 64);
+  CHECK_THAT(lichtraum("check -- -q.sdf --strict").err, contains_text("--strict"));  // which is no file
+}
+
 TEST_CASE("an animation draws its pictures in order", "[app][output]") {
   Lichtraum const lichtraum;
   std::string const move = std::string(ball_scene) + "transform ball translate 9 0 0\n";

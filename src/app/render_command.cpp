@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -139,6 +140,12 @@ void combine(RenderOptions& options, std::vector<std::string> const& inputs, Out
     throw Error(ErrorKind::usage,
                 "--output names one file, and there are several scenes: write a number into the name, "
                 "such as -o picture-%04d.png, or make a film, -o film.mp4");
+  }
+  if (options.output.file == "-" && ::isatty(STDOUT_FILENO) == 1) {
+    throw Error(
+        ErrorKind::usage,
+        "--output -: standard output is a terminal, which shows no picture files: lichtraum preview shows scenes "
+        "there, > picture.png writes a file");
   }
   if (options.frames) {
     if (options.job.reading.model.time_seconds) throw Error(ErrorKind::usage, "--time and --frames cannot be combined");

@@ -1,6 +1,8 @@
 #include "lichtraum.hpp"
 #include "pictures.hpp"
 #include "support/catch.hpp"
+#include "support/pseudo_terminal.hpp"
+#include "support/skip.hpp"
 
 TEST_CASE("a scene names its pictures below the output folder", "[app][output]") {
   Lichtraum const lichtraum;
@@ -53,6 +55,16 @@ TEST_CASE("what follows -- are files, whatever they begin with", "[app][output]"
   CHECK(lichtraum("check -- -q.sdf").exit_code == 0);
   CHECK(lichtraum("check --").exit_code == 64);
   CHECK_THAT(lichtraum("check -- -q.sdf --strict").err, contains_text("--strict"));  // which is no file
+}
+
+TEST_CASE("a terminal is spared the bytes of a picture", "[app][output]") {
+  if (!has_pseudo_terminals()) SKIP_TEST("there are no pseudo-terminals here");
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene);
+  auto const result = run_in_terminal({}, lichtraum.process("render --device reference a.sdf -o -"));
+  CHECK(result.exit_code == 64);
+  CHECK_THAT(result.out, contains_text("lichtraum preview"));
+  CHECK(result.out.find("PNG\r\n") == std::string::npos);
 }
 
 TEST_CASE("an animation draws its pictures in order", "[app][output]") {

@@ -401,6 +401,8 @@ TEST_CASE("render in every form", "[unit][esdf]") {
                         {"define filename f.png\nrender eye depth=1", "eye", "f.png", {}, {}, 1},
                         {"render eye image . ppm 640 480", "eye", "image.ppm", size, {}, {}},
                         {"render eye image .ppm", "eye", "image.ppm", {}, {}, {}},
+                        {"render eye \"my picture 2.png\" 640 480", "eye", "my picture 2.png", size, {}, {}},
+                        {"render eye \"a.png\"", "eye", "a.png", {}, {}, {}},
                         {"render someone a.png 640 480", "eye", "a.png", size, {}, {}},
                         {"render a.png 640 480", "eye", "a.png", size, {}, {}},
                         {"render a.png", "eye", "a.png", {}, {}, {}},

@@ -10,8 +10,8 @@
 #include "lichtraum/words.hpp"
 
 // render <camera> <file> [<x-res> <y-res>] [integrator=<name>] [samples=<n>] [depth=<n>]
-// Dialects: samples and depth after the resolution, a file name in pieces, a camera that is missing or not defined, a
-// file that `define filename` gave.
+// Dialects: samples and depth after the resolution, a file name in pieces or in quotes, a camera that is missing or not
+// defined, a file that `define filename` gave.
 
 namespace lichtraum::esdf {
 namespace {
@@ -25,7 +25,22 @@ struct Parts {
   std::span<Token const> numbers;
 };
 
+/// Where a file name in quotes ends that begins with arguments[first]; `first` where there is none.
+std::size_t end_of_quotes(std::span<Token const> arguments, std::size_t first) {
+  if (first >= arguments.size() || arguments[first].front() != '"') return first;
+  for (std::size_t last = first; last < arguments.size(); ++last) {
+    bool const is_mark_alone = last == first && arguments[first].size() == 1;
+    if (arguments[last].back() == '"' && !is_mark_alone) return last + 1;
+  }
+  return first;
+}
+
 Parts split(Interpreter const& interpreter, std::span<Token const> arguments) {
+  for (std::size_t const first : {0, 1}) {
+    std::size_t const end = end_of_quotes(arguments, first);
+    if (end == first) continue;
+    return {first == 1 ? arguments[0] : Token(), arguments.subspan(first, end - first), arguments.subspan(end)};
+  }
   auto const camera_exists = [&](Token name) {
     return interpreter.scene.cameras.contains(name) || interpreter.is_faulty(Kind::camera, name);
   };
@@ -81,11 +96,15 @@ std::optional<std::string> join_file(Interpreter& interpreter, Statement const& 
                       "render: the file name is missing", std::string(usage));
     return std::nullopt;
   }
+  Token const at = span_of(parts.file.front(), parts.file.back());
+  if (at.size() > 2 && at.front() == '"' && at.back() == '"') {
+    if (!interpreter.dialect(at, "a file name in quotes")) return std::nullopt;
+    return std::string(at.substr(1, at.size() - 2));
+  }
   std::string joined;
   for (Token const piece : parts.file) joined += piece;
   if (parts.file.size() == 1) return joined;
 
-  Token const at = span_of(parts.file.front(), parts.file.back());
   auto const number = std::find_if(parts.file.begin(), parts.file.end(), looks_like_number);
   if (number != parts.file.end() || joined.find('.') == std::string::npos) {
     Token const odd =

@@ -53,6 +53,11 @@ OutputNames::OutputNames(OutputOptions options) : options_(std::move(options)) {
     }
   }
   if (options_.file.empty() || options_.file == "-") return;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(options_.file, ignored)) {
+    throw Error(ErrorKind::usage,
+                fmt::format("--output {0}: that is a folder; --output-dir {0} writes there", options_.file));
+  }
   if (find_film_format(options_.file)) {
     is_film_ = true;
     if (!number_format_.empty()) {

@@ -141,6 +141,9 @@ class Sequence {
                     "--clamp");
       has_no_effect(options_.job.max_depth.has_value(), is_lit, "--depth");
       has_no_effect(options_.job.ground != Ground::none, is_lit, "--ground");
+      ModelChoice const& model = options_.job.reading.model;
+      bool const is_posed = model.time_seconds || !model.animation.empty();
+      has_no_effect(is_posed, scene_.is_model, "--time or --animation", ": a scene's models stand as in their files");
       has_no_effect(options_.resume, format.read_fingerprint != nullptr, "--resume");
     }
   }

@@ -326,3 +326,14 @@ TEST_CASE("colours and a progress bar are for terminals only", "[app][render]") 
   CHECK_THAT(interrupted("-q", true), !contains_text("Mrays/s"));
   CHECK_THAT(interrupted("", false), !contains_text(" left"));
 }
+
+TEST_CASE("what only models have is said to have no effect on scenes", "[app][render]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene);
+  for (char const* const words : {"--time 3", "--animation walk"}) {
+    auto const result = lichtraum.render(std::string("a.sdf ") + words);
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.err, contains_text("--time or --animation has no effect on 'ball.ppm'"));
+  }
+  CHECK(lichtraum.render("a.sdf").err.find("no effect") == std::string::npos);
+}

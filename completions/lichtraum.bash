@@ -90,7 +90,7 @@ _lichtraum() {
       compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(
         compgen -d -- "$current"
-        compgen -f -- "$current" | grep -E '\.(e?sdf|txt|gltf|glb|obj|ply)$'
+        compgen -f -- "$current" | grep -E '\.(e?sdf|txt|gltf|glb|obj|ply|stl)$'
       )
       ;;
     denoise)

@@ -29,7 +29,7 @@ complete -c lichtraum -s h -l help -d 'Show help'
 complete -c lichtraum -n $any -s q -l quiet -d 'Print errors only'
 complete -c lichtraum -n $any -s v -l verbose -d 'Print more'
 
-complete -c lichtraum -n $scenes -k -a '(__fish_complete_suffix .glb .obj .ply .sdf)'
+complete -c lichtraum -n $scenes -k -a '(__fish_complete_suffix .glb .obj .ply .stl .sdf)'
 complete -c lichtraum -n $scenes -l strict -d 'Accept the standard only'
 complete -c lichtraum -n $scenes -l keep-going -d 'Leave faulty statements out'
 complete -c lichtraum -n $scenes -l scene -x -d 'Scene of a glTF file'

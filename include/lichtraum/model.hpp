@@ -62,7 +62,7 @@ struct Model {
   ModelContents contents;
 };
 
-/// Whether `path` ends like a model that can be imported: .gltf, .glb, .obj or .ply, in any case.
+/// Whether `path` ends like a model that can be imported: .gltf, .glb, .obj, .ply or .stl, in any case.
 bool is_model_file(std::filesystem::path const& path);
 
 /// Reads a model of the format that its name tells, with all it refers to in its folder or below. Only what cannot be

@@ -13,7 +13,7 @@ namespace {
 
 constexpr char const* description =
     "Reports what is wrong in scenes and draws nothing. SCENE is an eSDF file, a\n"
-    "model (glTF, OBJ, PLY), or - for standard input.";
+    "model (glTF, OBJ, PLY, STL), or - for standard input.";
 
 constexpr char const* examples =
     "  lichtraum check hello.sdf\n"

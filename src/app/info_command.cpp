@@ -12,7 +12,7 @@ namespace {
 
 constexpr char const* description =
     "Describes a scene as it is at the end of the file. FILE is an eSDF file,\n"
-    "a model (glTF, OBJ, PLY), or - for standard input.";
+    "a model (glTF, OBJ, PLY, STL), or - for standard input.";
 
 constexpr char const* examples =
     "  lichtraum info hello.sdf\n"

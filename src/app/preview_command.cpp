@@ -16,7 +16,7 @@ namespace {
 constexpr char const* description =
     "Shows a scene in the terminal: in the terminal's own graphics (kitty's or\n"
     "sixel) where it has them, else as characters in two colours. SCENE is an eSDF\n"
-    "file, a glTF model, or - for standard input.";
+    "file, a model, or - for standard input.";
 
 constexpr char const* examples =
     "  lichtraum preview hello.sdf\n"

@@ -19,9 +19,9 @@ namespace {
 
 constexpr char const* description =
     "Draws scenes to pictures. SCENE is an eSDF file, a model (.gltf, .glb, .obj,\n"
-    ".ply), - for standard input, or a pattern in quotes, such as 'frames/*.sdf'. A\n"
-    "scene names its pictures itself; one that does not, and a model, is drawn to\n"
-    "<scene>.png.";
+    ".ply, .stl), - for standard input, or a pattern in quotes, such as\n"
+    "'frames/*.sdf'. A scene names its pictures itself; one that does not, and a\n"
+    "model, is drawn to <scene>.png.";
 
 constexpr char const* examples =
     "  lichtraum render hello.sdf\n"

@@ -14,7 +14,7 @@ namespace {
 
 constexpr char const* description =
     "Opens a window on a scene: turn it with the mouse, press ? for the keys. SCENE\n"
-    "is an eSDF file or a glTF model.";
+    "is an eSDF file or a model (glTF, OBJ, PLY, STL).";
 
 constexpr char const* examples =
     "  lichtraum view hello.sdf\n"

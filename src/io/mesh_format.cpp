@@ -8,6 +8,7 @@
 #include "lichtraum/gltf.hpp"
 #include "lichtraum/obj.hpp"
 #include "lichtraum/ply.hpp"
+#include "lichtraum/stl.hpp"
 
 namespace lichtraum {
 
@@ -16,6 +17,7 @@ std::span<MeshFormat const> mesh_formats() {
       {"glTF", {".gltf", ".glb"}, import_gltf},
       {"Wavefront OBJ", {".obj"}, import_obj},
       {"PLY", {".ply"}, import_ply},
+      {"STL", {".stl"}, import_stl},
   };
   return table;
 }

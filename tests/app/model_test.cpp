@@ -219,6 +219,37 @@ TEST_CASE("OBJ and PLY models are drawn, checked, described, and shapes of scene
   CHECK(lichtraum("check empty.ply").exit_code == 65);
 }
 
+TEST_CASE("an STL model is drawn like the same triangles in a PLY file", "[app][stl]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write(
+      "a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 3\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0 1 0 0 0 1 0 0 0 1 3 0 1 3 3 1 2 3 3 2 0 3\n");
+  auto const facet = [](std::string const& a, std::string const& b) {
+    return "facet normal 0 0 0 outer loop vertex " + a + " vertex " + b + " vertex 0 0 1 endloop endfacet\n";
+  };
+  std::string const solid =
+      "solid tent\n" + facet("0 0 0", "1 0 0") + facet("1 0 0", "0 1 0") + facet("0 1 0", "0 0 0");
+  lichtraum.folder.write("b.stl", solid + "endsolid tent\n");
+  for (std::string const name : {"a.ply", "b.stl"}) {
+    auto const result = lichtraum.render(name + " --size 32x24 -o " + name + ".ppm");
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+  }
+  CHECK(lichtraum.folder.read("a.ply.ppm") == lichtraum.folder.read("b.stl.ppm"));
+  CHECK(lichtraum("check b.stl").out == "b.stl: good\n");
+  CHECK_THAT(lichtraum("info b.stl").out, contains_text("  mesh triangles           3               3\n"));
+  CHECK(lichtraum.render("b.stl --root tent -o c.ppm").exit_code == 0);
+  lichtraum.folder.write("cut.stl", solid + "facet normal 0 0 1\nouter loop\n");
+  auto const cut = lichtraum("check cut.stl");
+  CHECK(cut.exit_code == 0);
+  CHECK_THAT(cut.err, contains_text("cut.stl:6:11: warning: the file ends where 'vertex' is missing"));
+  lichtraum.folder.write("none.stl", "solid\nendsolid\n");
+  CHECK(lichtraum.render("none.stl").exit_code == 65);
+  CHECK(!std::filesystem::exists(lichtraum.folder / "none.png"));
+}
+
 TEST_CASE("programs compiled with lichtraum draw the same bytes as their source", "[app][gltf]") {
   if (lichtraum::find_devices().devices.size() == 1) SKIP_TEST("there is no OpenCL device");
   Lichtraum const lichtraum;

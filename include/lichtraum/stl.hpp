@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string_view>
+
+#include "lichtraum/model.hpp"
+
+namespace lichtraum {
+
+/// Reads an STL model, ASCII or binary: a Mesh for each solid, in the file's units. Throws what import_model throws.
+Model import_stl(std::filesystem::path const& path, ModelOptions const& options = {});
+
+/// The same from the file's bytes. `name` stands for the file in messages.
+Model import_stl_bytes(std::string_view bytes, std::string const& name, ModelOptions const& options = {});
+
+}  // namespace lichtraum

@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "io/stl/facets.hpp"
+#include "io/triangles.hpp"
+
+namespace lichtraum::stl {
+namespace {
+
+// A header that nobody reads, the number of facets; for each a normal, three corners and two bytes of attributes.
+constexpr std::size_t count_at = 80;
+constexpr std::size_t data_at = 84;
+constexpr std::size_t facet_bytes = 50;
+constexpr std::size_t corners_at = 12;
+
+std::uint32_t uint32_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<std::uint8_t>(bytes[at + i]);
+  return value;
+}
+
+Float3 corner_at(std::string_view bytes, std::size_t at) {
+  Float3 corner;
+  for (std::size_t i = 0; i < 3; ++i) corner[i] = std::bit_cast<float>(uint32_at(bytes, at + 4 * i));
+  return corner;
+}
+
+bool is_finite(Float3 const& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
+
+}  // namespace
+
+bool is_binary(std::string_view bytes) {
+  constexpr std::size_t examined_bytes = 4096;
+  bool const is_whole =
+      bytes.size() >= data_at && bytes.size() - data_at == std::uint64_t(uint32_at(bytes, count_at)) * facet_bytes;
+  return is_whole || bytes.substr(0, examined_bytes).find('\0') != std::string_view::npos;
+}
+
+std::vector<Solid> read_binary(std::string_view bytes, Diagnostics& diagnostics) {
+  auto const warn = [&](std::size_t at, std::string const& what) {
+    diagnostics.add(Severity::warning, {}, fmt::format("byte {}: {}", at, what));
+  };
+  if (bytes.size() < data_at) {
+    diagnostics.add(Severity::error, {},
+                    fmt::format("byte {}: the file ends in the header, which has {} bytes", bytes.size(), data_at));
+    return {};
+  }
+  std::size_t const declared = uint32_at(bytes, count_at);
+  std::size_t const count = std::min(declared, (bytes.size() - data_at) / facet_bytes);
+  std::size_t const end = data_at + count * facet_bytes;
+  if (count < declared) {
+    warn(bytes.size(), fmt::format("the data ends in facet {} of {}", count, declared));
+  } else if (end < bytes.size()) {
+    warn(end, fmt::format("{} bytes follow the last facet that the file declares ({}): left out", bytes.size() - end,
+                          declared));
+  }
+
+  Solid solid;
+  solid.corners.reserve(3 * count);
+  std::size_t non_finite = 0;
+  std::size_t first_at = 0;
+  for (std::size_t at = data_at; at < end; at += facet_bytes) {
+    Float3 corners[3];
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = corner_at(bytes, at + corners_at + i * sizeof(Float3));
+    if (std::all_of(std::begin(corners), std::end(corners), is_finite)) {
+      solid.corners.insert(solid.corners.end(), std::begin(corners), std::end(corners));
+    } else if (++non_finite == 1) {
+      first_at = at;
+    }
+  }
+  if (non_finite > 0) warn(first_at, left_out_message(non_finite, "a corner that is not finite"));
+  return {std::move(solid)};
+}
+
+}  // namespace lichtraum::stl

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/text/diagnostics.hpp"
+#include "lichtraum/mesh_geometry.hpp"
+
+namespace lichtraum::stl {
+
+/// The corners of its facets, three each, as they stand in the file; all are finite.
+struct Solid {
+  std::string name;  ///< may be empty
+  std::vector<Float3> corners;
+};
+
+/// Whether the bytes are a binary STL file. Those may begin with "solid" like ASCII ones.
+bool is_binary(std::string_view bytes);
+
+/// Reads a binary file, as one solid. What is wrong is reported with its byte; what is whole is kept.
+std::vector<Solid> read_binary(std::string_view bytes, Diagnostics& diagnostics);
+
+/// Reads an ASCII file. What is wrong is reported with its line; what is whole is kept.
+std::vector<Solid> read_ascii(std::string_view text, Diagnostics& diagnostics);
+
+/// A mesh that has one vertex for all corners at the same place. It shades flat, like any without normals.
+std::shared_ptr<MeshGeometry const> merged(std::vector<Float3> corners);
+
+}  // namespace lichtraum::stl

@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <new>
+
+#include "core/read_file.hpp"
+#include "io/model_scene.hpp"
+#include "io/stl/facets.hpp"
+#include "lichtraum/stl.hpp"
+
+namespace lichtraum {
+namespace stl {
+namespace {
+
+constexpr std::size_t max_findings = 100;
+
+Model import(std::string_view bytes, std::string const& name, ModelOptions const& options) {
+  Diagnostics diagnostics(name, max_findings);
+  std::vector<Solid> solids = is_binary(bytes) ? read_binary(bytes, diagnostics) : read_ascii(bytes, diagnostics);
+  Model model;
+  std::shared_ptr<Material const> material = options.material;
+  if (!material) {
+    auto const own = default_material(false);
+    model.scene.materials.insert(own);
+    material = own;
+  }
+  std::vector<ModelPart> parts;
+  for (Solid& solid : solids) {
+    if (solid.corners.empty()) continue;
+    std::string part = solid.name.empty() ? "mesh" : std::move(solid.name);
+    parts.push_back({std::move(part), merged(std::move(solid.corners)), material});
+  }
+  bool const has_failed = parts.empty();
+  if (has_failed && diagnostics.errors() == 0) {
+    diagnostics.begin_line({});
+    diagnostics.add(Severity::error, {}, "the model has nothing to draw: it has no triangles");
+  }
+  model.diagnostics = std::move(diagnostics).finish(0);
+  check_static(options, name, model.diagnostics);
+  if (has_failed) throw SceneError(std::move(model.diagnostics));
+  add_parts(std::move(parts), std::filesystem::path(name).stem().string(), model.scene);
+  return model;
+}
+
+}  // namespace
+}  // namespace stl
+
+Model import_stl_bytes(std::string_view bytes, std::string const& name, ModelOptions const& options) {
+  try {
+    return stl::import(bytes, name, options);
+  } catch (std::bad_alloc const&) {
+    throw Error(ErrorKind::scene, fmt::format("{}: the model needs more memory than there is", name));
+  }
+}
+
+Model import_stl(std::filesystem::path const& path, ModelOptions const& options) {
+  if (options.on_read) options.on_read(path);
+  return import_stl_bytes(read_file(path), path.string(), options);
+}
+
+}  // namespace lichtraum

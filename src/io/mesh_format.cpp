@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/ascii.hpp"
+#include "io/unread_model.hpp"
 #include "lichtraum/gltf.hpp"
 #include "lichtraum/obj.hpp"
 #include "lichtraum/ply.hpp"
@@ -34,7 +35,11 @@ bool is_model_file(std::filesystem::path const& path) { return find_mesh_format(
 
 Model import_model(std::filesystem::path const& path, ModelOptions const& options) {
   MeshFormat const* const format = find_mesh_format(mesh_formats(), path);
-  if (!format) throw Error(ErrorKind::usage, fmt::format("'{}' is not a model in a known format", path.string()));
+  if (!format) {
+    auto const unread = recognise_unread_model(path);
+    throw Error(ErrorKind::usage, unread ? fmt::format("'{}' is {}: {}", path.string(), unread->what, unread->hint)
+                                         : fmt::format("'{}' is not a model in a known format", path.string()));
+  }
   return format->import(path, options);
 }
 

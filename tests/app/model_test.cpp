@@ -250,6 +250,20 @@ TEST_CASE("an STL model is drawn like the same triangles in a PLY file", "[app][
   CHECK(!std::filesystem::exists(lichtraum.folder / "none.png"));
 }
 
+TEST_CASE("models in formats that are not read are refused with what converts them", "[app]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("robot.fbx", "; FBX 7.3.0 project file\n; facet\nObjects: {\n}\n");
+  for (std::string const command : {"render", "check", "info"}) {
+    auto const result = lichtraum(command + " robot.fbx");
+    CHECK(result.exit_code == 65);
+    CHECK(result.err ==
+          "robot.fbx:1: error: this is an FBX model, which lichtraum does not read\n"
+          "  hint: make a .glb of it: assimp export in.fbx out.glb -fglb2\n");
+  }
+  CHECK(!std::filesystem::exists(lichtraum.folder / "robot.png"));
+  CHECK(lichtraum("check missing.fbx").exit_code == 66);
+}
+
 TEST_CASE("programs compiled with lichtraum draw the same bytes as their source", "[app][gltf]") {
   if (lichtraum::find_devices().devices.size() == 1) SKIP_TEST("there is no OpenCL device");
   Lichtraum const lichtraum;

@@ -121,6 +121,45 @@ TEST_CASE("foreign files are recognised", "[unit][esdf]") {
   }
 }
 
+TEST_CASE("models in formats that are not read are recognised, by their bytes or names", "[unit][esdf]") {
+  struct Unread {
+    std::string name;
+    std::string text;
+    std::string what;
+    std::string converter;
+  };
+  for (Unread const& unread :
+       {Unread{"a.fbx", "v 0 0 0\n", "an FBX model", "assimp export"},
+        {"a.sdf", std::string("Kaydara FBX Binary  \0\x1A", 22), "an FBX model", "assimp export"},
+        {"a.txt", "; FBX 7.3.0 project file\n", "an FBX model", "assimp export"},
+        {"a.USDZ", "PK\x03\x04", "a USD scene", "usd2gltf"},
+        {"a.usd", "", "a USD scene", "usd2gltf"},
+        {"a.usdc", std::string(1, '\0'), "a USD scene", "usd2gltf"},
+        {"<stdin>", "#usda 1.0\n(\n)\n", "a USD scene", "usd2gltf"},
+        {"a.sdf", "PXR-USDC", "a USD scene", "usd2gltf"},
+        {"a.3mf", "PK\x03\x04", "a 3MF model", "assimp export"},
+        {"a.dae", "<?xml version=\"1.0\"?>", "a COLLADA model", "assimp export"},
+        {"a.xml", "<?xml version=\"1.0\"?>\r\n<COLLADA xmlns=\"\">", "a COLLADA model", "assimp export"},
+        {"a.blend", "\x28\xB5\x2F\xFD", "a Blender file", "blender -b"},
+        {"a.sdf", "BLENDER-v300", "a Blender file", "blender -b"}}) {
+    INFO(unread.name << ": " << unread.text);
+    try {
+      EsdfScript::from_text(unread.text, unread.name);
+      FAIL("it was read");
+    } catch (SceneError const& error) {
+      REQUIRE(error.diagnostics().size() == 1);
+      CHECK(error.diagnostics()[0].message == "this is " + unread.what + ", which lichtraum does not read");
+      CHECK_THAT(error.diagnostics()[0].hint, contains_text("make a .glb of it: " + unread.converter));
+    }
+  }
+  CHECK(shown("#usd 1.0\n# BLENDER\n").empty());
+  CHECK_THROWS_WITH(import_model("a.DAE"),
+                    "'a.DAE' is a COLLADA model, which lichtraum does not read: make a .glb of it: "
+                    "assimp export in.dae out.glb -fglb2");
+  CHECK_THAT(shown("<?xml version=\"1.0\"?>\n<svg>"), contains_text("an XML document"));
+  CHECK_THAT(shown("<?xml version=\"1.0\""), contains_text("an XML document"));
+}
+
 TEST_CASE("control characters and bytes that are not UTF-8", "[unit][esdf]") {
   CHECK_THAT(shown("define camera e\x1Bye 45\n"), contains_text("s.sdf:1:16: error: control character U+001B\n"));
   std::string const late_nul = std::string(5000, '#') + "\ncamera a" + std::string(1, '\0') + " 45\n";

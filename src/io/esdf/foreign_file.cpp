@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "io/unread_model.hpp"
+
 namespace lichtraum::esdf {
 namespace {
 
@@ -37,7 +39,8 @@ constexpr std::size_t examined_bytes = 4096;
 
 }  // namespace
 
-std::optional<ForeignFile> recognise_foreign_file(std::string_view text) {
+std::optional<ForeignFile> recognise_foreign_file(std::filesystem::path const& path, std::string_view text) {
+  if (auto const model = recognise_unread_model(path, text)) return ForeignFile{"this is " + model->what, model->hint};
   std::string_view const head = text.substr(0, examined_bytes);
   std::size_t const first = head.find_first_not_of(" \t\r\n");
   std::string_view const start = first == std::string_view::npos ? ""sv : head.substr(first);

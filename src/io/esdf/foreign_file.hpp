@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,6 @@ struct ForeignFile {
   std::string hint;
 };
 
-std::optional<ForeignFile> recognise_foreign_file(std::string_view text);
+std::optional<ForeignFile> recognise_foreign_file(std::filesystem::path const& path, std::string_view text);
 
 }  // namespace lichtraum::esdf

@@ -4,6 +4,7 @@
 
 #include "io/esdf/interpreter.hpp"
 #include "io/model_cache.hpp"
+#include "io/unread_model.hpp"
 #include "lichtraum/sandboxed_path.hpp"
 
 // define shape mesh <name> <file> [<material>]
@@ -32,6 +33,10 @@ std::shared_ptr<Shape> load_mesh(Interpreter& interpreter, Token name, Token fil
     return nullptr;
   }
   MeshFormat const* const format = find_mesh_format(interpreter.source.mesh_formats, path.path);
+  if (auto const unread = recognise_unread_model(path.path); !format && unread) {
+    interpreter.error(file, fmt::format("cannot read {}: it is {}", in_quotes(file), unread->what), unread->hint);
+    return nullptr;
+  }
   if (!format) {
     interpreter.error(file, fmt::format("cannot read {}: unknown model format", in_quotes(file)),
                       known_formats(interpreter.source.mesh_formats));

@@ -38,7 +38,7 @@ EsdfScript EsdfScript::from_text(std::string text, std::string name, EsdfOptions
   state->text = std::move(text);
   normalise_line_breaks(state->text);
   // Nothing of a foreign file is worth keeping, so options.keep_going changes nothing here.
-  if (auto const foreign = esdf::recognise_foreign_file(state->text)) {
+  if (auto const foreign = esdf::recognise_foreign_file(name, state->text)) {
     Diagnostic problem;
     problem.location = {std::move(name), 1, 0};
     problem.message = foreign->message;

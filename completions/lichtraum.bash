@@ -14,6 +14,7 @@ _lichtraum() {
 
   local values=
   case $previous in
+    --format-in) values='sdf gltf glb obj ply stl' ;;
     --format) values='png ppm jpg exr pfm' ;;
     --graphics) values='auto blocks kitty sixel' ;;
     --bits) values='8 16' ;;
@@ -64,7 +65,7 @@ _lichtraum() {
     local options=$general view='--eye --look-at --up --orbit --fov-x --fov-y --aperture --focus'
     case ${COMP_WORDS[1]} in
       render)
-        options+=" $language -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
+        options+=" $language --format-in -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
         options+=" --camera $view --root --planes --integrator --samples --depth --clamp --seed --ground --ground=glossy --background --exposure --tonemap"
         options+=' --transfer --noise --denoise --device --traversal --frames --fps --turntable --resume --show --environment'
         options+=' --environment-rotation --environment-brightness'
@@ -74,11 +75,11 @@ _lichtraum() {
         options+=' --exposure --tonemap --transfer --denoise --device --traversal --environment --environment-rotation'
         options+=' --environment-brightness'
         ;;
-      preview) options+=" $language --size --graphics --camera $view --root --samples --device" ;;
+      preview) options+=" $language --format-in --size --graphics --camera $view --root --samples --device" ;;
       thumbnail) options+=' --size --device' ;;
       denoise) options+=' -o --output --exposure --tonemap --transfer --denoise --prefilter --device' ;;
-      check) options+=" $language" ;;
-      info) options+=" $language --json" ;;
+      check) options+=" $language --format-in" ;;
+      info) options+=" $language --format-in --json" ;;
       devices) options+=' --json' ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")

@@ -4,6 +4,7 @@ set -l commands render view preview thumbnail denoise check info devices doctor
 set -l first "not __fish_seen_subcommand_from $commands"
 set -l any "__fish_seen_subcommand_from $commands"
 set -l scenes '__fish_seen_subcommand_from render view preview check info'
+set -l piped '__fish_seen_subcommand_from render preview check info'
 set -l render '__fish_seen_subcommand_from render'
 set -l seen '__fish_seen_subcommand_from render view preview'
 set -l traced '__fish_seen_subcommand_from render view'
@@ -36,6 +37,7 @@ complete -c lichtraum -n $scenes -l scene -x -d 'Scene of a glTF file'
 complete -c lichtraum -n $scenes -l variant -x -d 'Variant of the materials'
 complete -c lichtraum -n $scenes -l time -x -d 'Show the animation at this time'
 complete -c lichtraum -n $scenes -l animation -x -d 'Animation to show'
+complete -c lichtraum -n $piped -l format-in -x -a 'sdf gltf glb obj ply stl' -d 'What standard input is'
 complete -c lichtraum -n $scenes -l max-texture -x -d 'Shrink textures with a longer side'
 complete -c lichtraum -n $scenes -l transform-order -x -a 'parent local' -d 'Frame that transforms apply in'
 complete -c lichtraum -n $scenes -l rotation -x -a 'right left' -d 'Handedness of rotations'

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "lichtraum/model.hpp"
 
@@ -13,6 +14,8 @@ class GltfAnimation {
  public:
   /// Reads what import_gltf reads, with the same exceptions. options.time_seconds plays no role.
   explicit GltfAnimation(std::filesystem::path const& path, ModelOptions const& options = {});
+  /// Reads what import_gltf_bytes reads.
+  GltfAnimation(std::string bytes, std::string const& name, ModelOptions const& options = {});
   ~GltfAnimation();
   GltfAnimation(GltfAnimation&&) noexcept;
   GltfAnimation& operator=(GltfAnimation&&) noexcept;
@@ -35,6 +38,9 @@ bool is_gltf_file(std::filesystem::path const& path);
 /// begins with the place in the file, a JSON pointer. Throws what import_model throws, a SceneError also for what is
 /// not glTF 2, and Error{usage} for an unknown scene or animation.
 Model import_gltf(std::filesystem::path const& path, ModelOptions const& options = {});
+
+/// The same from the file's bytes. `name` stands for the file in messages; other files that it names are left out.
+Model import_gltf_bytes(std::string bytes, std::string const& name, ModelOptions const& options = {});
 
 /// The scene alone.
 Scene load_gltf(std::filesystem::path const& path, ModelOptions const& options = {});

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lichtraum/error.hpp"
@@ -70,6 +71,16 @@ bool is_model_file(std::filesystem::path const& path);
 /// model by its name, Error{no_input}, Error{io}, or SceneError, with everything found, when nothing in it can be
 /// drawn.
 Model import_model(std::filesystem::path const& path, ModelOptions const& options = {});
+
+/// The same from the bytes of a file that lies in no folder. `name` tells the format, and stands for the file in
+/// messages. Other files that the model names are left out.
+Model import_model_bytes(std::string bytes, std::string const& name, ModelOptions const& options = {});
+
+/// The formats of models, each by how its files end, without the dot: "gltf", "glb", "obj" ...
+std::vector<std::string_view> model_formats();
+
+/// One of those that bytes tell: "glb", "ply" or "stl"; empty where they may be anything else.
+std::string_view model_format_of(std::string_view bytes);
 
 /// The scene alone.
 Scene load_model(std::filesystem::path const& path, ModelOptions const& options = {});

@@ -8,8 +8,9 @@ namespace lichtraum {
 /// import_model throws.
 Model import_obj(std::filesystem::path const& path, ModelOptions const& options = {});
 
-/// The same from text. `name` stands for the file in messages; MTL files and pictures are looked up in `folder`.
-Model import_obj_text(std::string text, std::string const& name, std::filesystem::path const& folder,
+/// The same from text. `name` stands for the file in messages; MTL files and pictures are looked up in `folder`, or
+/// left out where there is none.
+Model import_obj_text(std::string text, std::string const& name, std::optional<std::filesystem::path> const& folder,
                       ModelOptions const& options = {});
 
 }  // namespace lichtraum

@@ -160,4 +160,16 @@ void add_model_options(CLI::App& parser, ModelChoice& choice) {
             "Shrink textures with a longer side\n(default: 4096)", group);
 }
 
+void add_input_format_option(CLI::App& parser, std::string& format) {
+  add_value(parser, "--format-in", format, parse_input_format, "NAME",
+            "What standard input is: sdf, gltf, glb, obj, ply\nor stl (default: glb, ply and stl are recognised,\n"
+            "anything else is sdf)",
+            "Models");
+}
+
+void check_input_format(std::string const& format, std::vector<std::string> const& inputs) {
+  if (format.empty() || std::find(inputs.begin(), inputs.end(), "-") != inputs.end()) return;
+  throw Error(ErrorKind::usage, "--format-in is for standard input (-): the format of a file is told by its extension");
+}
+
 }  // namespace lichtraum::app

@@ -81,6 +81,11 @@ void add_language_options(CLI::App& parser, SceneReading& reading);
 /// How models are read: --scene, --variant, --time, --animation, --max-texture.
 void add_model_options(CLI::App& parser, ModelChoice& choice);
 
+/// What standard input is: --format-in.
+void add_input_format_option(CLI::App& parser, std::string& format);
+/// Throws Error{usage} where a format was given and none of the inputs is standard input.
+void check_input_format(std::string const& format, std::vector<std::string> const& inputs);
+
 /// The known word nearest to a misspelt one; empty when none is near.
 std::string nearest(std::string_view word, std::vector<std::string> const& known);
 

@@ -42,19 +42,22 @@ std::string summary(std::string const& name, std::vector<Diagnostic> const& diag
 
 int check_command(Arguments const& arguments, Console& console) {
   std::vector<std::string> scenes;
+  std::string input_format;
   SceneReading reading;
   auto const parser = make_parser("check", description, examples);
   add_inputs(*parser, scenes, "SCENE...");
   add_language_options(*parser, reading);
   add_model_options(*parser, reading.model);
+  add_input_format_option(*parser, input_format);
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return 0;
+  check_input_format(input_format, scenes);
 
   int code = 0;
   for (std::string const& scene : scenes) {
     std::string line;
     try {
-      LoadedScene const script = SceneSource(scene).load(reading);
+      LoadedScene const script = SceneSource(scene, input_format).load(reading);
       console.show(script.diagnostics());
       line = summary(scene, script.diagnostics());
     } catch (SceneError const& error) {

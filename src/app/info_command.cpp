@@ -24,16 +24,19 @@ constexpr char const* examples =
 int info_command(Arguments const& arguments, Console& console) {
   std::string file;
   bool json = false;
+  std::string input_format;
   SceneReading reading;
   auto const parser = make_parser("info", description, examples);
   add_inputs(*parser, file, "FILE");
   parser->add_flag("--json", json, "Print JSON")->group("Output");
   add_language_options(*parser, reading);
   add_model_options(*parser, reading.model);
+  add_input_format_option(*parser, input_format);
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return 0;
+  check_input_format(input_format, {file});
 
-  SceneSource const source(file);
+  SceneSource const source(file, input_format);
   LoadedScene const script = source.load(reading);
   console.show(script.diagnostics());
   SceneSummary summary = summarise(script.scene(), source.job({}));

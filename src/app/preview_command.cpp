@@ -55,9 +55,11 @@ bool parse_preview(Arguments const& arguments, PreviewOptions& options, Console&
   add_device_option(*parser, render, group);
   add_language_options(*parser, render.job.reading);
   add_model_options(*parser, render.job.reading.model);
+  add_input_format_option(*parser, render.input_format);
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return false;
   render.scenes = {scene};
+  check_input_format(render.input_format, render.scenes);
   return true;
 }
 

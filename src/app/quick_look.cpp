@@ -20,7 +20,7 @@ Sampling usual_sampling(RenderRequest const& view) {
 }  // namespace
 
 QuickLook::QuickLook(RenderOptions const& options, Console const& console) {
-  SceneSource const source(options.scenes.front());
+  SceneSource const source(options.scenes.front(), options.input_format);
   renderer_ = choose_renderer(options.device, std::nullopt, console);
   Job job = source.job(options.job);
   LoadOptions load;

@@ -35,6 +35,7 @@ constexpr char const* examples =
     "  lichtraum render old.sdf --rotation left --transform-order local\n"
     "  lichtraum render hello.sdf --samples 64 --show\n"
     "  lichtraum render - -o - --format ppm < hello.sdf > hello.ppm\n"
+    "  lichtraum render - --format-in glb -o model.png < model.glb\n"
     "  lichtraum render a.sdf b.sdf --output-dir pictures --json -q\n";
 
 void add_output_options(CLI::App& parser, RenderOptions& options) {
@@ -109,6 +110,7 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments&
   add_denoise_option(*parser, options.job.denoising);
   add_language_options(*parser, options.job.reading);
   add_model_options(*parser, options.job.reading.model);
+  add_input_format_option(*parser, options.input_format);
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return false;
   if (options.show) window_arguments = arguments_for_view(*parser);
@@ -119,6 +121,7 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments&
   if (std::count(options.scenes.begin(), options.scenes.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input (-) is named more than once");
   }
+  check_input_format(options.input_format, options.scenes);
   return true;
 }
 
@@ -150,9 +153,8 @@ void combine(RenderOptions& options, std::vector<std::string> const& inputs, Out
   if (options.frames) {
     if (options.job.reading.model.time_seconds) throw Error(ErrorKind::usage, "--time and --frames cannot be combined");
     if (options.turntable > 0) throw Error(ErrorKind::usage, "--turntable and --frames cannot be combined");
-    if (inputs.size() != 1 || !is_gltf_file(inputs.front())) {
-      throw Error(ErrorKind::usage, "--frames is for one animated glTF model");
-    }
+    bool const may_be_gltf = inputs.size() == 1 && (inputs.front() == "-" || is_gltf_file(inputs.front()));
+    if (!may_be_gltf) throw Error(ErrorKind::usage, frames_need_gltf);
     for (int frame = options.frames->first; frame <= options.frames->last; ++frame) {
       options.load.times_seconds.push_back(frame / options.frame_rate());
     }

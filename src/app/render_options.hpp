@@ -15,7 +15,8 @@ namespace lichtraum::app {
 /// What `lichtraum render` is asked for: what its pictures have in common, and what concerns the program alone.
 struct RenderOptions {
   std::vector<std::string> scenes;
-  Job job;  // without its scene
+  std::string input_format;  // of standard input; empty: as its bytes tell
+  Job job;                   // without its scene
   LoadOptions load;
 
   OutputOptions output;

@@ -107,7 +107,7 @@ std::optional<LoaderMessage> SceneLoader::next() { return channel_.receive(std::
 void SceneLoader::load(std::string const& input) {
   Stopwatch const stopwatch;
   SceneOpened opened;
-  opened.source = std::make_shared<SceneSource>(input);
+  opened.source = std::make_shared<SceneSource>(input, options_.input_format);
   LoadedScene script = opened.source->load(options_.job.reading, options_.load);
   opened.load_ms = stopwatch.milliseconds();
   opened.is_model = script.is_model();

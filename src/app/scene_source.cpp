@@ -80,18 +80,22 @@ std::function<void(Scene&)> chooser(EnvironmentChoice choice, bool stands_in_stu
 
 }  // namespace
 
-SceneSource::SceneSource(std::string argument) : name_(std::move(argument)) {
+SceneSource::SceneSource(std::string argument, std::string input_format) : name_(std::move(argument)) {
   if (name_ != "-") return;
   name_ = "<stdin>";
-  text_ = read_standard_input();
+  bytes_ = read_standard_input();
+  if (input_format.empty()) input_format = model_format_of(*bytes_);
+  if (!input_format.empty() && input_format != "sdf") name_ += "." + input_format;
 }
 
-std::string SceneSource::stem() const { return text_ ? "stdin" : std::filesystem::path(name_).stem().string(); }
+std::string SceneSource::stem() const { return bytes_ ? "stdin" : std::filesystem::path(name_).stem().string(); }
 
 LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& given) const {
   LoadOptions options = given;
   if (!options.environments) options.environments = std::make_shared<EnvironmentMaps>();
-  bool const is_model = !text_ && is_model_file(name_);
+  bool const is_model = is_model_file(name_);
+  bool const is_gltf = is_gltf_file(name_);
+  if (!options.times_seconds.empty() && !is_gltf) throw Error(ErrorKind::usage, frames_need_gltf);
   bool const is_by_paths = options.integrator.value_or(usual_integrator(is_model, options.device)) == Integrator::path;
   auto const adjust = chooser(reading.environment, is_model && is_by_paths, options);
   if (!is_model) {
@@ -99,7 +103,7 @@ LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& gi
     EsdfOptions const esdf{reading.dialect, reading.allowed_paths, EsdfOptions().max_diagnostics,
                            options.on_read, options.models,        find_map,
                            adjust};
-    return LoadedScene(text_ ? EsdfScript::from_text(*text_, name_, esdf) : EsdfScript::from_file(name_, esdf));
+    return LoadedScene(bytes_ ? EsdfScript::from_text(*bytes_, name_, esdf) : EsdfScript::from_file(name_, esdf));
   }
   auto const adjusted = [&](Model model) {
     if (adjust) adjust(model.scene);
@@ -107,9 +111,11 @@ LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& gi
   };
   ModelOptions model{reading.model, reading.allowed_paths, nullptr, options.on_read};
   bool const is_sequence = !options.times_seconds.empty() || options.whole_animation_rate;
-  if (is_sequence && !is_gltf_file(name_)) model.time_seconds = 0;  // for the warning that it has no effect
-  if (!is_sequence || !is_gltf_file(name_)) return adjusted(import_model(name_, model));
-  GltfAnimation animation(name_, model);
+  if (is_sequence && !is_gltf) model.time_seconds = 0;  // for the warning that it has no effect
+  if (!is_sequence || !is_gltf) {
+    return adjusted(bytes_ ? import_model_bytes(*bytes_, name_, model) : import_model(name_, model));
+  }
+  GltfAnimation animation = bytes_ ? GltfAnimation(*bytes_, name_, model) : GltfAnimation(name_, model);
   std::vector<double> times = options.times_seconds;
   if (times.empty()) times = whole_animation(animation.duration_seconds(), *options.whole_animation_rate, name_);
   if (times.empty()) return adjusted(animation.pose(std::nullopt));

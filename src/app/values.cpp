@@ -1,6 +1,7 @@
 #include "app/values.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -275,6 +276,15 @@ Transfer parse_transfer(std::string_view text) { return word(text, transfer_word
 TransformOrder parse_transform_order(std::string_view text) { return word(text, transform_order_words); }
 
 RotationSense parse_rotation(std::string_view text) { return word(text, rotation_words); }
+
+std::string parse_input_format(std::string_view text) {
+  auto formats = model_formats();
+  formats.insert(formats.begin(), "sdf");
+  if (std::find(formats.begin(), formats.end(), text) != formats.end()) return std::string(text);
+  std::string const last(formats.back());
+  formats.pop_back();
+  throw std::invalid_argument(fmt::format("expected {} or {}", fmt::join(formats, ", "), last));
+}
 
 std::vector<MaterialExtra> parse_material_extras(std::string_view text) {
   std::vector<MaterialExtra> extras;

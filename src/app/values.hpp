@@ -55,6 +55,7 @@ Denoising parse_denoising(std::string_view text);                         ///< a
 Transfer parse_transfer(std::string_view text);                           ///< linear, srgb
 TransformOrder parse_transform_order(std::string_view text);              ///< parent, local
 RotationSense parse_rotation(std::string_view text);                      ///< right, left
+std::string parse_input_format(std::string_view text);                    ///< sdf or one of model_formats()
 std::vector<MaterialExtra> parse_material_extras(std::string_view text);  ///< words with commas between
 
 }  // namespace lichtraum::app

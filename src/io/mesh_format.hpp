@@ -17,6 +17,10 @@ struct MeshFormat {
   std::vector<std::string_view> extensions;  ///< lower case with the dot: {".gltf", ".glb"}
   /// Throws Error (SceneError for a faulty model).
   Model (*import)(std::filesystem::path const& path, ModelOptions const& options);
+  /// The same from the bytes of a file that lies in no folder; `name` stands for it in messages.
+  Model (*import_bytes)(std::string bytes, std::string const& name, ModelOptions const& options);
+  /// Whether bytes are of this format, if they tell; null where they never do.
+  bool (*recognise)(std::string_view bytes);
 };
 
 /// Every model format that this build reads.

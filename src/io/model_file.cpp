@@ -9,10 +9,15 @@
 
 namespace lichtraum {
 
-std::optional<std::string> read_model_file(std::filesystem::path const& folder,
+std::optional<std::string> read_model_file(std::optional<std::filesystem::path> const& folder,
                                            std::span<std::filesystem::path const> allowed, FileObserver const& on_read,
                                            std::string const& name, std::string& reason) {
-  SandboxedPath const path = resolve_sandboxed(folder, name, allowed);
+  if (!folder) {
+    reason =
+        fmt::format("cannot use {}: the model comes from no file, so there is no folder to look in", in_quotes(name));
+    return std::nullopt;
+  }
+  SandboxedPath const path = resolve_sandboxed(*folder, name, allowed);
   if (!path) {
     reason = fmt::format("cannot use {}: {}", in_quotes(name), path.reason);
     return std::nullopt;

@@ -264,6 +264,73 @@ TEST_CASE("models in formats that are not read are refused with what converts th
   CHECK(lichtraum("check missing.fbx").exit_code == 66);
 }
 
+TEST_CASE("models come through standard input, as files do", "[app][stdin]") {
+  Lichtraum const lichtraum;
+  std::string const obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n";
+  std::string const ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1 0 0 0 1 0 3 0 1 2\n";
+  std::string const stl =
+      "solid a\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\nendsolid a\n";
+  struct Input {
+    std::string format;
+    std::string bytes;
+    bool is_recognised;
+  };
+  for (Input const& input : {Input{"glb", square().glb(), true},
+                             {"gltf", square().text(), false},
+                             {"obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", false},
+                             {"ply", ply, true},
+                             {"stl", stl, true},
+                             {"sdf", std::string(ball_scene), true}}) {
+    INFO(input.format);
+    std::string const file = "model." + input.format;
+    lichtraum.folder.write(file, input.bytes);
+    std::string const words = "render -q --size 16x12 -o ";
+    auto const by_file = lichtraum(words + "file.ppm " + file);
+    INFO(by_file.err);
+    REQUIRE(by_file.exit_code == 0);
+    REQUIRE(lichtraum(words + "piped.ppm - --format-in " + input.format, input.bytes).exit_code == 0);
+    CHECK(lichtraum.folder.read("piped.ppm") == lichtraum.folder.read("file.ppm"));
+    CHECK(lichtraum("check - --format-in " + input.format, input.bytes).out == "-: good\n");
+    CHECK(lichtraum("check -", input.bytes).exit_code == (input.is_recognised ? 0 : 65));
+    std::string const of_file = lichtraum("info " + file).out;
+    std::string const of_pipe = lichtraum("info - --format-in " + input.format, input.bytes).out;
+    CHECK(of_pipe.substr(of_pipe.find('\n')) == of_file.substr(of_file.find('\n')));
+    CHECK(lichtraum("preview - --size 9x5 --graphics blocks --format-in " + input.format, input.bytes).out ==
+          lichtraum("preview --size 9x5 --graphics blocks " + file).out);
+  }
+  std::string binary_stl(84 + 50, '\0');
+  binary_stl[80] = 1;
+  CHECK(lichtraum("check -", binary_stl).err.find("eSDF") == std::string::npos);
+  CHECK(lichtraum("check - --format-in obj", ply).exit_code == 65);
+
+  // There is no folder for the files that a model names, whatever lies in the current one.
+  lichtraum.folder.write("a.mtl", "newmtl m\n");
+  auto const alone = lichtraum("check - --format-in obj", obj);
+  CHECK(alone.exit_code == 0);
+  CHECK_THAT(alone.err, contains_text("<stdin>.obj:1:8: warning: cannot use 'a.mtl': the model comes from no file"));
+  auto model = nlohmann::json::parse(square().text());
+  model["buffers"][0]["uri"] = "buffer.bin";
+  lichtraum.folder.write("buffer.bin", std::string(std::size_t(model["buffers"][0]["byteLength"]), '\0'));
+  auto const external = lichtraum("render - --format-in gltf -o external.png", model.dump());
+  CHECK(external.exit_code == 65);
+  CHECK_THAT(external.err, contains_text("/buffers/0/uri: cannot use 'buffer.bin': the model comes from no file"));
+  CHECK(!std::filesystem::exists(lichtraum.folder / "external.png"));
+
+  auto const refused = [&](std::string const& words, std::string const& why) {
+    auto const result = lichtraum(words, ply);
+    CHECK(result.exit_code == 64);
+    CHECK_THAT(result.err, contains_text(why));
+  };
+  refused("render - --format-in fbx", "expected sdf, gltf, glb, obj, ply or stl, not 'fbx'");
+  refused("render model.ply --format-in ply", "--format-in is for standard input");
+  refused("check model.ply --format-in ply", "--format-in is for standard input");
+  refused("info model.ply --format-in ply", "--format-in is for standard input");
+  refused("preview model.ply --format-in ply", "--format-in is for standard input");
+  refused("render - --frames 0..1 -o %d.png", "--frames is for one animated glTF model");
+}
+
 TEST_CASE("programs compiled with lichtraum draw the same bytes as their source", "[app][gltf]") {
   if (lichtraum::find_devices().devices.size() == 1) SKIP_TEST("there is no OpenCL device");
   Lichtraum const lichtraum;

@@ -21,8 +21,7 @@ std::optional<std::string> read_external_file(Document const& document, std::str
     reason = fmt::format("cannot use {}: only files beside the model are read", in_quotes(uri));
     return std::nullopt;
   }
-  return read_model_file(document.path.parent_path(), document.allowed_paths, document.on_read, decode_percent(uri),
-                         reason);
+  return read_model_file(document.folder, document.allowed_paths, document.on_read, decode_percent(uri), reason);
 }
 
 Buffers::Buffers(Document const& document, Findings& findings)

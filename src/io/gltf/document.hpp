@@ -33,6 +33,7 @@ struct ImageSource {
 /// decodes nothing; nor do nodes, of which there may be many. Every index in `model` is -1 or within its list.
 struct Document {
   std::filesystem::path path;
+  std::optional<std::filesystem::path> folder;       ///< of files that the model names; it may name none without
   std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the model's that may be read
   FileObserver on_read;
   std::string bytes;        ///< of the file

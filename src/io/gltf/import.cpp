@@ -64,12 +64,14 @@ using namespace gltf;
 
 /// What is read once, however often the model is posed.
 struct GltfAnimation::State {
-  State(std::filesystem::path const& path, ModelOptions const& wanted) : options(wanted), findings(path) {
+  State(std::string bytes, std::filesystem::path const& path, std::optional<std::filesystem::path> folder,
+        ModelOptions const& wanted)
+      : options(wanted), findings(path) {
     document.path = path;
+    document.folder = std::move(folder);
     document.allowed_paths = options.allowed_paths;
     document.on_read = options.on_read;
-    if (options.on_read) options.on_read(path);
-    document.bytes = read_file(path);
+    document.bytes = std::move(bytes);
     parse_document(document, findings);
     check_extensions(document.model, findings);
     buffers.emplace(document, findings);
@@ -165,7 +167,13 @@ auto with_memory_checked(std::filesystem::path const& path, Function const& func
 }  // namespace
 
 GltfAnimation::GltfAnimation(std::filesystem::path const& path, ModelOptions const& options)
-    : state_(with_memory_checked(path, [&] { return std::make_unique<State>(path, options); })) {}
+    : state_(with_memory_checked(path, [&] {
+        if (options.on_read) options.on_read(path);
+        return std::make_unique<State>(read_file(path), path, path.parent_path(), options);
+      })) {}
+GltfAnimation::GltfAnimation(std::string bytes, std::string const& name, ModelOptions const& options)
+    : state_(with_memory_checked(
+          name, [&] { return std::make_unique<State>(std::move(bytes), name, std::nullopt, options); })) {}
 GltfAnimation::~GltfAnimation() = default;
 GltfAnimation::GltfAnimation(GltfAnimation&&) noexcept = default;
 GltfAnimation& GltfAnimation::operator=(GltfAnimation&&) noexcept = default;
@@ -183,6 +191,10 @@ bool is_gltf_file(std::filesystem::path const& path) {
 
 Model import_gltf(std::filesystem::path const& path, ModelOptions const& options) {
   return GltfAnimation(path, options).pose(options.time_seconds);
+}
+
+Model import_gltf_bytes(std::string bytes, std::string const& name, ModelOptions const& options) {
+  return GltfAnimation(std::move(bytes), name, options).pose(options.time_seconds);
 }
 
 Scene load_gltf(std::filesystem::path const& path, ModelOptions const& options) {

@@ -25,7 +25,7 @@ constexpr std::size_t max_library_bytes = std::size_t(1) << 26;
 
 class Importer {
  public:
-  Importer(std::string const& name, fs::path const& folder, ModelOptions const& options)
+  Importer(std::string const& name, std::optional<fs::path> const& folder, ModelOptions const& options)
       : name_(name), folder_(folder), options_(options), diagnostics_(name, max_findings) {}
 
   Model run(std::string text) {
@@ -90,7 +90,8 @@ class Importer {
     std::string whole(words);
     std::replace(whole.begin(), whole.end(), '\\', '/');
     std::error_code error;
-    if (whole.find_first_of(" \t") == std::string::npos || fs::exists(folder_ / whole, error)) return {whole};
+    bool const has_blanks = whole.find_first_of(" \t") != std::string::npos;
+    if (!has_blanks || (folder_ && fs::exists(*folder_ / whole, error))) return {whole};
     std::vector<std::string> names;
     std::string_view rest = whole;
     for (Token name = next_token(rest); !name.empty(); name = next_token(rest)) names.emplace_back(name);
@@ -185,7 +186,7 @@ class Importer {
   };
 
   std::string const& name_;
-  fs::path const& folder_;
+  std::optional<fs::path> const& folder_;
   ModelOptions const& options_;
   Diagnostics diagnostics_;
   std::vector<Library> libraries_;
@@ -199,7 +200,7 @@ class Importer {
 }  // namespace
 }  // namespace obj
 
-Model import_obj_text(std::string text, std::string const& name, std::filesystem::path const& folder,
+Model import_obj_text(std::string text, std::string const& name, std::optional<std::filesystem::path> const& folder,
                       ModelOptions const& options) {
   try {
     return obj::Importer(name, folder, options).run(std::move(text));

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t max_findings = 100;
 
 /// The picture of a "comment TextureFile", or null after a warning.
-std::shared_ptr<Texture const> read_texture(std::string const& file, fs::path const& folder,
+std::shared_ptr<Texture const> read_texture(std::string const& file, std::optional<fs::path> const& folder,
                                             ModelOptions const& options, Diagnostics& diagnostics) {
   std::string reason;
   auto const bytes = read_model_file(folder, options.allowed_paths, options.on_read, file, reason);
@@ -33,7 +33,8 @@ std::shared_ptr<Texture const> read_texture(std::string const& file, fs::path co
 }
 
 std::shared_ptr<Material> material_of(std::string const& texture_file, MeshGeometry const& geometry,
-                                      fs::path const& folder, ModelOptions const& options, Diagnostics& diagnostics) {
+                                      std::optional<fs::path> const& folder, ModelOptions const& options,
+                                      Diagnostics& diagnostics) {
   auto texture = texture_file.empty() || geometry.texcoords.empty()
                      ? nullptr
                      : read_texture(texture_file, folder, options, diagnostics);
@@ -43,7 +44,8 @@ std::shared_ptr<Material> material_of(std::string const& texture_file, MeshGeome
   return std::make_shared<Material>("default", std::move(model));
 }
 
-Model import(std::string_view bytes, std::string const& name, fs::path const& folder, ModelOptions const& options) {
+Model import(std::string_view bytes, std::string const& name, std::optional<fs::path> const& folder,
+             ModelOptions const& options) {
   Diagnostics diagnostics(name, max_findings);
   Header header;
   auto geometry = std::make_shared<MeshGeometry>();
@@ -80,8 +82,8 @@ Model import(std::string_view bytes, std::string const& name, fs::path const& fo
 }  // namespace
 }  // namespace ply
 
-Model import_ply_bytes(std::string_view bytes, std::string const& name, std::filesystem::path const& folder,
-                       ModelOptions const& options) {
+Model import_ply_bytes(std::string_view bytes, std::string const& name,
+                       std::optional<std::filesystem::path> const& folder, ModelOptions const& options) {
   try {
     return ply::import(bytes, name, folder, options);
   } catch (std::bad_alloc const&) {

@@ -33,11 +33,13 @@ bool is_finite(Float3 const& p) { return std::isfinite(p[0]) && std::isfinite(p[
 
 }  // namespace
 
+bool has_binary_size(std::string_view bytes) {
+  return bytes.size() > data_at && bytes.size() - data_at == std::uint64_t(uint32_at(bytes, count_at)) * facet_bytes;
+}
+
 bool is_binary(std::string_view bytes) {
   constexpr std::size_t examined_bytes = 4096;
-  bool const is_whole =
-      bytes.size() >= data_at && bytes.size() - data_at == std::uint64_t(uint32_at(bytes, count_at)) * facet_bytes;
-  return is_whole || bytes.substr(0, examined_bytes).find('\0') != std::string_view::npos;
+  return has_binary_size(bytes) || bytes.substr(0, examined_bytes).find('\0') != std::string_view::npos;
 }
 
 std::vector<Solid> read_binary(std::string_view bytes, Diagnostics& diagnostics) {

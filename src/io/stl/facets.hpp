@@ -16,7 +16,10 @@ struct Solid {
   std::vector<Float3> corners;
 };
 
-/// Whether the bytes are a binary STL file. Those may begin with "solid" like ASCII ones.
+/// Whether the bytes are as many as a binary STL file's, which has at least one facet.
+bool has_binary_size(std::string_view bytes);
+
+/// Whether bytes of an STL file are binary. Those may begin with "solid" like ASCII ones.
 bool is_binary(std::string_view bytes);
 
 /// Reads a binary file, as one solid. What is wrong is reported with its byte; what is whole is kept.

@@ -2,6 +2,7 @@
 
 #include <new>
 
+#include "core/ascii.hpp"
 #include "core/read_file.hpp"
 #include "io/model_scene.hpp"
 #include "io/stl/facets.hpp"
@@ -43,6 +44,17 @@ Model import(std::string_view bytes, std::string const& name, ModelOptions const
 
 }  // namespace
 }  // namespace stl
+
+bool is_stl(std::string_view bytes) {
+  Line line;
+  LineReader lines(bytes);
+  Token word;
+  while (word.empty() && lines.next(line)) {
+    std::string_view rest = line.text;
+    word = next_token(rest);
+  }
+  return to_lower_ascii(word) == "solid" || stl::has_binary_size(bytes);
+}
 
 Model import_stl_bytes(std::string_view bytes, std::string const& name, ModelOptions const& options) {
   try {

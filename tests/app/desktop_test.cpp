@@ -119,7 +119,7 @@ TEST_CASE("what lichtraum reads has types that it opens, and they are its own ex
   std::set<std::string> without_extension =
       parts(value_of(read(folder / "share/thumbnailers/lichtraum.thumbnailer"), "MimeType"));
   auto const types = without_extension;
-  for (std::string const extension : {".sdf", ".esdf", ".gltf", ".glb", ".obj", ".ply"}) {
+  for (std::string const extension : {".sdf", ".esdf", ".gltf", ".glb", ".obj", ".ply", ".stl"}) {
     INFO(extension);
     int count = 0;
     for (std::string const& type : types) {

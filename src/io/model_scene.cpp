@@ -23,7 +23,9 @@ void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& sce
   for (Light& light : studio_lights(box, three_quarter_view.azimuth_degrees)) scene.lights.insert(std::move(light));
 }
 
-PbrModel matt_pbr(Rgb const& color) { return {.base_color = color, .metallic = 0, .specular = 0}; }
+PbrModel matt_pbr(Rgb const& color) {
+  return {.base_color = color, .metallic = 0, .specular = 0, .double_sided = true};
+}
 
 std::shared_ptr<Material> default_material(bool has_colors) {
   if (has_colors) return std::make_shared<Material>("default", matt_pbr(Rgb(1)));

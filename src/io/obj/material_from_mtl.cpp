@@ -65,6 +65,7 @@ std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, MtlTextur
   }
   pbr.ior = ior >= 1 ? ior : 1.5;
   pbr.specular = ks == Rgb(0) ? 0 : 1;
+  pbr.double_sided = true;
   return std::make_shared<Material>(source.name, std::move(pbr));
 }
 

@@ -21,11 +21,13 @@ std::shared_ptr<ModelCache> make_model_cache();
 struct ModelChoice {
   int max_texture = 4096;  ///< pictures with a longer side are halved until they fit; >= 1
 
-  // Only glTF models have several scenes and move; for others these have no effect but a warning.
+  // Only glTF models have several scenes, move, and have surfaces without a back; for others these have no effect but a
+  // warning.
   std::string variant;                 ///< index or name of the materials' variant; empty: as the meshes are
   std::string scene;                   ///< index or name of the scene to import; empty: the file's default one
   std::optional<double> time_seconds;  ///< pose of the animation at that time; nothing: as the nodes stand in the file
   std::string animation;               ///< index or name of the animation that `time_seconds` is for; empty: the first
+  bool both_sides = false;             ///< paths' cameras see the backs of single-sided surfaces as well
   friend bool operator==(ModelChoice const&, ModelChoice const&) = default;
 };
 

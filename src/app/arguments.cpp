@@ -156,6 +156,10 @@ void add_model_options(CLI::App& parser, ModelChoice& choice) {
   add_value(parser, "--time", choice.time_seconds, parse_time, "SECONDS", "Show the animation at this time", group);
   add_value(parser, "--animation", choice.animation, parse_name, "NAME",
             "Animation to show: name or number\n(default: the first)", group);
+  parser
+      .add_flag("--both-sides", choice.both_sides,
+                "Show the camera the backs of single-sided\nsurfaces (paths; glTF hides them)")
+      ->group(group);
   add_value(parser, "--max-texture", choice.max_texture, parse_texture_size, "N",
             "Shrink textures with a longer side\n(default: 4096)", group);
 }

@@ -111,6 +111,7 @@ constexpr auto model_fields = [](auto& model, auto&& field) {
   field("variant", model.variant, Text{});
   field("animation", model.animation, Text{});
   field("time_seconds", model.time_seconds, any_number());
+  field("both_sides", model.both_sides, Flag{});
   field("max_texture_pixels", model.max_texture, Whole{1, job_limits::texture_side});
 };
 

@@ -219,6 +219,42 @@ TEST_CASE("OBJ and PLY models are drawn, checked, described, and shapes of scene
   CHECK(lichtraum("check empty.ply").exit_code == 65);
 }
 
+TEST_CASE("the camera sees both sides of OBJ and PLY, and of glTF's surfaces as they say or as asked", "[app][gltf]") {
+  Lichtraum const lichtraum;
+  std::string const header =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+  std::string const faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  lichtraum.folder.write("colored.ply", header + "property float red\nproperty float green\nproperty float blue\n" +
+                                            faces + "-9 -9 0 1 0 0 9 -9 0 1 0 0 0 9 0 1 0 0 3 0 1 2\n");
+  lichtraum.folder.write("colored.obj", "v -9 -9 0 1 0 0\nv 9 -9 0 1 0 0\nv 0 9 0 1 0 0\nf 1 2 3\n");
+  GltfWriter writer;
+  writer.add_mesh({-9, -9, 0, 9, -9, 0, 0, 9, 0})["material"] = 0;
+  writer.add_mesh({-9, -9, 0, 9, -9, 0, 0, 9, 0});
+  writer.json["materials"] = {{{"name", "plain"}}};
+  writer.json["scenes"] = {{{"nodes", {0}}}, {{"nodes", {1}}}};
+  lichtraum.folder.write("single.gltf", writer.text());
+  writer.json["materials"][0]["doubleSided"] = true;
+  lichtraum.folder.write("double.gltf", writer.text());
+  auto const is_seen = [&](std::string const& words) {
+    auto const result = lichtraum.render(words + " --size 8x8 --integrator path --look-at 0,0,0 --background 0,1,0 -o a.png");
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    auto const image = decode(lichtraum.folder.read("a.png"));
+    return image.at(4, 4, 0) > 0.25f * image.at(4, 4, 1);  // the background is green
+  };
+  std::string const behind = " --eye 0,0,-5", before = " --eye 0,0,5";
+  for (char const* const name : {"colored.ply", "colored.obj", "double.gltf", "single.gltf --both-sides",
+                                 "single.gltf --scene 1 --both-sides"}) {
+    INFO(name);
+    CHECK(is_seen(name + behind));
+  }
+  for (char const* const name : {"single.gltf", "single.gltf --scene 1"}) {
+    INFO(name);
+    CHECK(is_seen(name + before));
+    CHECK(!is_seen(name + behind));
+  }
+}
+
 TEST_CASE("an STL model is drawn like the same triangles in a PLY file", "[app][stl]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write(

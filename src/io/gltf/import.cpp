@@ -85,7 +85,7 @@ struct GltfAnimation::State {
       int const variant = select(variant_names(document.model), options.variant, "variant");
       apply_variant(document.model, std::size_t(variant));
     }
-    auto const own = read_materials(document, options.max_texture, *buffers, findings);
+    auto const own = read_materials(document, options, *buffers, findings);
     own_materials.assign(own.begin(), own.end());
     materials.assign(own.begin(), own.end());
     if (options.material) std::fill(materials.begin(), materials.end(), options.material);

@@ -206,8 +206,8 @@ class Reader {
 
 }  // namespace
 
-std::vector<std::shared_ptr<Material>> read_materials(Document const& document, int max_texture, Buffers& buffers,
-                                                      Findings& findings) {
+std::vector<std::shared_ptr<Material>> read_materials(Document const& document, ModelChoice const& choice,
+                                                      Buffers& buffers, Findings& findings) {
   auto const& model = document.model;
   std::vector<bool> wanted(model.textures.size(), false);
   for (auto const& source : model.materials) {
@@ -217,7 +217,7 @@ std::vector<std::shared_ptr<Material>> read_materials(Document const& document, 
     };
     Reader(source, "", wanted.size(), note, nullptr).read();
   }
-  auto const textures = read_textures(document, wanted, max_texture, buffers, findings);
+  auto const textures = read_textures(document, wanted, choice.max_texture, buffers, findings);
 
   Names names;
   std::vector<std::shared_ptr<Material>> materials;
@@ -226,11 +226,15 @@ std::vector<std::shared_ptr<Material>> read_materials(Document const& document, 
     auto const find = [&](int texture) { return textures[std::size_t(texture)]; };
     Reader reader(source, fmt::format("/materials/{}", i), textures.size(), find, &findings);
     std::string name = names.unique(source.name.empty() ? fmt::format("material_{}", i) : source.name);
-    materials.push_back(std::make_shared<Material>(std::move(name), reader.read()));
+    PbrModel read = reader.read();
+    read.double_sided = read.double_sided || choice.both_sides;
+    materials.push_back(std::make_shared<Material>(std::move(name), std::move(read)));
   }
   // The specification's default is a rough white metal, which is for image-based light; this is what it looks like
   // there.
-  materials.push_back(std::make_shared<Material>(names.unique("default"), matt_pbr(Rgb(0.8))));
+  PbrModel unnamed = matt_pbr(Rgb(0.8));
+  unnamed.double_sided = choice.both_sides;
+  materials.push_back(std::make_shared<Material>(names.unique("default"), std::move(unnamed)));
   return materials;
 }
 

@@ -6,12 +6,13 @@
 #include "io/gltf/buffers.hpp"
 #include "io/names.hpp"
 #include "lichtraum/material.hpp"
+#include "lichtraum/model.hpp"
 
 namespace lichtraum::gltf {
 
 /// The model's materials, by their numbers, and after them the one for primitives that name none. Pictures larger than
-/// `max_texture` on a side are made smaller.
-std::vector<std::shared_ptr<Material>> read_materials(Document const& document, int max_texture, Buffers& buffers,
-                                                      Findings& findings);
+/// choice.max_texture on a side are made smaller; with choice.both_sides all are double-sided.
+std::vector<std::shared_ptr<Material>> read_materials(Document const& document, ModelChoice const& choice,
+                                                      Buffers& buffers, Findings& findings);
 
 }  // namespace lichtraum::gltf

@@ -57,6 +57,26 @@ TEST_CASE("what refers to a faulty definition is not a second error", "[unit][es
   CHECK(findings("define camera eye 200\ntransform eye scale 2\nrender eye a.png 1 1\n").size() == 1);
 }
 
+TEST_CASE("a misspelt keyword hides no name", "[unit][esdf]") {
+  for (std::string const shape : {"define shap sphere", "define Shape sphere", "define sphere", "defin shape sphere",
+                                  "Define shape sphere", "shape sphere", "sphere"}) {
+    INFO(shape);
+    std::string const text =
+        red + shape + " a 0 0 0 1 red\ndefine shape composite c a\ntransform a scale 2\ndefine shape composite d b\n";
+    auto const found = findings(text);
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].location.line == 2);
+    CHECK(found[1].message == "shape 'b' is not defined");
+  }
+  CHECK(findings("define materiel m 1 0 0 1 0 0 1 0 0 1\ndefine shape sphere s 0 0 0 1 m\n").size() == 1);
+  CHECK(findings("define camra eye 45\ntransform eye scale 2\nrender eye a.png 1 1\n").size() == 1);
+  CHECK(findings("Camera eye 45\nrender eye a.png 1 1\n").size() == 1);
+  // What the word was meant to be is not known, so neither is what the line defines.
+  CHECK(findings("define teapot sphere a 0 0 0 1\ntransform a scale 2\n").size() == 2);
+  // The name is one of shapes, and of nothing else.
+  CHECK(findings("define shap sphere a 0 0 0 1 red\nrender a x.png 1 1\n").size() == 2);
+}
+
 TEST_CASE("many problems are cut with a note", "[unit][esdf]") {
   std::string text;
   for (int i = 0; i < 250; ++i) text += "nonsense\n";

@@ -28,37 +28,38 @@ Token defined_name(Kind kind, std::span<Token const> tokens) {
   return token(has_light_class ? 3 : 2);
 }
 
-void report_unknown_command(Interpreter& interpreter, Token word) {
-  std::string const lower = to_lower_ascii(word);
+/// What a line was probably meant to be.
+struct Correction {
+  std::vector<Token> words;  ///< in place of those that are wrong; empty: nobody knows
   std::string hint;
+};
+
+Correction correct_command(Interpreter& interpreter, Token word, std::string_view lower) {
   if (lower != word && (lower == "define" || find_keyword(commands(), lower))) {
-    hint = fmt::format("keywords are lower case: {}", lower);
-  } else if (find_keyword(classes(), word)) {
-    hint = fmt::format("did you mean 'define {}'?", word);
-  } else if (find_keyword(shape_kinds(), word)) {
-    hint = fmt::format("did you mean 'define shape {}'?", word);
-  } else {
-    constexpr std::string_view commands_known[] = {"define", "transform", "render", "camera", "ambient"};
-    hint = interpreter.suggest(word, commands_known);
-    if (hint.empty()) hint = "a line starts with define, transform, render or camera; comments with '#'";
+    return {{lower}, fmt::format("keywords are lower case: {}", lower)};
   }
-  interpreter.error(word, fmt::format("unknown statement {}", in_quotes(word)), std::move(hint));
+  if (find_keyword(classes(), word)) return {{"define", word}, fmt::format("did you mean 'define {}'?", word)};
+  if (find_keyword(shape_kinds(), word)) {
+    return {{"define", "shape", word}, fmt::format("did you mean 'define shape {}'?", word)};
+  }
+  constexpr std::string_view commands_known[] = {"define", "transform", "render", "camera", "ambient"};
+  std::string_view const nearest = interpreter.nearest(word, commands_known);
+  if (!nearest.empty()) return {{nearest}, did_you_mean(nearest)};
+  return {{}, "a line starts with define, transform, render or camera; comments with '#'"};
 }
 
-void report_unknown_class(Interpreter& interpreter, Token word) {
-  std::string const lower = to_lower_ascii(word);
-  std::string hint;
+Correction correct_class(Interpreter& interpreter, Token word, std::string_view lower) {
   if (lower != word && find_keyword(classes(), lower)) {
-    hint = fmt::format("keywords are lower case: {}", lower);
-  } else if (find_keyword(shape_kinds(), word)) {
-    hint = fmt::format("did you mean 'define shape {}'?", word);
-  } else {
-    std::vector<std::string_view> known;
-    for (Keyword const& keyword : classes()) known.push_back(keyword.word);
-    hint = interpreter.suggest(word, known);
-    if (hint.empty()) hint = "'define' is followed by material, shape, light, camera or background";
+    return {{"define", lower}, fmt::format("keywords are lower case: {}", lower)};
   }
-  interpreter.error(word, fmt::format("cannot define {}: unknown kind", in_quotes(word)), std::move(hint));
+  if (find_keyword(shape_kinds(), word)) {
+    return {{"define", "shape", word}, fmt::format("did you mean 'define shape {}'?", word)};
+  }
+  std::vector<std::string_view> known;
+  for (Keyword const& keyword : classes()) known.push_back(keyword.word);
+  std::string_view const nearest = interpreter.nearest(word, known);
+  if (!nearest.empty()) return {{"define", nearest}, did_you_mean(nearest)};
+  return {{}, "'define' is followed by material, shape, light, camera or background"};
 }
 
 }  // namespace
@@ -144,7 +145,15 @@ void Interpreter::execute() {
   Token const word = tokens[is_define ? 1 : 0];
   Keyword const* const keyword = find_keyword(is_define ? classes() : commands(), word);
   if (!keyword) {
-    is_define ? report_unknown_class(*this, word) : report_unknown_command(*this, word);
+    std::string const lower = to_lower_ascii(word);
+    auto [meant, hint] = is_define ? correct_class(*this, word, lower) : correct_command(*this, word, lower);
+    error(word,
+          is_define ? fmt::format("cannot define {}: unknown kind", in_quotes(word))
+                    : fmt::format("unknown statement {}", in_quotes(word)),
+          std::move(hint));
+    if (meant.empty()) return;
+    meant.insert(meant.end(), tokens.begin() + (is_define ? 2 : 1), tokens.end());
+    mark_faulty(meant);
     return;
   }
   if (!keyword->is_standard &&
@@ -153,6 +162,13 @@ void Interpreter::execute() {
   }
   if (has_rendered_ && keyword->execute != esdf::render) is_animated_ = true;
   keyword->execute(*this, {keyword->word, word, tokens.subspan(is_define ? 2 : 1)});
+}
+
+void Interpreter::mark_faulty(std::span<Token const> definition) {
+  for (Kind const kind : {Kind::material, Kind::shape, Kind::light, Kind::camera}) {
+    Token const name = defined_name(kind, definition);
+    if (!name.empty()) mark_faulty(kind, name);
+  }
 }
 
 void Interpreter::error(Token at, std::string message, std::string hint) {

@@ -57,18 +57,25 @@ class Interpreter {
   bool dialect(Token at, std::string_view form);
   /// The same with a warning instead of a note.
   bool dialect_warning(Token at, std::string message, std::string hint = {});
-  /// "did you mean 'x'?" for the name of `names` that is nearest to `word`, or an empty text.
+  /// The one of `names` that was probably meant by `word`, or an empty text.
   template <class... Names>
-  std::string suggest(Token word, Names const&... names) {
+  std::string_view nearest(Token word, Names const&... names) {
     if (diagnostics_.has_all_errors()) return {};
     suggester_.look_for(word);
     (suggester_.consider_all(names), ...);
-    return did_you_mean(suggester_.best());
+    return suggester_.best();
+  }
+  /// "did you mean 'x'?" for that name, or an empty text.
+  template <class... Names>
+  std::string suggest(Token word, Names const&... names) {
+    return did_you_mean(nearest(word, names...));
   }
 
   // For statements: names. A name whose definition was faulty is known as such, so that what refers to it does not
   // count as a second error.
   void mark_faulty(Kind kind, Token name) { faulty_[static_cast<std::size_t>(kind)].insert(name); }
+  /// The same for what the words of a faulty line define.
+  void mark_faulty(std::span<Token const> definition);
   bool is_faulty(Kind kind, Token name) const { return faulty_[static_cast<std::size_t>(kind)].count(name) > 0; }
 
   /// The material of that name. An undefined one is reported, and is a clearly visible magenta.

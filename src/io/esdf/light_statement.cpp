@@ -28,6 +28,8 @@ Signature const sdf_signature{{{"the position", 3}, {"La", 3}, {"Ld", 3}},
                               "define light <name> <x> <y> <z> <La: r g b> <Ld: r g b>"};
 Signature const diffuse_signature{{{"the position", 3}, {"Ld", 3}}};
 Signature const ambient_signature{{{"La", 3}}};
+constexpr std::size_t diffuse_numbers = 6;
+constexpr std::size_t ambient_numbers = 3;
 
 Rgb rgb(std::span<double const> v) { return Rgb(v[0], v[1], v[2]); }
 
@@ -195,12 +197,27 @@ void define_environment_light(Interpreter& interpreter, Statement const& outer, 
   }
 }
 
+/// Whether there is a word before the name that is no kind of light, which is then reported: a word is where the first
+/// number would be, and it is near a kind, or only with a kind does the count come out.
+bool report_unknown_kind(Interpreter& interpreter, Statement const& statement) {
+  constexpr std::string_view known[] = {"diffuse", "ambient", "environment"};
+  if (statement.size() < 2 || looks_like_number(statement[1])) return false;
+  if (std::find(std::begin(known), std::end(known), statement[0]) != std::end(known)) return false;
+  std::string const hint = interpreter.suggest(statement[0], known);
+  std::size_t const numbers = first_key(statement, 2) - 2;
+  if (hint.empty() && numbers != diffuse_numbers && numbers != ambient_numbers) return false;
+  interpreter.error(statement[0], fmt::format("light: unknown kind {}", in_quotes(statement[0])),
+                    hint.empty() ? "the kinds are diffuse, ambient and environment" : hint);
+  return true;
+}
+
 /// A name for an ambient light that was given none. It has a blank, so that no file can use it.
 std::string free_ambient_name(Scene const& scene) { return fmt::format("ambient light {}", scene.lights.size() + 1); }
 
 }  // namespace
 
 void define_light(Interpreter& interpreter, Statement const& statement) {
+  if (report_unknown_kind(interpreter, statement)) return;
   Token const word = statement.size() > 0 ? statement[0] : Token();
   auto const after_word = [&](Statement const& outer) {
     return Statement{outer.what, word, outer.arguments.subspan(1)};

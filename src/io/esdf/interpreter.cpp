@@ -89,8 +89,19 @@ void Interpreter::run(DrawFunction const* draw) {
       break;
     }
     diagnostics_.begin_line(line);
-    if (check_tokens(traits)) execute();
+    if (!check_tokens(traits)) continue;
+    drop_semicolon();
+    if (!tokens_.empty()) execute();
   }
+}
+
+void Interpreter::drop_semicolon() {
+  Token& last = tokens_.back();
+  if (last.back() != ';') return;
+  std::size_t const end = last.find_last_not_of(';') + 1;
+  error(last.substr(end), "';' at the end of a line", "leave it out: a statement ends with its line");
+  last = last.substr(0, end);
+  if (last.empty()) tokens_.pop_back();
 }
 
 bool Interpreter::check_tokens(TokenTraits const& traits) {

@@ -101,6 +101,8 @@ class Interpreter {
  private:
   void execute();
   bool check_tokens(TokenTraits const& traits);
+  /// Reports it, so that the rest of the line is read as if it were not there.
+  void drop_semicolon();
   void report_duplicate(Kind kind, Token name);
   /// The first line that defines `name`, from the text's start or after the current line; 0: none found.
   std::size_t find_definition(Kind kind, Token name, bool after_current_line);

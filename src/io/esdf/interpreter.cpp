@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "core/ascii.hpp"
+#include "core/parse_number.hpp"
 #include "core/utf8.hpp"
+#include "io/esdf/keys.hpp"
 #include "io/esdf/statements.hpp"
 
 namespace lichtraum::esdf {
@@ -104,6 +106,23 @@ void Interpreter::drop_semicolon() {
   if (last.empty()) tokens_.pop_back();
 }
 
+bool Interpreter::report_spaces_around_equals() {
+  Token const line = span_of(tokens_.front(), tokens_.back());
+  if (line.find('"') != Token::npos) return false;  // a file's name may have them
+  for (std::size_t i = 3; i < tokens_.size(); ++i) {
+    bool const is_before = tokens_[i].front() == '=' && !has_key(tokens_[i - 1]) && !looks_like_number(tokens_[i - 1]);
+    bool const is_after = tokens_[i].back() == '=' && i + 1 < tokens_.size() && !has_key(tokens_[i + 1]);
+    if (!is_before && !is_after) continue;
+    Token const word = is_before ? tokens_[i - 1] : tokens_[i].substr(0, tokens_[i].size() - 1);
+    Token const value = is_after ? tokens_[i + 1] : tokens_[i].substr(1);
+    error(span_of(is_before ? tokens_[i - 1] : tokens_[i], is_after ? tokens_[i + 1] : tokens_[i]), "spaces around '='",
+          fmt::format("write it without spaces: {}", in_quotes(fmt::format("{}={}", word, value))));
+    mark_faulty(tokens_);
+    return true;
+  }
+  return false;
+}
+
 bool Interpreter::check_tokens(TokenTraits const& traits) {
   if (is_conflict_marker(tokens_[0])) {
     error(span_of(tokens_.front(), tokens_.back()), "git conflict marker",
@@ -121,6 +140,7 @@ bool Interpreter::check_tokens(TokenTraits const& traits) {
       return false;
     }
   }
+  if (traits.has_equals && report_spaces_around_equals()) return false;
   if (traits.has_control) {
     for (Token const token : tokens_) {
       auto const at = std::find_if(token.begin(), token.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; });

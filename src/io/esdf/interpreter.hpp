@@ -101,6 +101,8 @@ class Interpreter {
  private:
   void execute();
   bool check_tokens(TokenTraits const& traits);
+  /// Whether there are some, in a line that is to be `key=value`.
+  bool report_spaces_around_equals();
   /// Reports it, so that the rest of the line is read as if it were not there.
   void drop_semicolon();
   void report_duplicate(Kind kind, Token name);

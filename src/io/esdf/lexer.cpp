@@ -6,7 +6,15 @@
 namespace lichtraum::esdf {
 namespace {
 
-enum CharacterClass : std::uint8_t { plain = 0, control = 1, non_ascii = 2, brace = 4, blank = 8, comment = 16 };
+enum CharacterClass : std::uint8_t {
+  plain = 0,
+  control = 1,
+  non_ascii = 2,
+  brace = 4,
+  equals = 8,
+  blank = 16,
+  comment = 32
+};
 
 constexpr std::array<std::uint8_t, 256> make_classes() {
   std::array<std::uint8_t, 256> classes{};
@@ -15,6 +23,7 @@ constexpr std::array<std::uint8_t, 256> make_classes() {
   for (std::size_t c = 128; c < 256; ++c) classes[c] = non_ascii;
   for (char const c : {' ', '\t', '\v', '\f', '\r'}) classes[static_cast<std::size_t>(c)] = blank;
   classes['{'] = brace;
+  classes['='] = equals;
   classes['#'] = comment;
   return classes;
 }
@@ -41,7 +50,7 @@ TokenTraits tokenize(std::string_view line, std::vector<Token>& tokens) {
     if (tokens.empty() && end - begin >= 2 && begin[0] == '/' && begin[1] == '/') return {};
     tokens.emplace_back(begin, static_cast<std::size_t>(at - begin));
   }
-  return {(seen & control) != 0, (seen & non_ascii) != 0, (seen & brace) != 0};
+  return {(seen & control) != 0, (seen & non_ascii) != 0, (seen & brace) != 0, (seen & equals) != 0};
 }
 
 }  // namespace lichtraum::esdf

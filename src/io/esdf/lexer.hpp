@@ -12,6 +12,7 @@ struct TokenTraits {
   bool has_control = false;    ///< a control character (blanks are none)
   bool has_non_ascii = false;  ///< a byte above 127
   bool has_brace = false;      ///< '{'
+  bool has_equals = false;     ///< '='
 };
 
 /// The line's tokens, separated by blanks, up to a `#`. None for a line that starts with `//`.

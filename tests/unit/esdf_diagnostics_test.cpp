@@ -77,6 +77,21 @@ TEST_CASE("a misspelt keyword hides no name", "[unit][esdf]") {
   CHECK(findings("define shap sphere a 0 0 0 1 red\nrender a x.png 1 1\n").size() == 2);
 }
 
+TEST_CASE("an undefined name is one finding, however often it is used", "[unit][esdf]") {
+  std::string text;
+  for (int i = 0; i < 5000; ++i) text += "define shape sphere s" + std::to_string(i) + " 0 0 0 1 m\n";
+  auto const found = findings(text + "define material m 1 0 0 1 0 0 1 0 0 10\n");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].location.line == 1);
+  CHECK(found[0].message == "material 'm' is not defined (and in 4999 more lines)");
+  CHECK(found[0].hint == "it is defined later, in line 5001: statements run in order");
+  // Twice in one line is one line; a material is no shape.
+  auto const both = findings("define shape composite c a a\ntransform a scale 2\ndefine shape sphere s 0 0 0 1 a\n");
+  REQUIRE(both.size() == 2);
+  CHECK(both[0].message == "shape 'a' is not defined (and in 1 more line)");
+  CHECK(both[1].message == "material 'a' is not defined");
+}
+
 TEST_CASE("many problems are cut with a note", "[unit][esdf]") {
   std::string text;
   for (int i = 0; i < 250; ++i) text += "nonsense\n";

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -87,12 +88,15 @@ class Interpreter {
   void define(Token name, Light light);
   /// The only one: a second is reported, and takes the first one's place.
   void define(Token name, EnvironmentLight environment);
-  /// Reports a reference to something that does not exist, with what was probably meant.
+  /// Reports a reference to something that does not exist, with what was probably meant. Once for each name.
   template <class... Names>
   void report_undefined(std::string_view what, Kind kind, Token name, Names const&... names) {
+    auto const [known, is_new] = undefined_[static_cast<std::size_t>(kind)].try_emplace(name, Diagnostics::no_finding);
+    if (!is_new) return diagnostics_.add_again(known->second);
     std::string hint = suggest(name, names...);
     if (hint.empty()) hint = defined_later(kind, name);
     error(name, std::string(what) + ' ' + in_quotes(name) + " is not defined", std::move(hint));
+    known->second = diagnostics_.last();
   }
 
   /// Adds the command to the scene and draws it, when somebody wants to see it drawn.
@@ -113,7 +117,8 @@ class Interpreter {
   Diagnostics diagnostics_;
   Suggester suggester_;
   std::vector<Token> tokens_;
-  std::unordered_set<std::string_view> faulty_[4];  // by Kind
+  std::unordered_set<std::string_view> faulty_[4];                  // by Kind
+  std::unordered_map<std::string_view, std::size_t> undefined_[4];  // by Kind: what diagnostics_ calls the finding
   std::shared_ptr<Material> magenta_;
   std::shared_ptr<Material>* last_material_ = nullptr;
   DrawFunction const* draw_ = nullptr;

@@ -36,6 +36,7 @@ Token place_after(Token token) { return Token(token.data() + token.size(), 0); }
 
 void Diagnostics::add(Severity severity, Token at, std::string message, std::string hint) {
   std::size_t& count = counts_[static_cast<std::size_t>(severity)];
+  last_ = no_finding;
   if (++count > limit_) return;
 
   Diagnostic diagnostic{severity, {file_, line_.number, 0}, 1, std::move(message), {}, std::move(hint)};
@@ -53,10 +54,22 @@ void Diagnostics::add(Severity severity, Token at, std::string message, std::str
   } else {
     diagnostic.source_line = text.substr(0, longest_line_after);
   }
+  last_ = found_.size();
   found_.push_back(std::move(diagnostic));
 }
 
+void Diagnostics::add_again(std::size_t finding) {
+  if (finding == no_finding || found_[finding].location.line == line_.number) return;
+  MoreLines& more = more_lines_[finding];
+  if (more.last == line_.number) return;
+  more.last = line_.number;
+  ++more.count;
+}
+
 std::vector<Diagnostic> Diagnostics::finish(std::size_t stopped_at) && {
+  for (auto const& [finding, more] : more_lines_) {
+    found_[finding].message += fmt::format(" (and in {})", counted(more.count, "more line"));
+  }
   // Notes make room first, then warnings; of each kind the later ones.
   for (Severity const severity : {Severity::note, Severity::warning}) {
     for (std::size_t i = found_.size(); i-- > 0 && found_.size() > limit_;) {

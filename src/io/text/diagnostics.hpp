@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "io/text/lines.hpp"
@@ -31,6 +32,12 @@ class Diagnostics {
   /// `at` is a part of the current line; an empty `at` outside of it stands for the whole line or file.
   void add(Severity severity, Token at, std::string message, std::string hint = {});
 
+  /// The finding that was added last, for add_again; no_finding if there was no room for it.
+  std::size_t last() const { return last_; }
+  static constexpr std::size_t no_finding = static_cast<std::size_t>(-1);
+  /// Counts a finding again in the current line, instead of adding one: "(and in 3 more lines)".
+  void add_again(std::size_t finding);
+
   std::size_t count(Severity severity) const { return counts_[static_cast<std::size_t>(severity)]; }
   std::size_t errors() const { return count(Severity::error); }
   /// Whether a further error would only be counted, so that nobody need think about a hint.
@@ -45,7 +52,15 @@ class Diagnostics {
   std::size_t limit_;
   Line line_;
   std::array<std::size_t, 3> counts_{};  // by Severity
+  /// Lines after the one of a finding in which it was again.
+  struct MoreLines {
+    std::size_t count = 0;
+    std::size_t last = 0;
+  };
+
   std::vector<Diagnostic> found_;
+  std::unordered_map<std::size_t, MoreLines> more_lines_;  // by index in found_
+  std::size_t last_ = no_finding;
 };
 
 }  // namespace lichtraum

@@ -93,7 +93,7 @@ std::vector<Diagnostic> Diagnostics::finish(std::size_t stopped_at) && {
     if (hidden_errors > 0 && hidden_warnings > 0) message += " and ";
     if (hidden_warnings > 0) message += counted(hidden_warnings, "more warning");
   }
-  if (!message.empty()) found_.push_back({Severity::note, {file_, 0, 0}, 1, std::move(message), {}, {}});
+  if (!message.empty()) found_.push_back({Severity::warning, {file_, 0, 0}, 1, std::move(message), {}, {}});
   return std::move(found_);
 }
 

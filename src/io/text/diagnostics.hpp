@@ -43,8 +43,8 @@ class Diagnostics {
   /// Whether a further error would only be counted, so that nobody need think about a hint.
   bool has_all_errors() const { return errors() >= limit_; }
 
-  /// The findings by line; when there were more than the limit, a last note says how many are not shown. When
-  /// `stopped_at` is not 0, that note says that the file was not checked from that line on.
+  /// The findings by line; when there were more than the limit, a last warning says how many are not shown. When
+  /// `stopped_at` is not 0, that warning says that the file was not checked from that line on.
   std::vector<Diagnostic> finish(std::size_t stopped_at) &&;
 
  private:

@@ -32,7 +32,10 @@ std::unique_ptr<CLI::App> view_parser(ViewOptions& options, Console& console) {
   auto parser = make_parser("view", description, examples);
   add_inputs(*parser, options.scene, "SCENE");
   std::string const group = "Window";
-  parser->add_flag("--watch", options.watch, "Read the scene again when its file, or one that it\nincludes, is saved")
+  parser
+      ->add_flag("--watch", options.watch,
+                 "Read the scene again when its file, or one that it\nincludes, is saved. Mistakes in it are shown in "
+                 "the\nwindow, which waits for them to be mended")
       ->group(group);
   add_value(*parser, "--size", render.job.size, parse_size, "WxH",
             "Size of the window in pixels (default: the\nscene's)", group);

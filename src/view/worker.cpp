@@ -144,6 +144,7 @@ void Worker::look_at_files() {
 }
 
 void Worker::load(Renderer& renderer) {
+  bool const is_first = !std::exchange(has_tried_, true);
   files_have_changed_ = false;
   files_.begin();
   try {
@@ -177,7 +178,9 @@ void Worker::load(Renderer& renderer) {
     seconds_per_pixel_.reset();
     restart_refinement();
   } catch (std::exception const& error) {  // a file that is too large, or vanishes, may bring other ones than ours
-    if (!prepared_) throw;                 // there is no picture to keep
+    auto const* const known = dynamic_cast<Error const*>(&error);
+    bool const may_be_mended = is_watching_ && known && known->kind() == ErrorKind::scene;
+    if (is_first && !may_be_mended) throw;
     std::lock_guard const lock(mutex_);
     news_.problem = error.what();
   }

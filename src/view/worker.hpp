@@ -80,10 +80,11 @@ class Worker {
     std::optional<Look> look;
     std::optional<Marking> marking;
     std::optional<SceneView> scene;      ///< it was read, for the first time or again
-    std::optional<std::string> problem;  ///< why it could not be read again; empty: it could
+    std::optional<std::string> problem;  ///< why it could not be read; empty: it could
     std::string device;
   };
-  /// What has come since the last call. Throws what made the thread end: an Error of the first load, or of the device.
+  /// What has come since the last call. Throws what made the thread end: an Error of the device, or of the first load,
+  /// unless that is a mistake in a file that is watched.
   News news();
 
  private:
@@ -126,6 +127,7 @@ class Worker {
   bool is_growing_ = false;  // its samples are the first of the next pass
   std::chrono::steady_clock::time_point files_looked_at_;
   bool files_have_changed_ = false;
+  bool has_tried_ = false;  // to read the scene
 
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;

@@ -274,9 +274,13 @@ void Window::draw() {
   if (is_help_open_) draw_help();
   if (!problem_.empty()) {
     ImGui::SetNextWindowPos({8, area.y - 8}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowSizeConstraints({0, 0},
+                                        {area.x - 16, area.y - 16});  // the first of many mistakes stay in sight
     ImGui::Begin("problem", nullptr, overlay | ImGuiWindowFlags_NoInputs);
     ImGui::PushStyleColor(ImGuiCol_Text, {1, 0.5f, 0.4f, 1});
+    ImGui::PushTextWrapPos(area.x - 24);
     ImGui::TextUnformatted(problem_.c_str());
+    ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::End();
   }
@@ -297,7 +301,7 @@ void Window::draw_panel() {
 }
 
 std::string Window::statistics() const {
-  if (!frame_) return "loading ...";
+  if (!frame_) return problem_.empty() ? "loading ..." : "waiting for the file to be saved";
   RenderStatistics const& render = frame_->statistics;
   SceneStatistics const& scene = frame_->scene;
   int const samples = frame_->pass.sampling.count;

@@ -15,13 +15,13 @@ namespace lichtraum::view {
 /// A window on a scene. Mouse and keys move the camera, a Worker traces what it sees.
 class Window {
  public:
-  /// Opens it. Throws Error{unavailable} when there is no display, and what the first load of the scene throws.
+  /// Opens it. Throws Error{unavailable} when there is no display.
   Window(app::SceneSource const& source, app::ViewOptions const& options, app::Console const& console);
   ~Window();
   Window(Window const&) = delete;
   Window& operator=(Window const&) = delete;
 
-  /// Until it is closed.
+  /// Until it is closed. Throws what Worker::news throws.
   void run();
 
  private:

@@ -23,14 +23,16 @@ std::vector<std::string> matches(std::string const& pattern) {
   }
   if (code != 0) throw Error(ErrorKind::no_input, fmt::format("cannot look for '{}'", pattern));
   std::vector<std::string> files(found.list.gl_pathv, found.list.gl_pathv + found.list.gl_pathc);
-  std::sort(files.begin(), files.end(), [](std::string const& a, std::string const& b) {
-    int const order = ::strverscmp(a.c_str(), b.c_str());
-    return order != 0 ? order < 0 : a < b;
-  });
+  std::sort(files.begin(), files.end(), comes_before);
   return files;
 }
 
 }  // namespace
+
+bool comes_before(std::string const& a, std::string const& b) {
+  int const order = ::strverscmp(a.c_str(), b.c_str());
+  return order != 0 ? order < 0 : a < b;
+}
 
 std::vector<std::string> expand_patterns(std::vector<std::string> const& arguments) {
   std::vector<std::string> inputs;

@@ -29,19 +29,26 @@ app::LoadOptions observed_by(FileWatch& files) {
 
 }  // namespace
 
-Worker::Worker(app::SceneSource const& source, app::RenderOptions const& options, bool is_watching,
+Worker::Worker(app::SceneSource source, app::RenderOptions const& options, bool is_watching,
                app::Console const& console, std::function<void()> wake)
-    : source_(source),
-      options_(options),
+    : options_(options),
       job_(source.job(options.job)),
       is_watching_(is_watching),
       console_(console),
       wake_(std::move(wake)),
+      source_(std::move(source)),
       load_options_(observed_by(files_)),
       thread_([this](std::stop_token const& stop) { work(stop); }) {}
 
 Worker::~Worker() {
   thread_.request_stop();
+  changed_.notify_all();
+}
+
+void Worker::open(std::filesystem::path const& file) {
+  std::lock_guard const lock(mutex_);
+  new_file_ = file;
+  has_question_ = true;
   changed_.notify_all();
 }
 
@@ -119,7 +126,7 @@ void Worker::work(std::stop_token const& stop) {
     load(*renderer);
     while (!stop.stop_requested()) {
       look_at_files();
-      if (files_have_changed_) load(*renderer);
+      if (change_source() || files_have_changed_) load(*renderer);
       apply_edits(*renderer);
       develop_again(*renderer);
       look_at_pixel(*renderer);
@@ -134,6 +141,14 @@ void Worker::work(std::stop_token const& stop) {
     failure_ = std::current_exception();
   }
   wake_();
+}
+
+bool Worker::change_source() {
+  std::lock_guard const lock(mutex_);
+  if (!new_file_) return false;
+  source_ = app::SceneSource(*std::exchange(new_file_, std::nullopt));
+  job_ = source_.job(options_.job);
+  return true;
 }
 
 void Worker::look_at_files() {
@@ -152,6 +167,7 @@ void Worker::load(Renderer& renderer) {
     auto const loaded_scene = std::make_shared<app::LoadedScene const>(source_.load(job_.reading, load_options_));
     app::LoadedScene const& loaded = *loaded_scene;
     SceneView scene;
+    scene.file = source_.name();
     scene.loaded = loaded_scene;
     scene.objects = std::make_shared<DrawnObjects const>(loaded.scene(), job_.root);
     scene.values = SceneValues(loaded.scene(), *scene.objects);
@@ -170,7 +186,8 @@ void Worker::load(Renderer& renderer) {
     console_.show(loaded.diagnostics());
     console_.detail(fmt::format("{}: ready after {:.1f} ms", source_.name(), stopwatch.milliseconds()));
     std::lock_guard const lock(mutex_);
-    if (!view_) view_ = scene.request;  // what the window will ask for, once it is open
+    if (std::exchange(shown_file_, scene.file) != scene.file) view_.reset();  // its camera is another scene's
+    if (scene.number == 1) view_ = scene.request;  // what the window will ask for, once it is open
     news_.scene = std::move(scene);
     marked_ = {};
     expect_marking();
@@ -179,8 +196,7 @@ void Worker::load(Renderer& renderer) {
     restart_refinement();
   } catch (std::exception const& error) {  // a file that is too large, or vanishes, may bring other ones than ours
     auto const* const known = dynamic_cast<Error const*>(&error);
-    bool const may_be_mended = is_watching_ && known && known->kind() == ErrorKind::scene;
-    if (is_first && !may_be_mended) throw;
+    if (is_first && !(is_watching_ && known && known->kind() == ErrorKind::scene)) throw;
     std::lock_guard const lock(mutex_);
     news_.problem = error.what();
   }
@@ -237,7 +253,7 @@ void Worker::trace_marking(Renderer& renderer, std::stop_token const& stop) {
   ObjectTree::Objects marked;
   {
     std::lock_guard const lock(mutex_);
-    if (!is_marking_due_ || is_new_view_) return;
+    if (!is_marking_due_ || is_new_view_ || !view_) return;
     is_marking_due_ = false;
     marked = marked_;
     request = Refinement::request(*view_, {});

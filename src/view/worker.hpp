@@ -29,6 +29,7 @@ struct Frame {
 
 /// What the window has to know of a scene.
 struct SceneView {
+  std::string file;
   RenderRequest request;  ///< through the camera that comes first
   std::vector<Camera> cameras;
   Vec3 center{0};  ///< of what is looked at
@@ -55,14 +56,16 @@ struct Look {
 /// Traces views in a thread of its own, the newest first, and reads the scene again when its file is saved.
 class Worker {
  public:
-  /// All must outlive it. `console`: for what is said about the device and the scene. `wake`: called from the thread
-  /// whenever there is news.
-  Worker(app::SceneSource const& source, app::RenderOptions const& options, bool is_watching,
-         app::Console const& console, std::function<void()> wake);
+  /// `options` and `console` must outlive it. `console`: for what is said about the device and the scene. `wake`:
+  /// called from the thread whenever there is news.
+  Worker(app::SceneSource source, app::RenderOptions const& options, bool is_watching, app::Console const& console,
+         std::function<void()> wake);
   ~Worker();
   Worker(Worker const&) = delete;
   Worker& operator=(Worker const&) = delete;
 
+  /// Reads another file from now on. What was seen stays until it is there, and where it cannot be read.
+  void open(std::filesystem::path const& file);
   /// What is looked at from now on. Whatever is traced for an older view is given up.
   void show(RenderRequest const& view);
 
@@ -89,6 +92,8 @@ class Worker {
 
  private:
   void work(std::stop_token const& stop);
+  /// Whether there is another file to read.
+  bool change_source();
   void load(Renderer& renderer);
   void apply_edits(Renderer& renderer);
   void develop_again(Renderer& renderer);
@@ -105,7 +110,6 @@ class Worker {
   /// What is outlined has changed, or where it is seen.
   void expect_marking();
 
-  app::SceneSource const& source_;
   app::RenderOptions const& options_;
   Job job_;
   bool is_watching_;
@@ -113,11 +117,13 @@ class Worker {
   std::function<void()> wake_;
 
   // Of the thread alone.
+  app::SceneSource source_;
   FileWatch files_;
   app::LoadOptions load_options_;
   SceneStatistics scene_statistics_;
   std::shared_ptr<PreparedScene const> prepared_;  // as it was read
   unsigned scene_number_ = 0;
+  std::string shown_file_;
   bool is_fine_ = false;  // the picture that is shown has a ray for each pixel
   Development development_;
   Denoising denoising_ = Denoising::off;
@@ -131,6 +137,7 @@ class Worker {
 
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
+  std::optional<std::filesystem::path> new_file_;  // to be read
   std::optional<RenderRequest> view_;
   bool is_new_view_ = false;
   bool has_question_ = false;                // what is being traced waits for the answer

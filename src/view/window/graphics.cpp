@@ -84,6 +84,9 @@ void Graphics::open(std::string const& title, Resolution const& size) {
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
     if (action != GLFW_RELEASE) graphics_of(w).keys.push_back(key);
   });
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, char const** files) {
+    graphics_of(w).dropped.assign(files, files + count);
+  });
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   ImGui_ImplGlfw_InitForOpenGL(window, true);

@@ -26,6 +26,7 @@ struct Graphics {
   /// Since they were handled last. Characters rather than keys, so that a keyboard's layout plays no role.
   std::vector<char32_t> characters;
   std::vector<int> keys;
+  std::vector<std::string> dropped;  ///< files
 
   /// Throws Error{unavailable} when there is no display, as `open` does.
   Graphics();

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lichtraum/image_io.hpp"
+#include "view/window/keys.hpp"
 
 namespace lichtraum::view {
 namespace {
@@ -19,9 +20,6 @@ constexpr Resolution default_size{960, 640};
 constexpr double seconds_between_draws = 0.03;
 /// When nothing happens.
 constexpr double seconds_between_looks = 1;
-constexpr ImGuiWindowFlags overlay = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove;
 
 /// Along the camera's axis; of what is not before it, as the crow flies.
 double distance_ahead(Camera const& camera, Vec3 const& point) {
@@ -42,7 +40,7 @@ Vec3 focus_of(Camera const& camera, Vec3 const& center) {
 }  // namespace
 
 Window::Window(app::SceneSource const& source, app::ViewOptions const& options, app::Console const& console)
-    : source_(source), options_(options), console_(console) {
+    : options_(options), console_(console), files_(source.name()) {
   graphics_ = std::make_unique<Graphics>();
   graphics_->open("lichtraum - " + source.name(), options.render.job.size.value_or(default_size));
   // Not before the window is there: Mesa and PoCL may share one LLVM, which does not start in two threads at once.
@@ -62,6 +60,7 @@ void Window::run() {
     if (glfwGetTime() - start < patience) draws_due = 2;
     bool const has_news = take_news();
     graphics_->begin_drawing();
+    open_dropped();
     handle_mouse();
     handle_keys();
     if (camera_ && graphics_->framebuffer_size() != shown_size_) show();
@@ -80,13 +79,16 @@ bool Window::take_news() {
   if (news.problem) {
     problem_ = *news.problem;
     if (!problem_.empty()) console_.data(problem_ + "\n");
+    skip(problem_);
   }
   if (news.scene) {
     bool const is_first = !camera_;
+    if (news.scene->file != scene_.file) is_moved_ = false;
     scene_ = std::move(*news.scene);
     if (is_first && !options_.render.job.size) {
       glfwSetWindowSize(graphics_->window, scene_.request.resolution.width, scene_.request.resolution.height);
     }
+    glfwSetWindowTitle(graphics_->window, ("lichtraum - " + scene_.file).c_str());
     panel_.set_scene(scene_);
     focus_ = focus_of(scene_.request.camera, scene_.center);
     mark_selection();  // of nothing: what was selected was of the scene before
@@ -109,6 +111,27 @@ bool Window::take_news() {
     }
   }
   return news.look || news.marking || news.frame || news.problem || news.scene;
+}
+
+void Window::skip(std::string const& problem) {
+  if (problem.empty()) {
+    files_.arrive();
+    problem_ = std::exchange(skipped_, {});
+    return;
+  }
+  auto const other = files_.skip();
+  if (other) worker_->open(*other);
+  skipped_ = other ? problem : "";
+}
+
+void Window::open_dropped() {
+  if (graphics_->dropped.empty()) return;
+  files_.open(std::exchange(graphics_->dropped, {}).front());
+  worker_->open(files_.file());
+}
+
+void Window::step(int direction) {
+  if (auto const other = files_.step(direction)) worker_->open(*other);
 }
 
 Camera Window::camera_seen_through() const {
@@ -189,6 +212,8 @@ void Window::handle_keys() {
   constexpr double step_degrees = 5;
   for (int const key : std::exchange(graphics_->keys, {})) {
     if (key == GLFW_KEY_ESCAPE) close();
+    if (key == GLFW_KEY_PAGE_DOWN) step(1);
+    if (key == GLFW_KEY_PAGE_UP) step(-1);
     if (key == GLFW_KEY_TAB) is_panel_open_ = !is_panel_open_;
     double const right = key == GLFW_KEY_RIGHT ? step_degrees : key == GLFW_KEY_LEFT ? -step_degrees : 0;
     double const up = key == GLFW_KEY_UP ? step_degrees : key == GLFW_KEY_DOWN ? -step_degrees : 0;
@@ -243,7 +268,8 @@ void Window::frame_everything() {
 void Window::save() {
   if (!frame_) return;
   for (int number = 1;; ++number) {
-    std::string const name = fmt::format("{}_view_{:04}.png", source_.stem(), number);
+    std::string const name =
+        fmt::format("{}_view_{:04}.png", std::filesystem::path(scene_.file).stem().string(), number);
     if (std::filesystem::exists(name)) continue;
     try {
       write_file_atomically(name, image_format_named("png").encode(frame_->image, {}));
@@ -271,7 +297,7 @@ void Window::draw() {
   if (frame_) add(graphics_->picture);
   if (has_marking_) add(graphics_->marking);
   if (is_panel_open_) draw_panel();
-  if (is_help_open_) draw_help();
+  if (is_help_open_) draw_keys();
   if (!problem_.empty()) {
     ImGui::SetNextWindowPos({8, area.y - 8}, ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowSizeConstraints({0, 0},
@@ -312,26 +338,6 @@ std::string Window::statistics() const {
       device_, frame_->image.width(), frame_->image.height(), samples, samples == 1 ? "" : "s", render.trace_ms,
       render.trace_ms > 0 ? 1e-3 * double(render.rays.total()) / render.trace_ms : 0.0, scene.triangles, scene.spheres,
       scene.boxes, scene.bvh_nodes);
-}
-
-void Window::draw_help() const {
-  ImVec2 const area = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({area.x / 2, area.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::Begin("keys", nullptr, overlay | ImGuiWindowFlags_NoInputs);
-  ImGui::TextUnformatted(
-      "left button, arrows    turn around the scene\n"
-      "right button, shift    move sideways\n"
-      "a click                select what is there\n"
-      "wheel, + -             nearer, farther\n"
-      "R                      the scene's camera\n"
-      "1 ... 9                its other cameras\n"
-      "F                      show everything\n"
-      "P, D, N, O             picture, depth, normals, objects\n"
-      "S                      save what is seen\n"
-      "C                      copy the camera as eSDF\n"
-      "Tab                    panel on, off\n"
-      "Q, Esc                 close");
-  ImGui::End();
 }
 
 }  // namespace lichtraum::view

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/view_options.hpp"
+#include "view/folder_files.hpp"
 #include "view/orbit_camera.hpp"
 #include "view/window/graphics.hpp"
 #include "view/window/panel.hpp"
@@ -34,8 +35,11 @@ class Window {
   void draw();
   void draw_panel();
   std::string statistics() const;
-  void draw_help() const;
 
+  /// What was read last: after a step to a file that could not be, the one behind it is next.
+  void skip(std::string const& problem);
+  void open_dropped();
+  void step(int direction);
   void choose_camera(std::size_t number);
   /// As it is now: where it was moved, with the lens that the panel gives it.
   Camera camera_seen_through() const;
@@ -47,9 +51,9 @@ class Window {
   void save();
   void copy_camera() const;
 
-  app::SceneSource const& source_;
   app::ViewOptions const& options_;
   app::Console const& console_;
+  FolderFiles files_;
   std::unique_ptr<Graphics> graphics_;
   SceneView scene_;
   Vec3 focus_{0};  // what a lens shows sharp, wherever the camera moves
@@ -58,6 +62,7 @@ class Window {
   Resolution shown_size_;
   std::optional<Frame> frame_;
   std::string problem_;
+  std::string skipped_;  // the problem of the last file that was skipped
   std::string device_;
   bool is_help_open_ = false;
   bool is_panel_open_ = true;

@@ -1,0 +1,27 @@
+#include "view/window/keys.hpp"
+
+namespace lichtraum::view {
+
+void draw_keys() {
+  ImVec2 const area = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({area.x / 2, area.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::Begin("keys", nullptr, overlay | ImGuiWindowFlags_NoInputs);
+  ImGui::TextUnformatted(
+      "left button, arrows    turn around the scene\n"
+      "right button, shift    move sideways\n"
+      "a click                select what is there\n"
+      "wheel, + -             nearer, farther\n"
+      "R                      the scene's camera\n"
+      "1 ... 9                its other cameras\n"
+      "F                      show everything\n"
+      "P, D, N, O             picture, depth, normals, objects\n"
+      "Page Down, Page Up     next, previous file of the folder\n"
+      "a file dropped here    is opened\n"
+      "S                      save what is seen\n"
+      "C                      copy the camera as eSDF\n"
+      "Tab                    panel on, off\n"
+      "Q, Esc                 close");
+  ImGui::End();
+}
+
+}  // namespace lichtraum::view

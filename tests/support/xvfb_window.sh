@@ -15,7 +15,7 @@ until_true() {
 # start_display WxH: the server ends with the script, as does what it put into $window.
 start_display() {
   rm -f display
-  Xvfb -displayfd 3 -screen 0 "$1x24" -nolisten tcp 3>display 2>/dev/null &
+  Xvfb -displayfd 3 -screen 0 "$1x24" -nolisten tcp -noreset 3>display 2>/dev/null &
   server=$!
   trap 'kill $server $window 2>/dev/null' EXIT
   has_display() { [[ -s display ]]; }

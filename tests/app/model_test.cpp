@@ -236,7 +236,8 @@ TEST_CASE("the camera sees both sides of OBJ and PLY, and of glTF's surfaces as 
   writer.json["materials"][0]["doubleSided"] = true;
   lichtraum.folder.write("double.gltf", writer.text());
   auto const is_seen = [&](std::string const& words) {
-    auto const result = lichtraum.render(words + " --size 8x8 --integrator path --look-at 0,0,0 --background 0,1,0 -o a.png");
+    auto const result =
+        lichtraum.render(words + " --size 8x8 --integrator path --look-at 0,0,0 --background 0,1,0 -o a.png");
     INFO(result.err);
     REQUIRE(result.exit_code == 0);
     auto const image = decode(lichtraum.folder.read("a.png"));

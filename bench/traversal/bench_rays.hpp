@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "shared/frame.h"
@@ -36,11 +37,13 @@ struct ShadowRays {
   std::size_t size() const { return points.size(); }
 };
 
-/// Without any order; a multiple of rays_per_item.
+/// With nothing in common but what the surfaces that they leave have; a multiple of rays_per_item.
 struct FreeRays {
   static constexpr std::size_t rays_per_item = 64;
   std::vector<device::float4> origins;
-  std::vector<device::float4> directions;  ///< zero: no ray
+  std::vector<device::float4> directions;                ///< of length 1; zero: no ray
+  float t_max = std::numeric_limits<float>::infinity();  ///< for any-hit; the closest hit is looked for everywhere
+  std::size_t count = 0;                                 ///< of rays that there are
   std::size_t size() const { return origins.size(); }
 };
 

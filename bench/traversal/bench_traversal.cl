@@ -1,6 +1,8 @@
-/* What bench_traversal measures: rays are made where they are traced; each writes what it met. */
-#include "shared/frame.h"
-#include "traversal/traversal.clh"
+/* What bench_traversal measures: rays are made where they are traced; each writes what it met. Free rays are traced in
+ * batches, as integrators have them. */
+#include "program.clh"
+
+#include "camera/generate_rays.clh"
 
 typedef struct {
   float t; /* INFINITY: nothing */
@@ -44,43 +46,6 @@ __kernel void shadow(SCENE_PARAMETERS, __global float4 const* points, float4 con
   occluded[i] = hidden ? 1 : 0;
 }
 
-/* One work-item a run of rays: a loop within it costs less than PoCL's own over the work-items of a group. */
-__kernel void closest(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
-                      __global BenchHit* hits) {
-  Scene const scene = SCENE_FROM_PARAMETERS;
-  size_t const first = get_global_id(0) * FREE_RAYS_PER_ITEM;
-  for (size_t i = first; i < first + FREE_RAYS_PER_ITEM; ++i) {
-    hits[i] = bench_hit(&scene, trace_closest(&scene, make_ray(origins[i].xyz, directions[i].xyz), INFINITY));
-  }
-}
-
-#ifdef LAYOUT_WIDE
-
-/* The same, a few rays in turn. */
-__kernel void closest_in_turn(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
-                              __global BenchHit* hits) {
-  Scene const scene = SCENE_FROM_PARAMETERS;
-  size_t next = get_global_id(0) * FREE_RAYS_PER_ITEM;
-  size_t const end = next + FREE_RAYS_PER_ITEM;
-  RayStream stream;
-  size_t numbers[RAYS_IN_TURN];
-  clear_stream(&stream);
-  for (uint i = 0u; i < FREE_RAYS_PER_ITEM + RAYS_IN_TURN; ++i) {
-    uint place = i;
-    if (i >= RAYS_IN_TURN) {
-      WideResult result;
-      place = finish_ray(&scene, &stream, QUERY_CLOSEST, &result);
-      hits[numbers[place]] = bench_hit(&scene, result.hit);
-    }
-    if (next < end) {
-      start_ray(&scene, &stream, place, make_ray(origins[next].xyz, directions[next].xyz), INFINITY);
-      numbers[place] = next++;
-    }
-  }
-}
-
-#endif
-
 #else
 
 /* One work-item a packet. */
@@ -93,8 +58,9 @@ __kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, ui
   packet.origin = camera->origin.xyz;
   packet.t_min = 0.f;
   for (uint group = 0u; group < PACKET_GROUPS; ++group) {
-    float16 const px = (packet_column(group) + ((float)x + 0.5f)) * pixels_per_ray;
-    float16 const py = (packet_row(group) + ((float)y + 0.5f)) * pixels_per_ray;
+    uint const first = group * PACKET_LANES;
+    float16 const px = (lane_columns() + ((float)(x + batch_column(first)) + 0.5f)) * pixels_per_ray;
+    float16 const py = (lane_rows() + ((float)(y + batch_row(first)) + 0.5f)) * pixels_per_ray;
     packet.direction[group][0] =
         fma(py, (float16)(camera->step_y.x), fma(px, (float16)(camera->step_x.x), (float16)(camera->corner.x)));
     packet.direction[group][1] =
@@ -104,9 +70,9 @@ __kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, ui
     packet.limit[group] = (float16)(INFINITY);
   }
   trace_packet_closest(&scene, &packet);
-  for (uint ray = 0u; ray < PACKET_GROUPS * PACKET_LANES; ++ray) {
-    uint const column = x + packet_ray_column(ray);
-    uint const row = y + packet_ray_row(ray);
+  for (uint ray = 0u; ray < BATCH; ++ray) {
+    uint const column = x + batch_column(ray);
+    uint const row = y + batch_row(ray);
     hits[row * width + column] = bench_hit(&scene, packet_hit(&packet, ray));
   }
 }
@@ -121,8 +87,8 @@ __kernel void shadow(SCENE_PARAMETERS, __global float4 const* points, float4 con
   packet.t_min = 0.f;
   float* directions = (float*)packet.direction;
   float* limits = (float*)packet.limit;
-  for (uint ray = 0u; ray < PACKET_GROUPS * PACKET_LANES; ++ray) {
-    float4 const point = points[(y + packet_ray_row(ray)) * width + x + packet_ray_column(ray)];
+  for (uint ray = 0u; ray < BATCH; ++ray) {
+    float4 const point = points[(y + batch_row(ray)) * width + x + batch_column(ray)];
     uint const group = ray / PACKET_LANES;
     uint const lane = ray % PACKET_LANES;
     directions[(3u * group + 0u) * PACKET_LANES + lane] = point.x - light.x;
@@ -131,10 +97,52 @@ __kernel void shadow(SCENE_PARAMETERS, __global float4 const* points, float4 con
     limits[ray] = point.w > 0.f ? 1.f : -1.f;
   }
   trace_packet_any(&scene, &packet);
-  for (uint ray = 0u; ray < PACKET_GROUPS * PACKET_LANES; ++ray) {
-    uint const i = (y + packet_ray_row(ray)) * width + x + packet_ray_column(ray);
+  for (uint ray = 0u; ray < BATCH; ++ray) {
+    uint const i = (y + batch_row(ray)) * width + x + batch_column(ray);
     occluded[i] = packet_is_occluded(&packet, ray) ? 1 : 0;
   }
 }
 
 #endif
+
+/* One work-item a run of rays. */
+static inline void load_batch(__global float4 const* origins, __global float4 const* directions, size_t first,
+                              uint count, float t_max, RayBatch* rays) {
+  for (uint i = 0u; i < count; ++i) {
+    float3 const direction = directions[first + i].xyz;
+    bool const exists = direction.x != 0.f || direction.y != 0.f || direction.z != 0.f;
+    set_ray(rays, i, make_ray(origins[first + i].xyz, direction), exists ? t_max : 0.f);
+  }
+  rays->count = count;
+  rays->is_from_one_point = false;
+}
+
+__kernel void closest(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
+                      __global BenchHit* hits) {
+  Scene const scene = SCENE_FROM_PARAMETERS;
+  size_t const begin = get_global_id(0) * FREE_RAYS_PER_ITEM;
+  for (size_t first = begin; first < begin + FREE_RAYS_PER_ITEM; first += BATCH) {
+    RayBatch rays;
+    HitBatch found;
+    load_batch(origins, directions, first, BATCH, INFINITY, &rays);
+    trace_closest_batch(&scene, &rays, &found);
+    for (uint i = 0u; i < BATCH; ++i) {
+      hits[first + i] = bench_hit(&scene, hit_of(&found, i));
+    }
+  }
+}
+
+__kernel void any_hit(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
+                      float const t_max, __global uchar* occluded) {
+  Scene const scene = SCENE_FROM_PARAMETERS;
+  size_t const begin = get_global_id(0) * FREE_RAYS_PER_ITEM;
+  for (size_t first = begin; first < begin + FREE_RAYS_PER_ITEM; first += BATCH) {
+    RayBatch rays;
+    float visibility[MOST_RAYS];
+    load_batch(origins, directions, first, BATCH, t_max, &rays);
+    trace_visibility_batch(&scene, &rays, visibility);
+    for (uint i = 0u; i < BATCH; ++i) {
+      occluded[first + i] = visibility[i] < 1.f ? 1 : 0;
+    }
+  }
+}

@@ -1,19 +1,21 @@
-// Primary, shadow and diffuse-bounce rays through every layout and through Embree, interleaved in one process.
+// Camera, shadow, bounce and occlusion rays through every layout and through Embree, interleaved in one process.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <functional>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <random>
 
+#include "contest.hpp"
 #include "embree_tracer.hpp"
-#include "lichtraum/camera.hpp"
+#include "make_rays.hpp"
 #include "mesh_file.hpp"
 #include "opencl_tracer.hpp"
 #include "render/frame_parameters.hpp"
@@ -25,20 +27,25 @@ namespace {
 
 struct Options {
   std::string model;
-  std::vector<double> eye{0, 0, 1}, look_at, look_dir, light{0, 1, 0};
+  bool floor = false;
+  std::vector<double> eye{0, 0, 1}, look_at{0, 0, 0}, look_dir, light{0, 1, 0};
   double fov_x_degrees = 46.84;
   std::string size = "1024x768";
   int repetitions = 7;
   int threads = 2;
   int grid = 4;  ///< sub-samples a side
+  std::vector<std::string> embree;
+  bool high_quality = false;
   std::string json;
-  std::string only;
-  std::string layouts = "scalar,wide,packet";
+  std::vector<std::string> only, layouts{"scalar", "wide", "packet"};
   bool processor_time = false;
+
+  bool wants(std::string const& rays) const {
+    return only.empty() || std::find(only.begin(), only.end(), rays) != only.end();
+  }
 };
 
 Vec3 vec3(std::vector<double> const& v) { return {v[0], v[1], v[2]}; }
-Vec3 vec3(std::array<float, 3> const& v) { return {v[0], v[1], v[2]}; }
 
 double milliseconds(std::function<void()> const& work) {
   auto const start = std::chrono::steady_clock::now();
@@ -51,11 +58,6 @@ double processor_milliseconds(std::function<void()> const& work, int threads) {
   std::clock_t const start = std::clock();
   work();
   return 1e3 * double(std::clock() - start) / CLOCKS_PER_SEC / threads;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-  return values[values.size() / 2];
 }
 
 FlatScene flat_scene(TriangleMesh const& mesh) {
@@ -86,81 +88,80 @@ device::PinholeCamera pinhole(Options const& options, Resolution const& size) {
           float4(2 * half_width / size.width * right), float4(-2 * half_height / size.height * up)};
 }
 
-/// What a hit says about the surface: a point off it on the viewer's side, and its normal there.
-struct SurfacePoint {
-  bool hit = false;
-  Vec3 position{0}, normal{0};
+/// A floor under the mesh, ten times as wide as that is high.
+void add_floor(TriangleMesh& mesh) {
+  auto low = mesh.positions.at(0), high = low;
+  for (auto const& p : mesh.positions) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], p[axis]);
+      high[axis] = std::max(high[axis], p[axis]);
+    }
+  }
+  float const x = 0.5f * (low[0] + high[0]), z = 0.5f * (low[2] + high[2]), half = 5 * (high[1] - low[1]);
+  auto const first = std::uint32_t(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), {{x - half, low[1], z - half},
+                                               {x - half, low[1], z + half},
+                                               {x + half, low[1], z + half},
+                                               {x + half, low[1], z - half}});
+  mesh.triangles.insert(mesh.triangles.end(), {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
+}
+
+float diagonal(TriangleMesh const& mesh) {
+  Vec3 low(1e30), high(-1e30);
+  for (auto const& p : mesh.positions) {
+    low = glm::min(low, Vec3(p[0], p[1], p[2]));
+    high = glm::max(high, Vec3(p[0], p[1], p[2]));
+  }
+  return float(glm::length(high - low));
+}
+
+/// All that is traced.
+struct RaySets {
+  PrimaryRays primary, samples;
+  ShadowRays shadow;
+  std::size_t shadow_count = 0;                           ///< of points that send a ray
+  std::vector<std::pair<std::string, FreeRays>> bounces;  ///< closest hits: the first bounce, the second, the fourth
+  std::vector<std::pair<std::string, FreeRays>> any;      ///< any hit, along the first bounce
 };
 
-std::vector<SurfacePoint> surface_points(TriangleMesh const& mesh, PrimaryRays const& rays,
-                                         std::vector<RayHit> const& hits) {
-  std::vector<SurfacePoint> points(hits.size());
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    if (!std::isfinite(hits[i].t)) continue;
-    double const x = double(i % std::size_t(rays.width)) + 0.5, y = double(i / std::size_t(rays.width)) + 0.5;
-    auto const v = [](device::float4 const& f) { return Vec3(f.x, f.y, f.z); };
-    Vec3 const direction = v(rays.camera.corner) + x * v(rays.camera.step_x) + y * v(rays.camera.step_y);
-    auto const& [a, b, c] = mesh.triangles[hits[i].triangle];
-    Vec3 const pa = vec3(mesh.positions[a]), pb = vec3(mesh.positions[b]), pc = vec3(mesh.positions[c]);
-    Vec3 normal = glm::cross(pb - pa, pc - pa);
-    if (!(glm::length(normal) > 0)) continue;
-    normal = glm::normalize(normal);
-    if (glm::dot(normal, direction) > 0) normal = -normal;
-    double const t = double(hits[i].t);
-    points[i] = {true, v(rays.camera.origin) + t * direction + 1e-4 * t * glm::length(direction) * normal, normal};
+RaySets make_ray_sets(Options const& options, Resolution const& size, TriangleMesh const& mesh,
+                      EmbreeTracer const& tracer) {
+  RaySets sets;
+  sets.primary = {pinhole(options, size), size.width, size.height, 1};
+  sets.samples = {sets.primary.camera, size.width * options.grid, size.height * options.grid,
+                  1.0f / float(options.grid)};
+  std::vector<RayHit> hits(sets.primary.size());
+  tracer.closest(sets.primary, hits, false);
+  auto points = surface_points(mesh, sets.primary, hits);
+  sets.shadow = shadow_rays(points, vec3(options.light), sets.primary);
+  sets.shadow_count = std::size_t(std::count_if(points.begin(), points.end(), [](auto const& p) { return p.hit; }));
+  for (unsigned bounce = 1; bounce <= 4; ++bounce) {
+    FreeRays const rays = bounce_rays(points, bounce);
+    if (bounce == 1) {
+      sets.any = {{"any", rays}, {"any-near", rays}};
+      sets.any[1].second.t_max = 0.1f * diagonal(mesh);
+    }
+    if (bounce != 3) sets.bounces.emplace_back(bounce == 1 ? "bounce" : fmt::format("bounce-{}", bounce), rays);
+    hits.resize(rays.size());
+    tracer.closest(rays, hits, false);
+    points = surface_points(mesh, rays, hits);
   }
-  return points;
+  return sets;
 }
 
-ShadowRays shadow_rays(std::vector<SurfacePoint> const& points, Vec3 const& light, PrimaryRays const& rays) {
-  ShadowRays shadow{{}, {float(light.x), float(light.y), float(light.z), 0}, rays.width, rays.height};
-  for (SurfacePoint const& p : points) {
-    shadow.points.push_back({float(p.position.x), float(p.position.y), float(p.position.z), p.hit ? 1.0f : 0.0f});
+/// Those that are asked for, or all that Debian's packages have installed.
+std::vector<std::unique_ptr<embree::Library>> load_embree(std::vector<std::string> const& paths) {
+  std::vector<std::unique_ptr<embree::Library>> libraries;
+  for (std::string const& path : paths) libraries.push_back(std::make_unique<embree::Library>(path));
+  if (!paths.empty()) return libraries;
+  for (char const* const name : {"libembree3.so.3", "libembree4.so.4"}) {
+    try {
+      libraries.push_back(std::make_unique<embree::Library>(name));
+    } catch (std::runtime_error const&) {
+    }
   }
-  return shadow;
-}
-
-/// Cosine-distributed about the normals, from a seeded sequence.
-FreeRays bounce_rays(std::vector<SurfacePoint> const& points) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> unit(0, 1);
-  FreeRays rays;
-  for (SurfacePoint const& p : points) {
-    double const z = 2 * unit(random) - 1, phi = 2 * 3.14159265358979 * unit(random), r = std::sqrt(1 - z * z);
-    Vec3 const direction = glm::normalize(p.normal + Vec3(r * std::cos(phi), r * std::sin(phi), z) * 0.999);
-    if (!p.hit) continue;
-    rays.origins.push_back({float(p.position.x), float(p.position.y), float(p.position.z), 0});
-    rays.directions.push_back({float(direction.x), float(direction.y), float(direction.z), 0});
-  }
-  std::size_t const padded =
-      (rays.size() + FreeRays::rays_per_item - 1) / FreeRays::rays_per_item * FreeRays::rays_per_item;
-  rays.origins.resize(padded, {});
-  rays.directions.resize(padded, {});
-  return rays;
-}
-
-/// One way to trace one set of rays.
-struct Contestant {
-  std::string rays, name;
-  std::size_t ray_count = 0;
-  std::function<void()> run;
-  std::function<double()> disagreement;  ///< share of rays whose result is not the reference's
-  std::vector<double> ms = {};
-};
-
-double share_different(std::vector<RayHit> const& a, std::vector<RayHit> const& b) {
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    bool const same = a[i].t == b[i].t || std::abs(a[i].t - b[i].t) <= 1e-4f * std::abs(b[i].t);
-    different += same ? 0 : 1;
-  }
-  return double(different) / double(a.size());
-}
-
-double share_different(std::vector<std::uint8_t> const& a, std::vector<std::uint8_t> const& b) {
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) different += a[i] != b[i];
-  return double(different) / double(a.size());
+  if (libraries.empty()) throw std::runtime_error("no Embree is installed: name its library with --embree");
+  return libraries;
 }
 
 int run(Options const& options) {
@@ -170,148 +171,88 @@ int run(Options const& options) {
     throw std::runtime_error("--size is WxH, multiples of 8");
   }
   setenv("POCL_MAX_PTHREAD_COUNT", std::to_string(options.threads).c_str(), 1);
-  TriangleMesh const mesh = read_mesh(options.model);
-  fmt::print("{}: {} triangles, {} threads\n", options.model, mesh.triangles.size(), options.threads);
+  TriangleMesh mesh = read_mesh(options.model);
+  if (options.floor) add_floor(mesh);
+  fmt::print("{}{}: {} triangles, {} threads\n", options.model, options.floor ? " on a floor" : "",
+             mesh.triangles.size(), options.threads);
+
+  Clock const clock = [&](std::function<void()> const& work) {
+    return options.processor_time ? processor_milliseconds(work, options.threads) : milliseconds(work);
+  };
 
   // Build, alternating.
-  std::vector<double> embree_build, embree_high_build, own_build;
-  std::unique_ptr<EmbreeTracer> embree, embree_high;
-  SceneBuffers wide, scalar;
+  auto const libraries = load_embree(options.embree);
+  auto const quality = options.high_quality ? EmbreeTracer::Quality::high : EmbreeTracer::Quality::medium;
+  std::vector<std::unique_ptr<EmbreeTracer>> peers(libraries.size());
+  std::vector<std::vector<double>> peer_build(libraries.size());
+  std::vector<double> own_build;
+  SceneBuffers wide;
   for (int i = 0; i < std::min(options.repetitions, 5); ++i) {
-    embree = std::make_unique<EmbreeTracer>(mesh, EmbreeTracer::Quality::medium, options.threads);
-    embree_build.push_back(options.processor_time ? embree->build_processor_ms() / options.threads
-                                                  : embree->build_ms());
+    for (std::size_t peer = 0; peer < peers.size(); ++peer) {
+      peers[peer] = std::make_unique<EmbreeTracer>(*libraries[peer], mesh, quality, options.threads);
+      peer_build[peer].push_back(clock([&] { peers[peer]->build(); }));
+    }
     FlatScene flat = flat_scene(mesh);
     wide = {};  // gone before the clock runs
-    auto const compile = [&] { wide = compile_scene(std::move(flat), {}, TreeLayout::wide); };
-    own_build.push_back(options.processor_time ? processor_milliseconds(compile, options.threads)
-                                               : milliseconds(compile));
+    own_build.push_back(clock([&] { wide = compile_scene(std::move(flat), {}, TreeLayout::wide); }));
   }
-  embree_high = std::make_unique<EmbreeTracer>(mesh, EmbreeTracer::Quality::high, options.threads);
-  scalar = compile_scene(flat_scene(mesh), {}, TreeLayout::binary);
   double const triangles = double(mesh.triangles.size());
   double const own_bytes = double(sizeof(device::WideNode) * wide.wide_nodes.size() +
                                   sizeof(device::TriangleBlock) * wide.triangle_blocks.size() +
                                   sizeof(device::PrimitiveTag) * wide.triangle_tags.size());
-  fmt::print("build: Embree medium {:.1f} ms, high {:.1f} ms, lichtraum {:.1f} ms: {:.2f} x medium's speed\n",
-             median(embree_build), embree_high->build_ms(), median(own_build),
-             median(embree_build) / median(own_build));
-  fmt::print("bytes per triangle: Embree medium {:.1f}, lichtraum {:.1f} ({:.2f} x; {} nodes, {} blocks, stack {})\n",
-             double(embree->device_bytes()) / triangles, own_bytes / triangles,
-             own_bytes / double(embree->device_bytes()), wide.wide_nodes.size(), wide.triangle_blocks.size(),
+  fmt::print("lichtraum: built in {:.1f} ms, {:.1f} bytes a triangle ({} nodes, {} blocks, stack {})\n",
+             median(own_build), own_bytes / triangles, wide.wide_nodes.size(), wide.triangle_blocks.size(),
              wide.stack_size);
+  std::string json_peers;
+  for (std::size_t peer = 0; peer < peers.size(); ++peer) {
+    double const ms = median(peer_build[peer]), bytes = double(peers[peer]->device_bytes()) / triangles;
+    fmt::print("Embree {}: built in {:.1f} ms ({:.2f} x), {:.1f} bytes a triangle\n", libraries[peer]->version, ms,
+               ms / median(own_build), bytes);
+    json_peers += fmt::format("{}\n    {{\"version\": \"{}\", \"build_ms\": {:.3f}, \"bytes_per_triangle\": {:.2f}}}",
+                              peer == 0 ? "" : ",", libraries[peer]->version, ms, bytes);
+  }
 
+  SceneBuffers scalar = compile_scene(flat_scene(mesh), {}, TreeLayout::binary);
   OpenClTracer scalar_tracer(scalar, Traversal::scalar), wide_tracer(wide, Traversal::wide),
       packet_tracer(wide, Traversal::packet);
+  RaySets const sets = make_ray_sets(options, {width, height}, mesh, *peers.at(0));
 
-  Resolution const size{width, height};
-  PrimaryRays const primary{pinhole(options, size), width, height, 1};
-  PrimaryRays const sampled{primary.camera, width * options.grid, height * options.grid, 1.0f / float(options.grid)};
-  std::vector<RayHit> reference(primary.size());
-  embree->closest(primary, reference, false);
-  auto const points = surface_points(mesh, primary, reference);
-  ShadowRays const shadow = shadow_rays(points, vec3(options.light), primary);
-  FreeRays const bounce = bounce_rays(points);
-  std::vector<RayHit> bounce_reference(bounce.size()), sampled_reference(sampled.size());
-  embree->closest(bounce, bounce_reference, false);
-  embree->closest(sampled, sampled_reference, false);
-  std::vector<std::uint8_t> shadow_reference(shadow.size());
-  embree->any(shadow, shadow_reference, false);
-
-  std::vector<RayHit> hits(primary.size()), bounce_hits(bounce.size()), sampled_hits(sampled.size());
-  std::vector<std::uint8_t> occluded(shadow.size());
-  std::vector<Contestant> contestants;
-  std::size_t const shadow_count =
-      std::size_t(std::count_if(points.begin(), points.end(), [](auto const& p) { return p.hit; }));
-  auto const wanted = [&](std::string const& rays) {
-    return options.only.empty() || options.only.find(rays) != std::string::npos;
+  Contest contest;
+  auto const add_all = [&](std::string const& name, bool is_peer, auto const& tracer, auto... how) {
+    auto const add_hits = [&](std::string const& rays, auto const& set, std::size_t count) {
+      if (!options.wants(rays)) return;
+      contest.add<RayHit>(rays, name, is_peer, count, set.size(),
+                          [=, &tracer, &set](auto& hits) { tracer.closest(set, hits, how...); });
+    };
+    auto const add_any = [&](std::string const& rays, auto const& set, std::size_t count) {
+      if (!options.wants(rays)) return;
+      contest.add<std::uint8_t>(rays, name, is_peer, count, set.size(),
+                                [=, &tracer, &set](auto& occluded) { tracer.any(set, occluded, how...); });
+    };
+    add_hits("primary", sets.primary, sets.primary.size());
+    add_any("shadow", sets.shadow, sets.shadow_count);
+    if (name != "packet") {  // which has free rays traced as `wide` does
+      for (auto const& [rays, set] : sets.bounces) add_hits(rays, set, set.count);
+      for (auto const& [rays, set] : sets.any) add_any(rays, set, set.count);
+    }
+    if (name != "scalar" && name != "wide") add_hits("samples", sets.samples, sets.samples.size());
   };
-  auto const add_primary = [&](std::string name, std::function<void()> f) {
-    if (wanted("primary"))
-      contestants.push_back({"primary", name, primary.size(), f, [&] { return share_different(hits, reference); }});
-  };
-  auto const add_sampled = [&](std::string name, std::function<void()> f) {
-    if (wanted("samples"))
-      contestants.push_back(
-          {"samples", name, sampled.size(), f, [&] { return share_different(sampled_hits, sampled_reference); }});
-  };
-  auto const add_shadow = [&](std::string name, std::function<void()> f) {
-    if (wanted("shadow"))
-      contestants.push_back(
-          {"shadow", name, shadow_count, f, [&] { return share_different(occluded, shadow_reference); }});
-  };
-  auto const add_bounce = [&](std::string name, std::function<void()> f) {
-    if (wanted("bounce"))
-      contestants.push_back(
-          {"bounce", name, shadow_count, f, [&] { return share_different(bounce_hits, bounce_reference); }});
-  };
-  for (bool const packets : {true, false}) {
-    for (auto* tracer : {embree.get(), embree_high.get()}) {
-      std::string const name =
-          fmt::format("Embree {} {}", packets ? "16" : "1", tracer == embree.get() ? "medium" : "high");
-      add_primary(name, [&, tracer, packets] { tracer->closest(primary, hits, packets); });
-      add_shadow(name, [&, tracer, packets] { tracer->any(shadow, occluded, packets); });
-      add_bounce(name, [&, tracer, packets] { tracer->closest(bounce, bounce_hits, packets); });
-      if (packets) add_sampled(name, [&, tracer, packets] { tracer->closest(sampled, sampled_hits, packets); });
+  for (std::size_t peer = 0; peer < peers.size(); ++peer) {
+    for (bool const packets : {true, false}) {
+      add_all(fmt::format("Embree {} {}", libraries[peer]->version, packets ? "x16" : "x1"), true, *peers[peer],
+              packets);
     }
   }
-  auto const is_asked_for = [&](std::string const& layout) {
-    return options.layouts.find(layout) != std::string::npos;
-  };
-  struct Layout {
-    std::string name;
-    OpenClTracer& tracer;
-  };
-  for (auto& [name, tracer] :
-       {Layout{"scalar", scalar_tracer}, Layout{"wide", wide_tracer}, Layout{"packet", packet_tracer}}) {
-    if (!is_asked_for(name)) continue;
-    add_primary(name, [&] { tracer.closest(primary, hits); });
-    add_shadow(name, [&] { tracer.any(shadow, occluded); });
-    if (name == "packet") {
-      add_sampled(name, [&] { tracer.closest(sampled, sampled_hits); });
-    } else {
-      if (name == "wide") add_bounce(name, [&] { tracer.closest(bounce, bounce_hits, true); });
-      add_bounce(name == "wide" ? "wide, one by one" : name, [&] { tracer.closest(bounce, bounce_hits, false); });
-    }
-  }
-
-  std::vector<double> disagreement;
-  for (Contestant& contestant : contestants) {
-    contestant.run();  // also compiles
-    disagreement.push_back(contestant.disagreement());
-  }
-  for (int i = 0; i < options.repetitions; ++i) {
-    for (Contestant& contestant : contestants) {
-      contestant.ms.push_back(options.processor_time ? processor_milliseconds(contestant.run, options.threads)
-                                                     : milliseconds(contestant.run));
-    }
-  }
-  std::string json;
-  for (std::size_t i = 0; i < contestants.size(); ++i) {
-    Contestant const& contestant = contestants[i];
-    auto const peer = std::find_if(contestants.begin(), contestants.end(), [&](Contestant const& other) {
-      return other.rays == contestant.rays &&
-             other.name == (contestant.rays == "bounce" ? "Embree 1 medium" : "Embree 16 medium");
-    });
-    double const ms = median(contestant.ms);
-    double const ratio = median(peer->ms) / ms;
-    double const mrays = double(contestant.ray_count) / ms / 1e3;
-    fmt::print("{:8} {:18} {:8.2f} ms {:8.1f} Mrays/s {:6.2f} x  disagree {:.6f} %\n", contestant.rays, contestant.name,
-               ms, mrays, ratio, 100 * disagreement[i]);
-    json += fmt::format(
-        "{}\n    {{\"rays\": \"{}\", \"tracer\": \"{}\", \"ms\": {:.4f}, \"mrays_per_s\": {:.3f}, "
-        "\"ratio\": {:.4f}, \"disagree\": {:.9f}}}",
-        i == 0 ? "" : ",", contestant.rays, contestant.name, ms, mrays, ratio, disagreement[i]);
-  }
+  for (std::string const& layout : options.layouts)
+    add_all(layout, false, layout == "scalar" ? scalar_tracer : layout == "wide" ? wide_tracer : packet_tracer);
+  contest.run(options.repetitions, clock);
+  contest.print();
   if (!options.json.empty()) {
     std::ofstream out(options.json);
     out << fmt::format(
-        "{{\n  \"triangles\": {},\n  \"threads\": {},\n  \"build_ms\": {{\"embree_medium\": {:.3f}, \"embree_high\": "
-        "{:.3f}, \"lichtraum\": {:.3f}}},\n  \"bytes_per_triangle\": {{\"embree_medium\": {:.2f}, \"embree_high\": "
-        "{:.2f}, \"lichtraum\": {:.2f}}},\n  \"results\": [{}\n  ]\n}}\n",
-        mesh.triangles.size(), options.threads, median(embree_build), embree_high->build_ms(), median(own_build),
-        double(embree->device_bytes()) / triangles, double(embree_high->device_bytes()) / triangles,
-        own_bytes / triangles, json);
+        "{{\n  \"triangles\": {},\n  \"threads\": {},\n  \"build_ms\": {:.3f},\n  \"bytes_per_triangle\": {:.2f},\n"
+        "  \"embree\": [{}\n  ],\n  \"results\": [{}\n  ]\n}}\n",
+        mesh.triangles.size(), options.threads, median(own_build), own_bytes / triangles, json_peers, contest.json());
   }
   return 0;
 }
@@ -320,8 +261,9 @@ int run(Options const& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app{"Traversal against Embree: primary, shadow and diffuse-bounce rays, interleaved, medians"};
-  app.add_option("MODEL", options.model, "a glTF binary with triangles")->required();
+  CLI::App app{"Traversal against Embree: camera, shadow, bounce and occlusion rays, interleaved, medians"};
+  app.add_option("MODEL", options.model, "a glTF file with triangles")->required();
+  app.add_flag("--floor", options.floor, "put a floor under it");
   app.add_option("--eye", options.eye, "x,y,z")->delimiter(',')->expected(3);
   app.add_option("--look-at", options.look_at, "x,y,z")->delimiter(',')->expected(3);
   app.add_option("--look-dir", options.look_dir, "x,y,z")->delimiter(',')->expected(3);
@@ -332,8 +274,16 @@ int main(int argc, char** argv) {
   app.add_option("--size", options.size, "WxH");
   app.add_option("--reps", options.repetitions, "repetitions of each");
   app.add_option("--threads", options.threads);
-  app.add_option("--only", options.only, "some of primary, shadow, bounce, samples");
-  app.add_option("--layouts", options.layouts, "some of scalar, wide, packet");
+  app.add_option("--embree", options.embree, "libraries of Embree 3 or 4 to compare with, instead of the installed")
+      ->delimiter(',');
+  app.add_flag("--high-quality", options.high_quality, "Embree's slower build instead of its medium one");
+  app.add_option("--only", options.only,
+                 "some of primary, shadow, samples, bounce, bounce-2, bounce-4, any, any-near (along the first "
+                 "bounce's rays, to infinity, to a tenth of the model's size)")
+      ->delimiter(',');
+  app.add_option("--layouts", options.layouts, "some of scalar, wide, packet")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"scalar", "wide", "packet"}));
   app.add_flag("--processor-time", options.processor_time,
                "measure the threads' time on a processor: for machines that others use as well");
   app.add_option("--json", options.json, "write the results there as well");

@@ -1,51 +1,78 @@
 #pragma once
 
-/// Embree 3 (Debian 12) and Embree 4 (Debian 13, Ubuntu 24.04) under the same names: four calls that differ in how a
-/// query says that its rays are coherent.
+#include <sys/types.h>
 
-#ifdef LICHTRAUM_EMBREE_4
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
+#include <cstddef>
+#include <string>
 
-namespace lichtraum::bench {
+/// The few calls of Embree that are needed, found in a library at run time, so that several versions can be compared in
+/// one process. Versions 3.13 and 4.4 have the same functions and layouts but for what says how coherent rays are
+/// (their headers rtcore_ray.h, rtcore_common.h, rtcore_scene.h).
+namespace lichtraum::bench::embree {
+
+inline constexpr unsigned invalid_id = ~0u;
+
+struct alignas(16) Ray {
+  float org_x, org_y, org_z, t_near;
+  float dir_x, dir_y, dir_z, time;
+  float t_far;  ///< of the hit, afterwards; negative infinity where an any-hit query found one
+  unsigned mask, id, flags;
+};
+struct alignas(16) RayHit {
+  Ray ray;
+  float normal[3], u, v;
+  unsigned primitive, geometry, instance;
+  unsigned instance_primitive;  ///< version 4.4 only: at the end, where others don't look
+};
+struct alignas(64) Ray16 {
+  float org_x[16], org_y[16], org_z[16], t_near[16];
+  float dir_x[16], dir_y[16], dir_z[16], time[16];
+  float t_far[16];
+  unsigned mask[16], id[16], flags[16];
+};
+struct alignas(64) RayHit16 {
+  Ray16 ray;
+  float normal[3][16], u[16], v[16];
+  unsigned primitive[16], geometry[16], instance[16];
+  unsigned instance_primitive[16];
+};
+
+using Object = struct Opaque*;  ///< a device, a scene or a geometry
 
 enum class Coherence { incoherent, coherent };
 
-class EmbreeQuery {
+/// One of Embree's libraries. It stays loaded: its threads outlive its devices.
+class Library {
  public:
-#ifdef LICHTRAUM_EMBREE_4
-  explicit EmbreeQuery(Coherence coherence) {
-    rtcInitIntersectArguments(&closest_);
-    rtcInitOccludedArguments(&any_);
-    if (coherence == Coherence::coherent) closest_.flags = any_.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-  }
-  void closest(RTCScene scene, RTCRayHit& query) { rtcIntersect1(scene, &query, &closest_); }
-  void closest(int const* valid, RTCScene scene, RTCRayHit16& query) {
-    rtcIntersect16(valid, scene, &query, &closest_);
-  }
-  void any(RTCScene scene, RTCRay& query) { rtcOccluded1(scene, &query, &any_); }
-  void any(int const* valid, RTCScene scene, RTCRay16& query) { rtcOccluded16(valid, scene, &query, &any_); }
+  /// `path` is looked for as dlopen does. Throws std::runtime_error.
+  explicit Library(std::string const& path);
+
+  void closest(Object scene, Coherence coherence, RayHit& query) const;
+  void closest(int const* valid, Object scene, Coherence coherence, RayHit16& query) const;
+  void any(Object scene, Coherence coherence, Ray& query) const;
+  void any(int const* valid, Object scene, Coherence coherence, Ray16& query) const;
+
+  int major_version = 0;
+  std::string version;  ///< such as 4.4.0
+
+  Object (*new_device)(char const* settings);
+  void (*release_device)(Object device);
+  void (*set_memory_monitor)(Object device, bool (*monitor)(void*, ssize_t, bool), void* user);
+  Object (*new_scene)(Object device);
+  void (*release_scene)(Object scene);
+  void (*set_build_quality)(Object scene, int quality);
+  void (*commit_scene)(Object scene);
+  Object (*new_geometry)(Object device, int type);
+  void* (*new_buffer)(Object geometry, int type, unsigned slot, int format, std::size_t stride, std::size_t count);
+  void (*commit_geometry)(Object geometry);
+  unsigned (*attach_geometry)(Object scene, Object geometry);
+  void (*release_geometry)(Object geometry);
 
  private:
-  RTCIntersectArguments closest_;
-  RTCOccludedArguments any_;
-#else
-  explicit EmbreeQuery(Coherence coherence) {
-    rtcInitIntersectContext(&context_);
-    if (coherence == Coherence::coherent) context_.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  }
-  void closest(RTCScene scene, RTCRayHit& query) { rtcIntersect1(scene, &context_, &query); }
-  void closest(int const* valid, RTCScene scene, RTCRayHit16& query) {
-    rtcIntersect16(valid, scene, &context_, &query);
-  }
-  void any(RTCScene scene, RTCRay& query) { rtcOccluded1(scene, &context_, &query); }
-  void any(int const* valid, RTCScene scene, RTCRay16& query) { rtcOccluded16(valid, scene, &context_, &query); }
-
- private:
-  RTCIntersectContext context_;
-#endif
+  void* intersect_1_;
+  void* intersect_16_;
+  void* occluded_1_;
+  void* occluded_16_;
 };
 
-}  // namespace lichtraum::bench
+}  // namespace lichtraum::bench::embree

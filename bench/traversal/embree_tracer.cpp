@@ -1,16 +1,12 @@
 #include "embree_tracer.hpp"
 
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstring>
-#include <ctime>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <thread>
-
-#include "embree_api.hpp"
 
 namespace lichtraum::bench {
 namespace {
@@ -49,77 +45,90 @@ void parallel_blocks(int width, int height, int step, int threads, Work const& w
   });
 }
 
-RTCRay make_ray(float const (&o)[3], float const (&d)[3], float t_max) {
-  RTCRay ray{};
+/// Calls work(first, count) for runs of `step` of `count` rays, a thousand to a thread at a time.
+template <class Work>
+void parallel_runs(std::size_t count, int threads, std::size_t step, Work const& work) {
+  constexpr std::size_t chunk = 1024;
+  parallel((count + chunk - 1) / chunk, threads, [&](std::size_t part) {
+    std::size_t const end = std::min(count, (part + 1) * chunk);
+    for (std::size_t first = part * chunk; first < end; first += step) work(first, std::min(step, end - first));
+  });
+}
+
+embree::Ray make_ray(float const (&o)[3], float const (&d)[3], float t_max) {
+  embree::Ray ray{};
   ray.org_x = o[0], ray.org_y = o[1], ray.org_z = o[2];
   ray.dir_x = d[0], ray.dir_y = d[1], ray.dir_z = d[2];
-  ray.tfar = t_max;
+  ray.t_far = t_max;
   ray.mask = 0xffffffffu;
   return ray;
 }
 
-void set_ray(RTCRay16& rays, unsigned i, float const (&o)[3], float const (&d)[3], float t_max) {
+void set_ray(embree::Ray16& rays, unsigned i, float const (&o)[3], float const (&d)[3], float t_max) {
   rays.org_x[i] = o[0], rays.org_y[i] = o[1], rays.org_z[i] = o[2];
   rays.dir_x[i] = d[0], rays.dir_y[i] = d[1], rays.dir_z[i] = d[2];
-  rays.tnear[i] = 0, rays.time[i] = 0, rays.tfar[i] = t_max;
+  rays.t_near[i] = 0, rays.time[i] = 0, rays.t_far[i] = t_max;
   rays.mask[i] = 0xffffffffu, rays.id[i] = i, rays.flags[i] = 0;
 }
 
+/// False: there is no ray.
+bool load_ray(FreeRays const& rays, std::size_t i, float (&o)[3], float (&d)[3]) {
+  auto const &origin = rays.origins[i], &direction = rays.directions[i];
+  o[0] = origin.x, o[1] = origin.y, o[2] = origin.z;
+  d[0] = direction.x, d[1] = direction.y, d[2] = direction.z;
+  return d[0] != 0 || d[1] != 0 || d[2] != 0;
+}
+
 RayHit hit_of(float t, unsigned geometry, unsigned primitive) {
-  if (geometry == RTC_INVALID_GEOMETRY_ID) return {infinity, 0xffffffffu};
+  if (geometry == embree::invalid_id) return {infinity, 0xffffffffu};
   return {t, primitive};
 }
+
+constexpr int triangle_geometry = 0, index_buffer = 0, vertex_buffer = 1;  // RTCGeometryType, RTCBufferType
+constexpr int format_uint3 = 0x5003, format_float3 = 0x9003;               // RTCFormat
 
 }  // namespace
 
 struct EmbreeTracer::State {
+  embree::Library const* api;
   std::atomic<std::int64_t> bytes = 0;
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+  embree::Object device = nullptr, scene = nullptr;
   int threads = 1;
-  double build_ms = 0;
-  double build_processor_ms = 0;
 
   ~State() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
+    api->release_scene(scene);
+    api->release_device(device);
   }
 };
 
-EmbreeTracer::EmbreeTracer(TriangleMesh const& mesh, Quality quality, int threads) : state_(std::make_unique<State>()) {
+EmbreeTracer::EmbreeTracer(embree::Library const& library, TriangleMesh const& mesh, Quality quality, int threads)
+    : state_(std::make_unique<State>()) {
   State& s = *state_;
+  s.api = &library;
   s.threads = threads;
-  s.device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
-  if (!s.device) throw std::runtime_error("Embree finds no device");
-  rtcSetDeviceMemoryMonitorFunction(s.device, count_bytes, &s.bytes);
-  s.scene = rtcNewScene(s.device);
-  rtcSetSceneBuildQuality(s.scene, quality == Quality::high ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM);
-  RTCGeometry const geometry = rtcNewGeometry(s.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  void* const positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                  sizeof mesh.positions[0], mesh.positions.size());
-  std::memcpy(positions, mesh.positions.data(), sizeof mesh.positions[0] * mesh.positions.size());
-  void* const triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                  sizeof mesh.triangles[0], mesh.triangles.size());
-  std::memcpy(triangles, mesh.triangles.data(), sizeof mesh.triangles[0] * mesh.triangles.size());
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(s.scene, geometry);
-  rtcReleaseGeometry(geometry);
-  auto const start = std::chrono::steady_clock::now();
-  std::clock_t const clock = std::clock();
-  rtcCommitScene(s.scene);
-  s.build_processor_ms = 1e3 * double(std::clock() - clock) / CLOCKS_PER_SEC;
-  s.build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  s.device = library.new_device(("threads=" + std::to_string(threads)).c_str());
+  library.set_memory_monitor(s.device, count_bytes, &s.bytes);
+  s.scene = library.new_scene(s.device);
+  library.set_build_quality(s.scene, int(quality));
+  embree::Object const geometry = library.new_geometry(s.device, triangle_geometry);
+  auto const copy = [&](auto const& elements, int buffer, int format) {
+    void* const to = library.new_buffer(geometry, buffer, 0, format, sizeof elements[0], elements.size());
+    std::memcpy(to, elements.data(), sizeof elements[0] * elements.size());
+  };
+  copy(mesh.positions, vertex_buffer, format_float3);
+  copy(mesh.triangles, index_buffer, format_uint3);
+  library.commit_geometry(geometry);
+  library.attach_geometry(s.scene, geometry);
+  library.release_geometry(geometry);
 }
 
 EmbreeTracer::~EmbreeTracer() = default;
-double EmbreeTracer::build_ms() const { return state_->build_ms; }
-double EmbreeTracer::build_processor_ms() const { return state_->build_processor_ms; }
+void EmbreeTracer::build() { state_->api->commit_scene(state_->scene); }
 std::size_t EmbreeTracer::device_bytes() const { return std::size_t(state_->bytes.load()); }
 
 void EmbreeTracer::closest(PrimaryRays const& rays, std::vector<RayHit>& hits, bool packets) const {
   auto const& camera = rays.camera;
   float const origin[3] = {camera.origin.x, camera.origin.y, camera.origin.z};
-  EmbreeQuery const coherent(Coherence::coherent);
   auto const direction = [&](int px, int py, float(&d)[3]) {
     float const x = (float(px) + 0.5f) * rays.pixels_per_ray, y = (float(py) + 0.5f) * rays.pixels_per_ray;
     d[0] = camera.corner.x + x * camera.step_x.x + y * camera.step_y.x;
@@ -130,19 +139,18 @@ void EmbreeTracer::closest(PrimaryRays const& rays, std::vector<RayHit>& hits, b
     parallel_blocks(rays.width, rays.height, 1, state_->threads, [&](int x, int y) {
       float d[3];
       direction(x, y, d);
-      RTCRayHit query;
+      embree::RayHit query;
       query.ray = make_ray(origin, d, infinity);
-      query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-      query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-      auto own = coherent;
-      own.closest(state_->scene, query);
+      query.geometry = embree::invalid_id;
+      query.instance = embree::invalid_id;
+      state_->api->closest(state_->scene, embree::Coherence::coherent, query);
       hits[std::size_t(y) * std::size_t(rays.width) + std::size_t(x)] =
-          hit_of(query.ray.tfar, query.hit.geomID, query.hit.primID);
+          hit_of(query.ray.t_far, query.geometry, query.primitive);
     });
     return;
   }
   parallel_blocks(rays.width, rays.height, packet_width, state_->threads, [&](int x, int y) {
-    alignas(64) RTCRayHit16 query;
+    embree::RayHit16 query;
     alignas(64) int valid[16];
     for (unsigned i = 0; i < 16; ++i) {
       int const px = x + int(i) % packet_width, py = y + int(i) / packet_width;
@@ -150,22 +158,20 @@ void EmbreeTracer::closest(PrimaryRays const& rays, std::vector<RayHit>& hits, b
       float d[3];
       direction(px, py, d);
       set_ray(query.ray, i, origin, d, infinity);
-      query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-      query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+      query.geometry[i] = embree::invalid_id;
+      query.instance[i] = embree::invalid_id;
     }
-    auto own = coherent;
-    own.closest(valid, state_->scene, query);
+    state_->api->closest(valid, state_->scene, embree::Coherence::coherent, query);
     for (unsigned i = 0; i < 16; ++i) {
       if (!valid[i]) continue;
       int const px = x + int(i) % packet_width, py = y + int(i) / packet_width;
       hits[std::size_t(py) * std::size_t(rays.width) + std::size_t(px)] =
-          hit_of(query.ray.tfar[i], query.hit.geomID[i], query.hit.primID[i]);
+          hit_of(query.ray.t_far[i], query.geometry[i], query.primitive[i]);
     }
   });
 }
 
 void EmbreeTracer::any(ShadowRays const& rays, std::vector<std::uint8_t>& occluded, bool packets) const {
-  EmbreeQuery const coherent(Coherence::coherent);
   int const step = packets ? packet_width : 1;
   parallel_blocks(rays.width, rays.height, step, state_->threads, [&](int x, int y) {
     auto const index = [&](int i) {
@@ -177,19 +183,18 @@ void EmbreeTracer::any(ShadowRays const& rays, std::vector<std::uint8_t>& occlud
       d[0] = rays.light.x - p.x, d[1] = rays.light.y - p.y, d[2] = rays.light.z - p.z;
     };
     float o[3], d[3];
-    auto own = coherent;
     if (!packets) {
       if (rays.points[index(0)].w == 0) {
         occluded[index(0)] = 0;
         return;
       }
       to_light(index(0), o, d);
-      RTCRay ray = make_ray(o, d, 1.0f);
-      own.any(state_->scene, ray);
-      occluded[index(0)] = ray.tfar < 0;
+      embree::Ray ray = make_ray(o, d, 1.0f);
+      state_->api->any(state_->scene, embree::Coherence::coherent, ray);
+      occluded[index(0)] = ray.t_far < 0;
       return;
     }
-    alignas(64) RTCRay16 query;
+    embree::Ray16 query;
     alignas(64) int valid[16];
     for (int i = 0; i < 16; ++i) {
       bool const inside = x + i % packet_width < rays.width && y + i / packet_width < rays.height;
@@ -199,50 +204,58 @@ void EmbreeTracer::any(ShadowRays const& rays, std::vector<std::uint8_t>& occlud
       }
       set_ray(query, unsigned(i), o, d, 1.0f);
     }
-    own.any(valid, state_->scene, query);
+    state_->api->any(valid, state_->scene, embree::Coherence::coherent, query);
     for (int i = 0; i < 16; ++i) {
       bool const inside = x + i % packet_width < rays.width && y + i / packet_width < rays.height;
-      if (inside) occluded[index(i)] = valid[i] && query.tfar[i] < 0;
+      if (inside) occluded[index(i)] = valid[i] && query.t_far[i] < 0;
     }
   });
 }
 
 void EmbreeTracer::closest(FreeRays const& rays, std::vector<RayHit>& hits, bool packets) const {
-  constexpr std::size_t chunk = 1024;
-  parallel((rays.size() + chunk - 1) / chunk, state_->threads, [&](std::size_t part) {
-    EmbreeQuery incoherent(Coherence::incoherent);
-    std::size_t const end = std::min(rays.size(), (part + 1) * chunk);
-    for (std::size_t first = part * chunk; first < end; first += packets ? 16 : 1) {
-      float o[3], d[3];
-      auto const load = [&](std::size_t i) {
-        auto const &origin = rays.origins[i], &direction = rays.directions[i];
-        o[0] = origin.x, o[1] = origin.y, o[2] = origin.z;
-        d[0] = direction.x, d[1] = direction.y, d[2] = direction.z;
-        return d[0] != 0 || d[1] != 0 || d[2] != 0;
-      };
-      if (!packets) {
-        RTCRayHit query;
-        bool const traced = load(first);
-        query.ray = make_ray(o, d, infinity);
-        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        if (traced) incoherent.closest(state_->scene, query);
-        hits[first] = hit_of(query.ray.tfar, query.hit.geomID, query.hit.primID);
-        continue;
-      }
-      alignas(64) RTCRayHit16 query;
-      alignas(64) int valid[16];
-      for (unsigned i = 0; i < 16; ++i) {
-        valid[i] = first + i < end && load(first + i) ? -1 : 0;
-        set_ray(query.ray, i, o, d, infinity);
-        query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-        query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-      }
-      incoherent.closest(valid, state_->scene, query);
-      for (unsigned i = 0; i < 16 && first + i < end; ++i) {
-        hits[first + i] = hit_of(query.ray.tfar[i], query.hit.geomID[i], query.hit.primID[i]);
-      }
+  parallel_runs(rays.size(), state_->threads, packets ? 16 : 1, [&](std::size_t first, std::size_t count) {
+    float o[3], d[3];
+    if (!packets) {
+      embree::RayHit query;
+      bool const exists = load_ray(rays, first, o, d);
+      query.ray = make_ray(o, d, infinity);
+      query.geometry = query.instance = embree::invalid_id;
+      if (exists) state_->api->closest(state_->scene, embree::Coherence::incoherent, query);
+      hits[first] = hit_of(query.ray.t_far, query.geometry, query.primitive);
+      return;
     }
+    embree::RayHit16 query;
+    alignas(64) int valid[16];
+    for (unsigned i = 0; i < 16; ++i) {
+      valid[i] = i < count && load_ray(rays, first + i, o, d) ? -1 : 0;
+      set_ray(query.ray, i, o, d, infinity);
+      query.geometry[i] = query.instance[i] = embree::invalid_id;
+    }
+    state_->api->closest(valid, state_->scene, embree::Coherence::incoherent, query);
+    for (unsigned i = 0; i < count; ++i) {
+      hits[first + i] = hit_of(query.ray.t_far[i], query.geometry[i], query.primitive[i]);
+    }
+  });
+}
+
+void EmbreeTracer::any(FreeRays const& rays, std::vector<std::uint8_t>& occluded, bool packets) const {
+  parallel_runs(rays.size(), state_->threads, packets ? 16 : 1, [&](std::size_t first, std::size_t count) {
+    float o[3], d[3];
+    if (!packets) {
+      bool const exists = load_ray(rays, first, o, d);
+      embree::Ray query = make_ray(o, d, rays.t_max);
+      if (exists) state_->api->any(state_->scene, embree::Coherence::incoherent, query);
+      occluded[first] = query.t_far < 0;
+      return;
+    }
+    embree::Ray16 query;
+    alignas(64) int valid[16];
+    for (unsigned i = 0; i < 16; ++i) {
+      valid[i] = i < count && load_ray(rays, first + i, o, d) ? -1 : 0;
+      set_ray(query, i, o, d, rays.t_max);
+    }
+    state_->api->any(valid, state_->scene, embree::Coherence::incoherent, query);
+    for (unsigned i = 0; i < count; ++i) occluded[first + i] = query.t_far[i] < 0;
   });
 }
 

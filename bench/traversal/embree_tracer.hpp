@@ -3,24 +3,25 @@
 #include <memory>
 
 #include "bench_rays.hpp"
+#include "embree_api.hpp"
 
 namespace lichtraum::bench {
 
-/// Embree on as many threads as asked for, with one static scene of triangles.
+/// One version of Embree on as many threads as asked for, with one static scene of triangles.
 class EmbreeTracer {
  public:
-  enum class Quality { medium, high };
-  /// Builds the scene; keeps the mesh in Embree's own buffers.
-  EmbreeTracer(TriangleMesh const& mesh, Quality quality, int threads);
+  enum class Quality { medium = 1, high = 2 };
+  /// Copies the mesh into Embree's own buffers. The library must outlive it.
+  EmbreeTracer(embree::Library const& library, TriangleMesh const& mesh, Quality quality, int threads);
   ~EmbreeTracer();
 
-  double build_ms() const;            ///< of rtcCommitScene
-  double build_processor_ms() const;  ///< of all its threads
-  std::size_t device_bytes() const;   ///< what Embree allocated for this scene
+  void build();                      ///< rtcCommitScene, before anything is traced
+  std::size_t device_bytes() const;  ///< what Embree allocated for this scene
 
   void closest(PrimaryRays const& rays, std::vector<RayHit>& hits, bool packets) const;
   void any(ShadowRays const& rays, std::vector<std::uint8_t>& occluded, bool packets) const;
   void closest(FreeRays const& rays, std::vector<RayHit>& hits, bool packets) const;
+  void any(FreeRays const& rays, std::vector<std::uint8_t>& occluded, bool packets) const;
 
  private:
   struct State;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "cl/opencl.hpp"
+#include "cl/render_program.hpp"
 #include "shared/packet.h"
 
 namespace lichtraum::bench {
@@ -40,7 +41,7 @@ struct OpenClTracer::State {
   cl::Context context{device};
   cl::CommandQueue queue{context, device};
   Traversal layout;
-  cl::Kernel primary, shadow, free, free_in_turn;
+  cl::Kernel primary, shadow, closest, any_hit;
   std::vector<cl::Buffer> scene;
   device::SceneConstants constants{};
 
@@ -72,12 +73,13 @@ OpenClTracer::OpenClTracer(SceneBuffers& scene, Traversal layout) : state_(std::
   auto const add = [&](auto const& array) { s.scene.push_back(s.over(array)); };
   for_each_array(scene, add);
   for_each_array(scene.shading, add);
-  char const* const names[] = {"", "TRAVERSAL_SCALAR", "TRAVERSAL_WIDE", "TRAVERSAL_PACKET"};
   cl::Program program(s.context, read(LICHTRAUM_BENCH_KERNEL));
-  std::size_t const stack_size = round_up(std::max<std::size_t>(scene.stack_size, 1), 96);
-  std::string const options =
-      fmt::format("-cl-std=CL1.2 -D {} -D TRAVERSAL_STACK_SIZE={} -D FREE_RAYS_PER_ITEM={} -I {}", names[int(layout)],
-                  stack_size, FreeRays::rays_per_item, LICHTRAUM_KERNEL_FOLDER);
+  RenderProgram const like_paths{.grouping = layout.grouping,
+                                 .has_all_planes = true,
+                                 .integrator = Integrator::path,
+                                 .traversal_stack_size = round_up(std::max<std::size_t>(scene.stack_size, 1), 96)};
+  std::string const options = fmt::format("{} -D FREE_RAYS_PER_ITEM={} -I {}", like_paths.options(),
+                                          FreeRays::rays_per_item, LICHTRAUM_KERNEL_FOLDER);
   try {
     program.build(s.device, options.c_str());
   } catch (cl::Error const&) {
@@ -85,13 +87,13 @@ OpenClTracer::OpenClTracer(SceneBuffers& scene, Traversal layout) : state_(std::
   }
   s.primary = cl::Kernel(program, "primary");
   s.shadow = cl::Kernel(program, "shadow");
-  if (layout != Traversal::packet) s.free = cl::Kernel(program, "closest");
-  if (layout == Traversal::wide) s.free_in_turn = cl::Kernel(program, "closest_in_turn");
+  s.closest = cl::Kernel(program, "closest");
+  s.any_hit = cl::Kernel(program, "any_hit");
 }
 
 OpenClTracer::~OpenClTracer() = default;
 
-void OpenClTracer::closest(PrimaryRays const& rays, std::vector<RayHit>& hits) {
+void OpenClTracer::closest(PrimaryRays const& rays, std::vector<RayHit>& hits) const {
   State& s = *state_;
   std::vector<device::PinholeCamera> const camera{rays.camera};
   cl::Buffer const camera_buffer = s.over(camera), out = s.over(hits);
@@ -100,13 +102,13 @@ void OpenClTracer::closest(PrimaryRays const& rays, std::vector<RayHit>& hits) {
   s.primary.setArg(argument++, cl_uint(rays.width));
   s.primary.setArg(argument++, rays.pixels_per_ray);
   s.primary.setArg(argument++, out);
-  std::size_t const side = s.layout == Traversal::packet ? PACKET_SIDE : 1;
+  std::size_t const side = s.layout.grouping == RayGrouping::packet ? PACKET_SIDE : 1;
   std::size_t const local = 8 / (side > 2 ? 2 : 1);
   s.run(s.primary, cl::NDRange(rays.width / side, rays.height / side), cl::NDRange(local, local), out,
         sizeof(RayHit) * hits.size());
 }
 
-void OpenClTracer::any(ShadowRays const& rays, std::vector<std::uint8_t>& occluded) {
+void OpenClTracer::any(ShadowRays const& rays, std::vector<std::uint8_t>& occluded) const {
   State& s = *state_;
   cl::Buffer const points = s.over(rays.points), out = s.over(occluded);
   cl_uint argument = s.set_scene(s.shadow);
@@ -114,20 +116,31 @@ void OpenClTracer::any(ShadowRays const& rays, std::vector<std::uint8_t>& occlud
   s.shadow.setArg(argument++, rays.light);
   s.shadow.setArg(argument++, cl_uint(rays.width));
   s.shadow.setArg(argument++, out);
-  std::size_t const side = s.layout == Traversal::packet ? PACKET_SIDE : 1;
+  std::size_t const side = s.layout.grouping == RayGrouping::packet ? PACKET_SIDE : 1;
   std::size_t const local = 8 / (side > 2 ? 2 : 1);
   s.run(s.shadow, cl::NDRange(rays.width / side, rays.height / side), cl::NDRange(local, local), out, occluded.size());
 }
 
-void OpenClTracer::closest(FreeRays const& rays, std::vector<RayHit>& hits, bool in_turn) {
+void OpenClTracer::closest(FreeRays const& rays, std::vector<RayHit>& hits) const {
   State& s = *state_;
-  cl::Kernel& kernel = in_turn ? s.free_in_turn : s.free;
   cl::Buffer const origins = s.over(rays.origins), directions = s.over(rays.directions), out = s.over(hits);
-  cl_uint argument = s.set_scene(kernel);
-  kernel.setArg(argument++, origins);
-  kernel.setArg(argument++, directions);
-  kernel.setArg(argument++, out);
-  s.run(kernel, cl::NDRange(rays.size() / FreeRays::rays_per_item), cl::NDRange(1), out, sizeof(RayHit) * hits.size());
+  cl_uint argument = s.set_scene(s.closest);
+  s.closest.setArg(argument++, origins);
+  s.closest.setArg(argument++, directions);
+  s.closest.setArg(argument++, out);
+  s.run(s.closest, cl::NDRange(rays.size() / FreeRays::rays_per_item), cl::NDRange(1), out,
+        sizeof(RayHit) * hits.size());
+}
+
+void OpenClTracer::any(FreeRays const& rays, std::vector<std::uint8_t>& occluded) const {
+  State& s = *state_;
+  cl::Buffer const origins = s.over(rays.origins), directions = s.over(rays.directions), out = s.over(occluded);
+  cl_uint argument = s.set_scene(s.any_hit);
+  s.any_hit.setArg(argument++, origins);
+  s.any_hit.setArg(argument++, directions);
+  s.any_hit.setArg(argument++, rays.t_max);
+  s.any_hit.setArg(argument++, out);
+  s.run(s.any_hit, cl::NDRange(rays.size() / FreeRays::rays_per_item), cl::NDRange(1), out, occluded.size());
 }
 
 }  // namespace lichtraum::bench

@@ -13,10 +13,10 @@ class OpenClTracer {
   OpenClTracer(SceneBuffers& scene, Traversal layout);
   ~OpenClTracer();
 
-  void closest(PrimaryRays const& rays, std::vector<RayHit>& hits);
-  void any(ShadowRays const& rays, std::vector<std::uint8_t>& occluded);
-  /// Not for packets. In turn, a few rays at a time, only for Traversal::wide.
-  void closest(FreeRays const& rays, std::vector<RayHit>& hits, bool in_turn);
+  void closest(PrimaryRays const& rays, std::vector<RayHit>& hits) const;
+  void any(ShadowRays const& rays, std::vector<std::uint8_t>& occluded) const;
+  void closest(FreeRays const& rays, std::vector<RayHit>& hits) const;
+  void any(FreeRays const& rays, std::vector<std::uint8_t>& occluded) const;
 
  private:
   struct State;

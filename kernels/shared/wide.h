@@ -30,7 +30,8 @@ DEVICE_NAMESPACE_BEGIN
  *             max x | 0 1 2 ... 15 |
  *             ...
  *   children        | 0 1 2 ... 15 |
- * An absent child has min = INFINITY and max = -INFINITY, which no ray meets. */
+ * Leaves come first, then the largest: the order for any-hit (traversal/wide_stream.clh). An absent child has
+ * min = INFINITY and max = -INFINITY, which no ray meets. */
 typedef struct {
   float bounds[6][WIDE_CHILDREN];
   uint children[WIDE_CHILDREN];

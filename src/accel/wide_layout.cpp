@@ -27,6 +27,26 @@ class Children {
   std::size_t size_ = 0;
 };
 
+/// Which child is in each lane, so that a ray that looks for any hit, and takes them in this order, soon has one:
+/// leaves, which answer at once, then what is large, as Embree's builder has it.
+std::array<std::uint8_t, WIDE_CHILDREN> order_of_visits(Children const& children) {
+  std::array<double, WIDE_CHILDREN> half_area;  // of numbers as large as floats can be
+  std::array<std::uint8_t, WIDE_CHILDREN> order{};
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    BvhChild const& c = children[i];
+    double const x = double(c.max[0]) - double(c.min[0]), y = double(c.max[1]) - double(c.min[1]),
+                 z = double(c.max[2]) - double(c.min[2]);
+    half_area[i] = x * y + y * z + z * x;
+    order[i] = std::uint8_t(i);
+  }
+  auto const is_before = [&](std::uint8_t a, std::uint8_t b) {
+    bool const a_is_leaf = children[a].count > 0, b_is_leaf = children[b].count > 0;
+    return a_is_leaf != b_is_leaf ? a_is_leaf : half_area[a] > half_area[b];
+  };
+  std::stable_sort(order.begin(), order.begin() + children.size(), is_before);
+  return order;
+}
+
 bool is_absent(BvhChild const& child) { return !(child.min[0] <= child.max[0]); }
 
 /// Makes the wide nodes. Plans say how many are in each subtree: so each knows where it goes.
@@ -81,35 +101,46 @@ class Collapser {
     }
   }
 
-  /// Makes the root of a subtree. Adds those of its children that are nodes to `open`, the first one last.
+  /// Makes the root of a subtree. Adds those of its children that are nodes to `open`, the first one last. Blocks and
+  /// nodes are numbered from left to right, whatever the lanes.
   void make_node(Subtree const& subtree, std::vector<Subtree>& open) {
     Children const children = gather(subtree.binary);
-    device::WideNode node;
-    for (std::size_t lane = 0; lane < WIDE_CHILDREN; ++lane) {
-      bool const is_present = lane < children.size();
-      for (int axis = 0; axis < 3; ++axis) {
-        node.bounds[2 * axis][lane] = is_present ? children[lane].min[axis] : DeviceBounds::infinity;
-        node.bounds[2 * axis + 1][lane] = is_present ? children[lane].max[axis] : -DeviceBounds::infinity;
-      }
-      node.children[lane] = 0;
-    }
-    Subtree next{0, subtree.first_node + 1, subtree.first_block,
-                 subtree.stack_size + std::max<std::size_t>(children.size(), 1) - 1};
+    std::array<uint, WIDE_CHILDREN> words{};
+    Subtree next{0, subtree.first_node + 1, subtree.first_block, subtree.stack_size + stack_entries(children.size())};
     note_stack_size(next.stack_size);
-    for (std::size_t lane = 0; lane < children.size(); ++lane) {
-      if (children[lane].count > 0) node.children[lane] = make_leaf(children[lane], next.first_block);
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      if (children[i].count > 0) words[i] = make_leaf(children[i], next.first_block);
     }
     std::size_t const first_open = open.size();
-    for (std::size_t lane = 0; lane < children.size(); ++lane) {
-      if (children[lane].count > 0) continue;
-      next.binary = children[lane].first;
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      if (children[i].count > 0) continue;
+      next.binary = children[i].first;
       open.push_back(next);
-      node.children[lane] = WIDE_KIND_NODE << WIDE_INDEX_BITS | next.first_node;
+      words[i] = WIDE_KIND_NODE << WIDE_INDEX_BITS | next.first_node;
       next.first_node += plans_[next.binary].wide_nodes;
       next.first_block.add(plans_[next.binary].blocks);
     }
     std::reverse(open.begin() + std::ptrdiff_t(first_open), open.end());
-    wide_.nodes[subtree.first_node] = node;
+    fill_lanes(children, words, wide_.nodes[subtree.first_node]);
+  }
+
+  /// What waits in a node while one of its children is visited: each other child, or their lanes and the node.
+  static std::size_t stack_entries(std::size_t children) {
+    return children < 2 ? 0 : std::max<std::size_t>(children - 1, 2);
+  }
+
+  static void fill_lanes(Children const& children, std::array<uint, WIDE_CHILDREN> const& words,
+                         device::WideNode& node) {
+    auto const order = order_of_visits(children);
+    for (std::size_t lane = 0; lane < WIDE_CHILDREN; ++lane) {
+      bool const is_present = lane < children.size();
+      std::size_t const child = order[lane];
+      for (int axis = 0; axis < 3; ++axis) {
+        node.bounds[2 * axis][lane] = is_present ? children[child].min[axis] : DeviceBounds::infinity;
+        node.bounds[2 * axis + 1][lane] = is_present ? children[child].max[axis] : -DeviceBounds::infinity;
+      }
+      node.children[lane] = is_present ? words[child] : 0;
+    }
   }
 
   uint make_leaf(BvhChild const& leaf, BlockCounts& next) {

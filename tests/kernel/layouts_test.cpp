@@ -295,10 +295,15 @@ TEST_CASE("a traversal never needs more stack than the host computes", "[kernel]
     return r;
   }();
   auto const expected = LayoutProbe(scene, Traversal::scalar).closest(rays);
+  constexpr float t_max = 1e6f;
   for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
     LayoutProbe const probe(scene, traversal);
     CHECK(probe.scene().stack_size > 50);  // it is a hard case
     CHECK(count_different(probe.closest(rays), expected) == 0);
     CHECK(count_different(probe.closest_in_turn(rays), expected) == 0);
+    auto const visible = LayoutProbe(scene, Traversal::scalar).visibility(rays, t_max);
+    CHECK(probe.visibility_in_turn(rays, t_max) == visible);
+    CHECK(std::ranges::count(visible, 0.f) > 0);
+    CHECK(std::ranges::count(visible, 1.f) > 0);
   }
 }

@@ -100,6 +100,30 @@ TEST_CASE("blocks are more than half full where all are of one kind", "[unit][bv
   CHECK(collapse(build_bvh(triangles)).triangle_blocks.size() < count / 2);
 }
 
+TEST_CASE("in a wide node leaves come first, then the largest nodes", "[unit][bvh]") {
+  auto primitives = random_primitives(20000, {PRIMITIVE_SPHERE, PRIMITIVE_TRIANGLE, PRIMITIVE_BOX});
+  WideBvh const wide = collapse(build_bvh(primitives));
+  std::size_t mixed = 0, wrong = 0;
+  for (device::WideNode const& node : wide.nodes) {
+    auto const is_leaf = [&](int lane) { return node.children[lane] >> WIDE_INDEX_BITS != WIDE_KIND_NODE; };
+    auto const is_present = [&](int lane) { return node.bounds[WIDE_MIN_X][lane] <= node.bounds[WIDE_MAX_X][lane]; };
+    auto const area = [&](int lane) {
+      auto const size = [&](unsigned row) {
+        return double(node.bounds[row + 1][lane]) - double(node.bounds[row][lane]);
+      };
+      double const x = size(WIDE_MIN_X), y = size(WIDE_MIN_Y), z = size(WIDE_MIN_Z);
+      return x * y + y * z + z * x;
+    };
+    for (int lane = 1; lane < WIDE_CHILDREN && is_present(lane); ++lane) {
+      mixed += is_leaf(lane) != is_leaf(lane - 1) ? 1 : 0;
+      bool const is_right = is_leaf(lane) == is_leaf(lane - 1) ? area(lane) <= area(lane - 1) : is_leaf(lane - 1);
+      wrong += is_right ? 0 : 1;
+    }
+  }
+  CHECK(mixed > 0);  // there are nodes of both
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("what stands beside the tree costs no wide node, if it is not too much", "[unit][bvh]") {
   constexpr float far = std::numeric_limits<float>::max();
   for (device::uint const beside : {1u, 3u, 40u}) {

@@ -5,15 +5,17 @@
 
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
-#include "app/exit_code.hpp"
-#include "app/scene_source.hpp"
+#include "app/input_list.hpp"
+#include "app/prediction.hpp"
+#include "app/renderer_choice.hpp"
 
 namespace lichtraum::app {
 namespace {
 
 constexpr char const* description =
-    "Reports what is wrong in scenes and draws nothing. SCENE is an eSDF file, a\n"
-    "model (glTF, OBJ, PLY, STL), or - for standard input.";
+    "Reports what is wrong in scenes, and what render would write, and draws\n"
+    "nothing. SCENE is an eSDF file, a model (glTF, OBJ, PLY, STL), or - for\n"
+    "standard input. The exit status is the one that render would have.";
 
 constexpr char const* examples =
     "  lichtraum check hello.sdf\n"
@@ -30,46 +32,58 @@ std::size_t count_of(std::vector<Diagnostic> const& diagnostics, Severity severi
                                                 [&](Diagnostic const& d) { return d.severity == severity; }));
 }
 
-std::string summary(std::string const& name, std::vector<Diagnostic> const& diagnostics) {
-  std::size_t const errors = count_of(diagnostics, Severity::error);
-  std::size_t const warnings = count_of(diagnostics, Severity::warning);
-  if (errors + warnings == 0) return fmt::format("{}: good\n", name);
-  std::string const text = errors == 0 ? "good, " : count(errors, "error") + ", ";
-  return fmt::format("{}: {}{}\n", name, text, count(warnings, "warning"));
+std::string picture_line(PicturePlan const& plan) {
+  Region const& region = *plan.job.region;
+  return fmt::format("  would write {}, {}x{}, camera '{}'\n", plan.output.shown, region.width, region.height,
+                     plan.job.camera);
+}
+
+std::string summary(Prediction const& prediction) {
+  std::size_t const errors = count_of(prediction.diagnostics, Severity::error);
+  std::size_t const warnings = count_of(prediction.diagnostics, Severity::warning);
+  std::string text = fmt::format("{}: {}", prediction.file, errors == 0 ? "good" : count(errors, "error"));
+  if (errors + warnings > 0) text += ", " + count(warnings, "warning");
+  text += "\n";
+  constexpr std::size_t most_pictures = 4;
+  std::size_t const shown = std::min(prediction.pictures.size(), most_pictures);
+  for (std::size_t i = 0; i < shown; ++i) text += picture_line(prediction.pictures[i]);
+  if (std::size_t const more = prediction.pictures.size() - shown; more > 0) {
+    text +=
+        fmt::format("  and {}, the last is {}\n", count(more, "more picture"), prediction.pictures.back().output.shown);
+  }
+  return text;
+}
+
+/// False when only the help was asked for.
+bool parse_check(Arguments const& arguments, RenderOptions& options, Console& console) {
+  auto const parser = make_parser("check", description, examples);
+  add_inputs(*parser, options.scenes, "SCENE...");
+  add_language_options(*parser, options.job.reading);
+  add_model_options(*parser, options.job.reading.model);
+  add_input_format_option(*parser, options.input_format);
+  add_device_option(*parser, options, "Device");
+  add_verbosity(*parser, console);
+  if (!parse(*parser, arguments)) return false;
+  check_inputs(options);
+  return true;
 }
 
 }  // namespace
 
 int check_command(Arguments const& arguments, Console& console) {
-  std::vector<std::string> scenes;
-  std::string input_format;
-  SceneReading reading;
-  auto const parser = make_parser("check", description, examples);
-  add_inputs(*parser, scenes, "SCENE...");
-  add_language_options(*parser, reading);
-  add_model_options(*parser, reading.model);
-  add_input_format_option(*parser, input_format);
-  add_verbosity(*parser, console);
-  if (!parse(*parser, arguments)) return 0;
-  check_input_format(input_format, scenes);
+  RenderOptions options;
+  if (!parse_check(arguments, options, console)) return 0;
+  OutputNames names(options.output);
+  std::vector<std::string> const inputs = expand_patterns(options.scenes);
+  auto const renderer = choose_renderer(options.device, options.traversal, console);
+  options.load.device = renderer->device().kind;
 
   int code = 0;
-  for (std::string const& scene : scenes) {
-    std::string line;
-    try {
-      LoadedScene const script = SceneSource(scene, input_format).load(reading);
-      console.show(script.diagnostics());
-      line = summary(scene, script.diagnostics());
-    } catch (SceneError const& error) {
-      console.show(error);
-      line = summary(scene, error.diagnostics());
-      if (code == 0) code = exit_code(error.kind());
-    } catch (Error const& error) {
-      console.show(error);
-      if (code == 0) code = exit_code(error.kind());
-    }
-    if (!console.is_quiet()) write_standard_output(line);
-  }
+  predict(inputs, options, names, *renderer, [&](Prediction const& prediction) {
+    console.show(prediction.diagnostics);
+    if (!console.is_quiet()) write_standard_output(summary(prediction));
+    if (code == 0) code = prediction.exit_code;
+  });
   return code;
 }
 

@@ -75,6 +75,7 @@ void Console::show(std::vector<Diagnostic> const& diagnostics) const {
     if (diagnostic.severity == Severity::warning && is_quiet()) continue;
     if (diagnostic.severity == Severity::note && !is_verbose()) continue;
     std::string text = format_diagnostic(diagnostic);
+    if (diagnostic.location.file.empty()) text.insert(0, "lichtraum: ");
     Label const label = label_of(diagnostic.severity);
     std::size_t const place = text.find(label.word);
     if (is_colored_ && place < text.find('\n')) {

@@ -28,7 +28,7 @@ class Console {
   void info(std::string_view message) const;     ///< not with --quiet
   void detail(std::string_view message) const;   ///< only with --verbose
 
-  /// Errors always, warnings unless --quiet, notes only with --verbose.
+  /// Errors always, warnings unless --quiet, notes only with --verbose. What is of no file is the program's.
   void show(std::vector<Diagnostic> const& diagnostics) const;
   /// A scene's diagnostics, the message of others; a report of a fault for ErrorKind::internal.
   void show(Error const& error) const;

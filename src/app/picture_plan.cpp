@@ -82,8 +82,8 @@ void check_memory(Region const& region, PlaneSet const& planes, int sample_count
   double const needed = pixel_bytes * region.width * region.height;
   double const available = double(usable_memory_bytes());
   if (needed <= available) return;
-  throw Error(kind, fmt::format("a picture of {}x{} pixels needs {} of memory; {} can be used. --region draws a "
-                                "part of it",
+  throw Error(kind, fmt::format("a picture of {}x{} pixels needs {} of memory; {} can be used: a "
+                                "smaller size needs less, and --region draws a part of it",
                                 region.width, region.height, human(needed), human(available)));
 }
 
@@ -94,6 +94,7 @@ std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource co
   if (commands.empty()) {
     RenderCommand command;
     command.file = scene.filename.empty() ? source.stem() + ".png" : scene.filename;
+    command.location.file = source.name();
     commands.push_back(command);
   }
   std::vector<double> const& times = script.times_seconds();
@@ -120,6 +121,7 @@ std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource co
       bool const is_one_of_many = turns > 1 || times.size() > 1;
       plans.push_back(plan_picture(scene, command, job, options.load.device, names, is_one_of_many));
       plans.back().scene_number = scene_number;
+      plans.back().location = command.location;
     }
   }
   return plans;

@@ -11,6 +11,7 @@ namespace lichtraum::app {
 
 /// One picture of a scene, everything decided and checked before anything is drawn.
 struct PicturePlan {
+  SourceLocation location;             ///< of the `render` that asks for it, else the file
   std::size_t scene_number = 0;        ///< which of the scenes that LoadedScene::play shows
   Job job;                             ///< decided (see `resolved`), without the text of standard input
   std::string_view integrator_reason;  ///< see IntegratorChoice

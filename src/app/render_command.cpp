@@ -115,13 +115,7 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments&
   if (!parse(*parser, arguments)) return false;
   if (options.show) window_arguments = arguments_for_view(*parser);
 
-  options.output.allowed_paths = options.job.reading.allowed_paths;
-  options.load.models = make_model_cache();
-  options.load.environments = std::make_shared<EnvironmentMaps>();
-  if (std::count(options.scenes.begin(), options.scenes.end(), "-") > 1) {
-    throw Error(ErrorKind::usage, "standard input (-) is named more than once");
-  }
-  check_input_format(options.input_format, options.scenes);
+  check_inputs(options);
   return true;
 }
 

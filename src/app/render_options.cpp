@@ -1,6 +1,7 @@
 #include "app/render_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "app/arguments.hpp"
 
@@ -93,6 +94,16 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
   add_device_option(parser, options, group);
   add_value(parser, "--traversal", options.traversal, parse_traversal, "NAME",
             "How rays find what they hit: auto (default),\nscalar, wide or packet. Only edges may differ", group);
+}
+
+void check_inputs(RenderOptions& options) {
+  options.output.allowed_paths = options.job.reading.allowed_paths;
+  options.load.models = make_model_cache();
+  options.load.environments = std::make_shared<EnvironmentMaps>();
+  if (std::count(options.scenes.begin(), options.scenes.end(), "-") > 1) {
+    throw Error(ErrorKind::usage, "standard input (-) is named more than once");
+  }
+  check_input_format(options.input_format, options.scenes);
 }
 
 }  // namespace lichtraum::app

@@ -51,4 +51,7 @@ void add_denoise_option(CLI::App& parser, Denoising& denoising);
 /// --device and --traversal. `default_samples`: for the help.
 void add_quality_options(CLI::App& parser, RenderOptions& options, std::string const& default_samples);
 
+/// What the scenes of a parsed command line have in common. Throws Error{usage} for what cannot be read.
+void check_inputs(RenderOptions& options);
+
 }  // namespace lichtraum::app

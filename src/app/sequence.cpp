@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <future>
-#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
-#include "app/empty_view.hpp"
 #include "app/exit_code.hpp"
 #include "app/interruption.hpp"
+#include "app/picture_findings.hpp"
 #include "app/picture_writer.hpp"
+#include "app/plan_findings.hpp"
 #include "app/progress_bar.hpp"
 #include "app/scene_loader.hpp"
 #include "app/stopwatch.hpp"
@@ -34,6 +33,8 @@ class Sequence {
         bar_(console),
         writer_(options.frame_rate()),
         denoiser_([&renderer](NoisyPicture const& picture) { return renderer.filter_noise(picture); }),
+        plan_findings_(options),
+        picture_findings_(renderer, options),
         loader_(inputs, options, names, renderer, denoiser_) {}
 
   int run() {
@@ -96,56 +97,14 @@ class Sequence {
 
   void open(SceneOpened opened, std::size_t input) {
     scene_ = std::move(opened);
-    has_explained_ = false;
     inputs_left_ = inputs_.size() - input - 1;
     report_.scenes.back().load_ms = scene_.load_ms;
     bar_.clear();
     console_.show(scene_.diagnostics);
     console_.detail(fmt::format("{}: loaded in {:.1f} ms", scene_.source->name(), scene_.load_ms));
-    say_what_was_decided(scene_.plans);
+    console_.show(plan_findings_.next(scene_));
+    picture_findings_.begin(scene_);
     if (is_film_) check_film_size();
-  }
-
-  void say_what_was_decided(std::vector<PicturePlan> const& plans) {
-    for (PicturePlan const& plan : plans) {
-      ImageFormat const& format = *plan.output.format;
-      bool const is_own_file = !plan.output.is_standard_output() && !plan.output.is_film;
-      int const use = is_own_file ? ++uses_[plan.output.path] : 1;
-      if (use == 2) {
-        console_.warning(
-            fmt::format("several pictures are called '{}': the last one is kept (-o picture-%04d.png numbers them)",
-                        plan.output.shown));
-      }
-      if (use > 1) continue;
-      if (!plan.output.note.empty()) console_.warning(plan.output.note);
-      auto const has_no_effect = [&](bool given, bool applies, char const* option, char const* advice = "") {
-        if (!given || applies || !warned_.insert({option, plan.output.path.extension()}).second) return;
-        console_.warning(fmt::format("{} has no effect on '{}'{}", option, plan.output.shown, advice));
-      };
-      bool const is_film = plan.output.is_film;
-      has_no_effect(options_.has_bits, format.encode && format.max_bits > 8 && !is_film, "--bits");
-      has_no_effect(options_.has_quality, format.name == "jpg", "--quality");
-      has_no_effect(options_.job.encoding.ppm_ascii, format.name == "ppm" && !is_film, "--ppm-ascii");
-      bool const has_radiance = traced_planes(plan.job).has(FilmPlane::radiance);
-      has_no_effect(options_.has_development, format.encode && has_radiance, "--exposure, --tonemap or --transfer");
-      Denoising const denoising = options_.job.denoising;
-      has_no_effect(denoising == Denoising::on || denoising == Denoising::builtin, format.encode && has_radiance,
-                    "--denoise",
-                    format.encode_film && has_radiance ? ": planes are stored as traced (lichtraum denoise)" : "");
-      has_no_effect(options_.job.background.has_value(), has_radiance, "--background");
-      has_no_effect(options_.job.sampling.has_value(), traced_planes(plan.job).has(PlaneRule::mean), "--samples");
-      has_no_effect(options_.job.noise.has_value(), has_radiance, "--noise");
-      bool const has_shadows = plan.job.ground != Ground::none && traced_planes(plan.job).has(FilmPlane::alpha);
-      bool const is_lit = has_radiance || has_shadows;
-      has_no_effect(options_.job.max_indirect.has_value(), is_lit && plan.job.integrator == Integrator::path,
-                    "--clamp");
-      has_no_effect(options_.job.max_depth.has_value(), is_lit, "--depth");
-      has_no_effect(options_.job.ground != Ground::none, is_lit, "--ground");
-      ModelChoice const& model = options_.job.reading.model;
-      bool const is_posed = model.time_seconds || !model.animation.empty();
-      has_no_effect(is_posed, scene_.is_model, "--time or --animation", ": a scene's models stand as in their files");
-      has_no_effect(options_.resume, format.read_fingerprint != nullptr, "--resume");
-    }
   }
 
   void check_film_size() {
@@ -185,12 +144,7 @@ class Sequence {
       return;
     }
     picture.scene = renderer_.set_scene(ready.scene);
-    if (picture.scene.unrepresentable > 0 && ready.number == 0) {
-      bar_.clear();
-      console_.warning(
-          fmt::format("{}: {} shapes are left out: their coordinates are too large or too small for the device",
-                      scene_.source->name(), picture.scene.unrepresentable));
-    }
+    show(picture_findings_.of_scene(ready));
 
     if (!graceful_) graceful_.emplace();
     Film film;
@@ -231,21 +185,27 @@ class Sequence {
                                               ? "interrupted: nothing was written"
                                               : fmt::format("interrupted: what is done is in '{}'", written_to));
     }
-    if (result.statistics.rays.camera > 0 && result.statistics.rays.camera_hits == 0 && !options_.job.region) {
-      finish_writing();
-      explain_empty_view(*ready.scene, ready.request, picture.plan);
-    }
+    auto const found = picture_findings_.of_picture(ready, picture.plan, result.statistics.rays);
+    if (!found.empty()) finish_writing();
+    show(found);
     if (interrupted()) {
       finish_writing();
       throw Error(ErrorKind::interrupted, "interrupted");
     }
   }
 
+  /// Below the line that shows progress.
+  void show(std::vector<Diagnostic> const& found) {
+    if (found.empty()) return;
+    bar_.clear();
+    console_.show(found);
+  }
+
   /// Of a film, once.
   void warn_of_noise(PictureReport const& picture) {
     auto const limit = picture.plan.job.noise;
     if (!limit || !picture.noise || *picture.noise <= *limit) return;
-    if (is_film_ && !warned_.insert({"--noise", picture.plan.output.path.extension()}).second) return;
+    if (is_film_ && std::exchange(has_warned_of_noise_, true)) return;
     bar_.clear();
     console_.warning(fmt::format("{}: after {} samples the noise is {:.2g}, not {}: a larger --samples allows more",
                                  picture.plan.output.shown, picture.samples, *picture.noise, *limit));
@@ -314,45 +274,6 @@ class Sequence {
     }
   }
 
-  /// Says where the scene lies, and which other convention would show it. Once an input.
-  void explain_empty_view(PreparedScene const& scene, RenderRequest const& request, PicturePlan const& plan) {
-    if (has_explained_ || console_.is_quiet()) return;
-    has_explained_ = true;
-    std::string message = fmt::format("{}: the camera '{}' sees nothing: {}", scene_.source->name(),
-                                      request.camera.name(), describe_direction(request.camera, scene.bounds));
-    for (Convention const& convention : other_conventions(options_.job.reading.dialect)) {
-      if (scene_.is_model || !shows_something(convention.dialect, request, plan.scene_number)) continue;
-      message += fmt::format("; with {} it is in view", convention.arguments);
-      break;
-    }
-    bar_.clear();
-    console_.warning(message);
-  }
-
-  /// Draws the picture again, small, from the file read under other options.
-  bool shows_something(EsdfDialect const& dialect, RenderRequest request, std::size_t wanted) {
-    constexpr int probe_width = 64;
-    int const height = std::max(1, int(double(request.resolution.height) * probe_width / request.resolution.width));
-    request.resolution = {probe_width, std::min(height, 4 * probe_width)};
-    request.region = whole_picture(request.resolution);
-    request.sampling = {};
-    request.planes = {FilmPlane::depth};
-    bool is_seen = false;
-    SceneReading reading = options_.job.reading;
-    reading.dialect = dialect;
-    LoadedScene script = scene_.source->load(reading, options_.load);
-    script.play([&](Scene const& scene, std::size_t index) {
-      Camera const* const camera = scene.cameras.find(request.camera.name());
-      if (index != wanted || !camera) return true;
-      request.camera = camera->fitted(request.resolution);
-      renderer_.set_scene(scene, options_.job.root);
-      Film film;
-      is_seen = renderer_.render(request, film).statistics.rays.camera_hits > 0;
-      return false;
-    });
-    return is_seen;
-  }
-
   std::vector<std::string> const& inputs_;
   RenderOptions const& options_;
   Renderer& renderer_;
@@ -364,14 +285,14 @@ class Sequence {
   ProgressBar bar_;
   PictureWriter writer_;
   Denoiser denoiser_;
+  PlanFindings plan_findings_;
+  PictureFindings picture_findings_;
   SceneLoader loader_;
   std::future<PictureReport> writing_;  // last: it uses what is above
 
   SceneOpened scene_;
   std::optional<Resolution> film_size_;
-  std::map<std::filesystem::path, int> uses_;             // pictures of that name
-  std::set<std::pair<std::string, std::string>> warned_;  // option and extension
-  bool has_explained_ = false;
+  bool has_warned_of_noise_ = false;
   int code_ = 0;
   std::size_t failed_ = 0;
   std::size_t skipped_ = 0;

@@ -95,12 +95,12 @@ TEST_CASE("check reports without drawing", "[app][check]") {
   lichtraum.folder.write("a.sdf", ball_scene);
   auto const good = lichtraum("check a.sdf");
   CHECK(good.exit_code == 0);
-  CHECK(good.out == "a.sdf: good\n");
+  CHECK(good.out == "a.sdf: good\n  would write ball.ppm, 32x24, camera 'eye'\n");
   CHECK(lichtraum("check a.sdf -q").out.empty());
-  CHECK(lichtraum("check -", ball_scene).out == "-: good\n");
+  CHECK(lichtraum("check -", ball_scene).out == "-: good\n  would write ball.ppm, 32x24, camera 'eye'\n");
   auto const warned = lichtraum("check -", "define camera eye 60 4 3\nrender nose a.ppm\n");
   CHECK(warned.exit_code == 0);
-  CHECK(warned.out == "-: good, 1 warning\n");
+  CHECK(warned.out == "-: good, 2 warnings\n  would write a.ppm, 4x3, camera 'eye'\n");
   CHECK_THAT(warned.err, contains_text("<stdin>:2:8: warning:"));
   CHECK(lichtraum.folder.names() == std::vector<std::string>{"a.sdf"});
 }

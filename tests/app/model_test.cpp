@@ -133,7 +133,7 @@ TEST_CASE("check and info read models", "[app][gltf]") {
   writer.json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 7}}}});
   lichtraum.folder.write("flawed.gltf", writer.text());
   lichtraum.folder.write("broken.gltf", "{");
-  CHECK(lichtraum("check good.gltf").out == "good.gltf: good\n");
+  CHECK(lichtraum("check good.gltf").out == "good.gltf: good\n  would write good.png, 720x720, camera 'near'\n");
   auto const flawed = lichtraum("check flawed.gltf");
   CHECK(flawed.exit_code == 0);
   CHECK_THAT(flawed.err, contains_text("/meshes/0/primitives/1/attributes/POSITION: accessor 7 is out of range (1)"));
@@ -202,7 +202,7 @@ TEST_CASE("OBJ and PLY models are drawn, checked, described, and shapes of scene
     INFO(result.err);
     REQUIRE(result.exit_code == 0);
     CHECK(decode(lichtraum.folder.read("one.png")).at(16, 12, 0) > 100);
-    CHECK(lichtraum(std::string("check ") + name).out == std::string(name) + ": good\n");
+    CHECK(lichtraum(std::string("check ") + name).out.rfind(std::string(name) + ": good\n", 0) == 0);
     CHECK_THAT(lichtraum(std::string("info ") + name).out,
                contains_text("  mesh triangles           2               2\n"));
   }
@@ -275,7 +275,7 @@ TEST_CASE("an STL model is drawn like the same triangles in a PLY file", "[app][
     REQUIRE(result.exit_code == 0);
   }
   CHECK(lichtraum.folder.read("a.ply.ppm") == lichtraum.folder.read("b.stl.ppm"));
-  CHECK(lichtraum("check b.stl").out == "b.stl: good\n");
+  CHECK(lichtraum("check b.stl").out.rfind("b.stl: good\n", 0) == 0);
   CHECK_THAT(lichtraum("info b.stl").out, contains_text("  mesh triangles           3               3\n"));
   CHECK(lichtraum.render("b.stl --root tent -o c.ppm").exit_code == 0);
   lichtraum.folder.write("cut.stl", solid + "facet normal 0 0 1\nouter loop\n");
@@ -329,7 +329,7 @@ TEST_CASE("models come through standard input, as files do", "[app][stdin]") {
     REQUIRE(by_file.exit_code == 0);
     REQUIRE(lichtraum(words + "piped.ppm - --format-in " + input.format, input.bytes).exit_code == 0);
     CHECK(lichtraum.folder.read("piped.ppm") == lichtraum.folder.read("file.ppm"));
-    CHECK(lichtraum("check - --format-in " + input.format, input.bytes).out == "-: good\n");
+    CHECK(lichtraum("check - --format-in " + input.format, input.bytes).out.rfind("-: good\n", 0) == 0);
     CHECK(lichtraum("check -", input.bytes).exit_code == (input.is_recognised ? 0 : 65));
     std::string const of_file = lichtraum("info " + file).out;
     std::string const of_pipe = lichtraum("info - --format-in " + input.format, input.bytes).out;

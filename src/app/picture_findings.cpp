@@ -1,0 +1,98 @@
+#include "app/picture_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/empty_view.hpp"
+
+namespace lichtraum::app {
+namespace {
+
+/// The same view in few pixels, with one sample in each. It reaches nowhere beyond the whole one.
+RenderRequest reduced(RenderRequest request) {
+  constexpr int width = 64;
+  if (request.resolution.width <= width) return request;
+  int const height = std::max(1, int(double(request.resolution.height) * width / request.resolution.width));
+  request.resolution = {width, std::min(height, 4 * width)};
+  request.region = whole_picture(request.resolution);
+  request.sampling = {};
+  return request;
+}
+
+}  // namespace
+
+void PictureFindings::begin(SceneOpened const& scene) {
+  source_ = scene.source;
+  is_model_ = scene.is_model;
+  has_explained_view_ = false;
+}
+
+Diagnostic PictureFindings::warning(std::string message, std::string hint) const {
+  return {Severity::warning, {source_->name(), 0, 0}, 1, std::move(message), {}, std::move(hint)};
+}
+
+std::vector<Diagnostic> PictureFindings::of_scene(PictureReady const& ready) {
+  std::uint64_t const left_out = ready.scene->statistics.unrepresentable;
+  if (left_out == 0 || ready.number > 0) return {};
+  return {warning(
+      fmt::format("{} shapes are left out: their coordinates are too large or too small for the device", left_out))};
+}
+
+std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, PicturePlan const& plan,
+                                                    RayCounts const& rays) {
+  std::vector<Diagnostic> found;
+  bool const is_empty = rays.camera > 0 && rays.camera_hits == 0 && !options_.job.region;
+  if (is_empty && !has_explained_view_) {
+    has_explained_view_ = true;
+    found.push_back(explain_empty_view(ready, plan));
+  }
+  return found;
+}
+
+std::vector<Diagnostic> PictureFindings::predicted(PictureReady const& ready, PicturePlan const& plan) {
+  renderer_.set_scene(ready.scene);
+  std::vector<Diagnostic> found = of_scene(ready);
+  Film film;
+  RayCounts rays = renderer_.render(reduced(ready.request), film).statistics.rays;
+  if (rays.camera_hits == 0) {
+    film = Film();
+    rays = renderer_.render(ready.request, film).statistics.rays;
+  }
+  std::ranges::move(of_picture(ready, plan, rays), std::back_inserter(found));
+  return found;
+}
+
+/// Says where the scene lies, and which other convention would show it.
+Diagnostic PictureFindings::explain_empty_view(PictureReady const& ready, PicturePlan const& plan) {
+  Diagnostic result = warning(fmt::format("the camera '{}' sees nothing: {}", ready.request.camera.name(),
+                                          describe_direction(ready.request.camera, ready.scene->bounds)));
+  for (Convention const& convention : other_conventions(options_.job.reading.dialect)) {
+    if (is_model_ || !shows_something(convention.dialect, ready.request, plan.scene_number)) continue;
+    result.hint = fmt::format("with {} it is in view", convention.arguments);
+    break;
+  }
+  return result;
+}
+
+/// Draws the picture again, small, from the file read under other options.
+bool PictureFindings::shows_something(EsdfDialect const& dialect, RenderRequest request, std::size_t wanted) {
+  request = reduced(std::move(request));
+  request.planes = {FilmPlane::depth};
+  bool is_seen = false;
+  SceneReading reading = options_.job.reading;
+  reading.dialect = dialect;
+  LoadedScene script = source_->load(reading, options_.load);
+  script.play([&](Scene const& scene, std::size_t index) {
+    Camera const* const camera = scene.cameras.find(request.camera.name());
+    if (index != wanted || !camera) return true;
+    request.camera = camera->fitted(request.resolution);
+    renderer_.set_scene(scene, options_.job.root);
+    Film film;
+    is_seen = renderer_.render(request, film).statistics.rays.camera_hits > 0;
+    return false;
+  });
+  return is_seen;
+}
+
+}  // namespace lichtraum::app

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/scene_loader.hpp"
+
+namespace lichtraum::app {
+
+/// What the user may not have meant by the pictures that are planned: a name in use, an option without effect.
+class PlanFindings {
+ public:
+  explicit PlanFindings(RenderOptions const& options) : options_(options) {}
+
+  /// Warnings about the pictures of the next scene.
+  std::vector<Diagnostic> next(SceneOpened const& scene);
+
+ private:
+  RenderOptions const& options_;
+  std::map<std::filesystem::path, int> uses_;             // pictures of that name
+  std::set<std::pair<std::string, std::string>> warned_;  // option and extension
+};
+
+}  // namespace lichtraum::app

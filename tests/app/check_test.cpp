@@ -1,0 +1,104 @@
+#include <regex>
+
+#include "lichtraum.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+std::string const start =
+    "define material m 1 1 1 0 0 0 0 0 0 1\ndefine light ambient sky 1 1 1\ndefine camera eye 40\n";
+std::string const ball = "define shape sphere s 0 0 -5 1 m\n";
+
+std::string without(std::string const& text, char const* lines) {
+  return std::regex_replace(text, std::regex(lines), "");
+}
+
+/// What `check` says that `render` would write.
+std::vector<std::string> predicted(std::string const& out) {
+  std::vector<std::string> names;
+  std::regex const line("\n  would write ([^,]*), 64x48, camera 'eye'");
+  for (std::sregex_iterator it(out.begin(), out.end(), line), end; it != end; ++it) names.push_back((*it)[1]);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("check predicts render: what is written, what is said, and the exit status", "[app][check]") {
+  struct Case {
+    std::string text;
+    int exit_code;
+    std::string message;
+    std::vector<std::string> pictures;
+  };
+  std::string const two = "render eye one.png 64 48\nrender eye two.exr 64 48\n";
+  for (Case const& c : std::vector<Case>{
+           {start + ball + "render eye out.png 64 48\n", 0, "", {"out.png"}},
+           {start + ball + two, 0, "", {"one.png", "two.exr"}},
+           {start + ball + "render eye out.gif 64 48\n", 0, "'out.gif' names no picture format", {"out.gif.png"}},
+           {start + ball + "render eye out 64 48\n", 0, "'out' names no picture format", {"out.png"}},
+           {start + ball + "render eye a.png 64 48\nrender eye a.png 64 48\n",
+            0,
+            "several pictures",
+            {"a.png", "a.png"}},
+           {start + ball + "render eye ../out.png 64 48\n", 65, "it contains '..'", {}},
+           {start + ball + "render eye /tmp/out.png 64 48\n", 65, "it is an absolute path", {}},
+           {start + ball + two + "render eye ../out.png 64 48\n", 65, "it contains '..'", {}},
+           {start + ball + "render eye out.png 100000 100000\n", 65, "needs 240 GB of memory", {}},
+           {start + ball + "render eye out.jpg 70000 1\n", 64, "at most 65500 pixels per side", {}},
+           {start + ball + "render eye nowhere/out.png 64 48\n", 73, "mkdir -p makes it", {}},
+           {start + ball + "render eye folder/ 64 48\n", 0, "", {}},
+           {start + ball + "render ey out.png 64 48\n", 0, "", {}},
+           {ball, 65, "", {}},
+           {"define material m 1 1 1 0 0 0 0 0 0 1\n" + ball, 65, "there is no camera", {}},
+           {start + "define shape sphere s 0 0 5 1 m\nrender eye out.png 64 48\n", 0, "behind the camera", {"out.png"}},
+           {start + "define shape sphere s 0 0 -5 1 m\ntransform s translate 9 0 0\nrender eye out.png 64 48\n",
+            0,
+            "to the right of the view",
+            {"out.png"}},
+           // In 64 pixels it would fall between their middles.
+           {start + "define shape sphere s 0.005 0.005 -5 0.002 m\nrender eye out.png 1201 901\n", 0, "", {}},
+           {start + "render eye out.png 64 48\n", 0, "draws no shapes", {"out.png"}},
+           {start + "define nonsense\n", 65, "unknown kind", {}},
+       }) {
+    Lichtraum const lichtraum;
+    lichtraum.folder.write("a.sdf", c.text);
+    INFO(c.text);
+    auto const check = lichtraum("check a.sdf --device reference");
+    CHECK(lichtraum.folder.names() == std::vector<std::string>{"a.sdf"});
+    auto const render = lichtraum.render("a.sdf");
+    CHECK(check.exit_code == render.exit_code);
+    if (c.exit_code != 0) CHECK(check.exit_code == c.exit_code);
+    CHECK_THAT(check.err, contains_text(c.message));
+    CHECK(check.err == without(render.err, "[^\n]*Mrays/s\n"));
+    if (!c.pictures.empty()) CHECK(predicted(check.out) == c.pictures);
+    for (std::string const& name : predicted(check.out)) {
+      auto const names = lichtraum.folder.names();
+      CHECK(std::count(names.begin(), names.end(), name) == 1);
+    }
+  }
+}
+
+TEST_CASE("check stays short, and goes on after a scene that cannot be drawn", "[app][check]") {
+  Lichtraum const lichtraum;
+  std::string many = start + ball;
+  for (int i = 1; i <= 9; ++i) many += "transform s rotate 1 0 1 0\nrender eye " + std::to_string(i) + ".png 64 48\n";
+  lichtraum.folder.write("many.sdf", many);
+  lichtraum.folder.write("none.sdf", ball);
+  auto const result = lichtraum("check many.sdf none.sdf missing.sdf --device reference");
+  CHECK(result.exit_code == 65);
+  CHECK(result.out ==
+        "many.sdf: good\n"
+        "  would write 1.png, 64x48, camera 'eye'\n"
+        "  would write 2.png, 64x48, camera 'eye'\n"
+        "  would write 3.png, 64x48, camera 'eye'\n"
+        "  would write 4.png, 64x48, camera 'eye'\n"
+        "  and 5 more pictures, the last is 9.png\n"
+        "none.sdf: 1 error, 0 warnings\n"
+        "missing.sdf: 1 error, 0 warnings\n");
+  CHECK(lichtraum("check missing.sdf none.sdf --device reference").exit_code == 66);
+  auto const quiet = lichtraum("check -q many.sdf --device reference");
+  CHECK((quiet.exit_code == 0 && quiet.out.empty() && quiet.err.empty()));
+  CHECK(lichtraum("check many.sdf --device nonsense").exit_code == 69);
+  CHECK(lichtraum("check - - --device reference", many).exit_code == 64);
+  CHECK_THAT(lichtraum("check - --device reference", start + ball).out, contains_text("would write stdin.png"));
+}

@@ -33,4 +33,7 @@ struct GraphSummary {
 /// Linear in the size of the graph, however many instances it unfolds to.
 GraphSummary summarise(std::vector<std::shared_ptr<Shape const>> const& roots);
 
+/// The materials of all shapes that can be reached, each once.
+std::vector<std::shared_ptr<Material const>> materials_of(std::vector<std::shared_ptr<Shape const>> const& roots);
+
 }  // namespace lichtraum

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/empty_view.hpp"
 
@@ -22,10 +23,16 @@ RenderRequest reduced(RenderRequest request) {
 
 }  // namespace
 
+Sight::Sight(RayCounts const& rays, Film& film) : is_empty(rays.camera > 0 && rays.camera_hits == 0) {
+  if (is_empty || !film.planes().has(FilmPlane::radiance)) return;
+  is_black = std::ranges::all_of(film.floats(FilmPlane::radiance), [](float value) { return value == 0; });
+}
+
 void PictureFindings::begin(SceneOpened const& scene) {
   source_ = scene.source;
   is_model_ = scene.is_model;
   has_explained_view_ = false;
+  has_told_of_light_ = false;
 }
 
 Diagnostic PictureFindings::warning(std::string message, std::string hint) const {
@@ -40,11 +47,21 @@ std::vector<Diagnostic> PictureFindings::of_scene(PictureReady const& ready) {
 }
 
 std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, PicturePlan const& plan,
-                                                    RayCounts const& rays) {
+                                                    Sight const& sight) {
   std::vector<Diagnostic> found;
-  bool const is_empty = rays.camera > 0 && rays.camera_hits == 0 && !options_.job.region;
-  if (is_empty && !has_explained_view_) {
-    has_explained_view_ = true;
+  bool const lacks_light =
+      ready.light != SceneLight::some && !sight.is_empty && ready.request.planes.has(FilmPlane::radiance);
+  bool const is_whole = !options_.job.region;
+  if ((lacks_light || (sight.is_black && is_whole)) && !std::exchange(has_told_of_light_, true)) {
+    found.push_back(
+        lacks_light
+            ? explain_missing_light(ready.light)
+            : warning(
+                  fmt::format("the picture is black: no light reaches what the camera '{}' sees",
+                              ready.request.camera.name()),
+                  "is each lamp inside a shape, or outside of a closed room? or do the materials reflect nothing?"));
+  }
+  if (sight.is_empty && is_whole && !std::exchange(has_explained_view_, true)) {
     found.push_back(explain_empty_view(ready, plan));
   }
   return found;
@@ -53,14 +70,23 @@ std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, P
 std::vector<Diagnostic> PictureFindings::predicted(PictureReady const& ready, PicturePlan const& plan) {
   renderer_.set_scene(ready.scene);
   std::vector<Diagnostic> found = of_scene(ready);
-  Film film;
-  RayCounts rays = renderer_.render(reduced(ready.request), film).statistics.rays;
-  if (rays.camera_hits == 0) {
-    film = Film();
-    rays = renderer_.render(ready.request, film).statistics.rays;
-  }
-  std::ranges::move(of_picture(ready, plan, rays), std::back_inserter(found));
+  auto const look = [&](RenderRequest const& request) {
+    Film film;
+    RenderResult const result = renderer_.render(request, film);
+    return Sight(result.statistics.rays, film);
+  };
+  Sight sight = look(reduced(ready.request));
+  if (sight.is_empty || sight.is_black) sight = look(ready.request);
+  std::ranges::move(of_picture(ready, plan, sight), std::back_inserter(found));
   return found;
+}
+
+Diagnostic PictureFindings::explain_missing_light(SceneLight light) const {
+  if (light == SceneLight::unused) {
+    return warning("nothing gives light: whitted does not show the light of an environment", "--integrator path does");
+  }
+  return warning("nothing gives light: there is no lamp, no ambient light, no environment and no surface that shines",
+                 "define light diffuse lamp 10 10 10 1 1 1");
 }
 
 /// Says where the scene lies, and which other convention would show it.

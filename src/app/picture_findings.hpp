@@ -7,6 +7,16 @@
 
 namespace lichtraum::app {
 
+/// What tells whether a picture shows anything.
+struct Sight {
+  bool is_empty = false;  ///< no ray of the camera met anything
+  bool is_black = false;  ///< all of it, though the camera sees something
+
+  Sight() = default;
+  /// Of a film as it was traced.
+  Sight(RayCounts const& rays, Film& film);
+};
+
 /// What pictures fail to show, and why. Each finding once a scene.
 class PictureFindings {
  public:
@@ -19,7 +29,7 @@ class PictureFindings {
   /// Of what the renderer was given to draw the picture of.
   std::vector<Diagnostic> of_scene(PictureReady const& ready);
   /// Of a picture, all of which was traced. May give the renderer another scene.
-  std::vector<Diagnostic> of_picture(PictureReady const& ready, PicturePlan const& plan, RayCounts const& rays);
+  std::vector<Diagnostic> of_picture(PictureReady const& ready, PicturePlan const& plan, Sight const& sight);
 
   /// What both will find, mostly without tracing all of the picture. Gives the renderer the scene; throws what that
   /// throws.
@@ -27,6 +37,7 @@ class PictureFindings {
 
  private:
   Diagnostic warning(std::string message, std::string hint = {}) const;
+  Diagnostic explain_missing_light(SceneLight light) const;
   Diagnostic explain_empty_view(PictureReady const& ready, PicturePlan const& plan);
   bool shows_something(EsdfDialect const& dialect, RenderRequest request, std::size_t wanted);
 
@@ -35,6 +46,7 @@ class PictureFindings {
   std::shared_ptr<SceneSource const> source_;
   bool is_model_ = false;
   bool has_explained_view_ = false;
+  bool has_told_of_light_ = false;
 };
 
 }  // namespace lichtraum::app

@@ -56,6 +56,7 @@ class Pictures {
       picture.number = next_;
       picture.request = make_request(scene, plan, turn_center);
       picture.scene = prepared;
+      picture.light = light_in(scene, picture.request.integrator);
       if (plan.output.format->encode) picture.development = development_of(plan.job, scene);
       picture.fingerprint = fmt::format("{}-{}", picture_fingerprint(*prepared, picture.request, picture.development),
                                         plan.job.encoding.bits);

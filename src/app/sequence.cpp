@@ -166,6 +166,7 @@ class Sequence {
     picture.is_complete = result.complete;
     picture.render = result.statistics;
     picture.plan.fingerprint = result.complete ? ready.fingerprint : "";
+    Sight const sight(result.statistics.rays, film);
     if (result.complete && !ready.denoiser.empty()) film = denoised(film, ready, picture);
     finish_writing();
     if (result.statistics.rays.not_finite > 0) {
@@ -185,7 +186,7 @@ class Sequence {
                                               ? "interrupted: nothing was written"
                                               : fmt::format("interrupted: what is done is in '{}'", written_to));
     }
-    auto const found = picture_findings_.of_picture(ready, picture.plan, result.statistics.rays);
+    auto const found = picture_findings_.of_picture(ready, picture.plan, sight);
     if (!found.empty()) finish_writing();
     show(found);
     if (interrupted()) {

@@ -25,18 +25,24 @@ ShapeCounts one(Shape const& shape) {
   return counts;
 }
 
-ShapeCounts count_each_once(std::vector<std::shared_ptr<Shape const>> const& roots) {
-  ShapeCounts counts;
+/// Calls `visit` for each shape that can be reached, once.
+template <class Visit>
+void for_each_shape(std::vector<std::shared_ptr<Shape const>> const& roots, Visit const& visit) {
   std::unordered_set<Shape const*> seen;
-  auto const count = [&](auto const& shapes) {
+  auto const visit_new = [&](auto const& shapes) {
     for (auto const& shape : shapes) {
-      if (seen.insert(shape.get()).second) add(counts, one(*shape));
+      if (seen.insert(shape.get()).second) visit(*shape);
     }
   };
-  count(roots);
+  visit_new(roots);
   for (GraphNode const& node : order_graph(roots).nodes) {
-    if (node.composite) count(node.composite->children());
+    if (node.composite) visit_new(node.composite->children());
   }
+}
+
+ShapeCounts count_each_once(std::vector<std::shared_ptr<Shape const>> const& roots) {
+  ShapeCounts counts;
+  for_each_shape(roots, [&](Shape const& shape) { add(counts, one(shape)); });
   return counts;
 }
 
@@ -61,6 +67,16 @@ GraphSummary summarise(std::vector<std::shared_ptr<Shape const>> const& roots) {
       }).total();
   summary.bounds = fold_bounds(roots).total();
   return summary;
+}
+
+std::vector<std::shared_ptr<Material const>> materials_of(std::vector<std::shared_ptr<Shape const>> const& roots) {
+  std::vector<std::shared_ptr<Material const>> materials;
+  std::unordered_set<Material const*> seen;
+  for_each_shape(roots, [&](Shape const& shape) {
+    auto const& material = shape.material();
+    if (material && seen.insert(material.get()).second) materials.push_back(material);
+  });
+  return materials;
 }
 
 }  // namespace lichtraum

@@ -9,8 +9,9 @@ std::string const start =
     "define material m 1 1 1 0 0 0 0 0 0 1\ndefine light ambient sky 1 1 1\ndefine camera eye 40\n";
 std::string const ball = "define shape sphere s 0 0 -5 1 m\n";
 
-std::string without(std::string const& text, char const* lines) {
-  return std::regex_replace(text, std::regex(lines), "");
+/// What `render` says beside what it has drawn, and by what means.
+std::string findings(std::string const& text) {
+  return std::regex_replace(text, std::regex("[^\n]*(Mrays/s|noise is filtered)[^\n]*\n"), "");
 }
 
 /// What `check` says that `render` would write.
@@ -69,7 +70,7 @@ TEST_CASE("check predicts render: what is written, what is said, and the exit st
     CHECK(check.exit_code == render.exit_code);
     if (c.exit_code != 0) CHECK(check.exit_code == c.exit_code);
     CHECK_THAT(check.err, contains_text(c.message));
-    CHECK(check.err == without(render.err, "[^\n]*Mrays/s\n"));
+    CHECK(check.err == findings(render.err));
     if (!c.pictures.empty()) CHECK(predicted(check.out) == c.pictures);
     for (std::string const& name : predicted(check.out)) {
       auto const names = lichtraum.folder.names();
@@ -101,4 +102,53 @@ TEST_CASE("check stays short, and goes on after a scene that cannot be drawn", "
   CHECK(lichtraum("check many.sdf --device nonsense").exit_code == 69);
   CHECK(lichtraum("check - - --device reference", many).exit_code == 64);
   CHECK_THAT(lichtraum("check - --device reference", start + ball).out, contains_text("would write stdin.png"));
+}
+
+TEST_CASE("check and render say where light is missing", "[app][check]") {
+  std::string const camera = "define camera eye 40\nrender eye out.png 64 48\n";
+  std::string const white = "define material m 1 1 1 1 1 1 0 0 0 1\n";
+  std::string const lamp = "define light diffuse l 0 5 0 1 1 1\n";
+  // A material that takes no ambient light, in a room.
+  std::string const room = "define material w 0 0 0 1 1 1 0 0 0 1\ndefine shape box room -9 -9 -9 9 9 9 w\n";
+  struct Case {
+    std::string text;
+    std::string words;
+    std::string message;
+  };
+  for (Case const& c : std::vector<Case>{
+           {white + ball, "", "nothing gives light: there is no lamp"},
+           {white + ball + "define light ambient a 0 0 0\ndefine light diffuse l 0 5 0 0 0 0\n", "", "nothing gives"},
+           {white + ball + "define light environment sky 1 1 1\n", "", ""},
+           {white + ball + "define light ambient a 0 0.01 0\n", "", ""},
+           {white + ball + lamp, "", ""},
+           {white + ball + "define background 1 1 1\n", "", "nothing gives light"},
+           {"define material m 0 0 0 0 0 0 0 0 0 1 emission 1 0 0\n" + ball, "", ""},
+           {"define material e 0 0 0 0 0 0 0 0 0 1 emission 1 0 0\n" + white + ball, "", "nothing gives light"},
+           {white + ball + "define light diffuse l 0 0 -5 1 1 1\n", "", "no light reaches what the camera 'eye' sees"},
+           {room + "define light diffuse l 0 99 0 1 1 1\n", "", "no light reaches"},
+           {room + "define light diffuse l 0 0 0 1 1 1\n", "", ""},
+           {"define material m 0 0 0 0 0 0 0 0 0 1\n" + ball + lamp, "", "do the materials reflect nothing?"},
+           {"define material m 0 0 0 0 0 0 0 0 0 1\n" + ball + lamp + "define background 1 1 1\n", "", ""},
+       }) {
+    Lichtraum const lichtraum;
+    lichtraum.folder.write("a.sdf", c.text + camera);
+    INFO(c.text);
+    auto const check = lichtraum("check a.sdf --device reference" + c.words);
+    auto const render = lichtraum.render("a.sdf" + c.words);
+    CHECK((check.exit_code == 0 && render.exit_code == 0));
+    CHECK(check.err == findings(render.err));
+    CHECK(check.err.empty() == c.message.empty());
+    CHECK_THAT(check.err, contains_text(c.message));
+  }
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", white + ball + camera);
+  CHECK_THAT(lichtraum.render("a.sdf --planes depth -o depth.exr").err, !contains_text("light"));
+  lichtraum.folder.write("a.sdf", white + ball + "define light environment sky 1 1 1\n" + camera);
+  CHECK_THAT(lichtraum.render("a.sdf --integrator whitted").err, contains_text("--integrator path does"));
+  // One pixel is lit, which few rays do not find.
+  lichtraum.folder.write("a.sdf", room +
+                                      "define light diffuse l 0 99 0 1 1 1\ndefine material b 1 1 1 0 0 0 0 0 0 1\n" +
+                                      "define shape sphere s 0.0002 0.0002 -5 0.002 b\ndefine light ambient a 1 1 1\n" +
+                                      "define camera eye 40\nrender eye out.png 1201 901\n");
+  CHECK(lichtraum("check a.sdf --device reference").err.empty());
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/parse_number.hpp"
+#include "io/esdf/color_range.hpp"
 #include "io/esdf/environment_statement.hpp"
 #include "io/esdf/interpreter.hpp"
 #include "io/esdf/keys.hpp"
@@ -94,6 +95,9 @@ void define_light_as(Interpreter& interpreter, Statement const& statement, Form 
   std::array<double, 9> v{};
   std::span<double> const values(v.data(), number_count(form));
   if (!read_numbers(interpreter, statement.arguments.subspan(1), values)) return;
+  auto const check = [&](std::size_t first, char const* what, double largest) {
+    check_color(interpreter, statement.arguments.subspan(1 + first, 3), values.subspan(first, 3), what, largest);
+  };
   std::string name(statement[0]);
   Vec3 const position(v[0], v[1], v[2]);
   Rgb const first = rgb(values.first(3));
@@ -103,22 +107,28 @@ void define_light_as(Interpreter& interpreter, Statement const& statement, Form 
   };
   switch (form) {
     case Form::position_la_ld:
+      check(3, "light: La", largest_share);
+      check(6, "light: Ld", no_largest_share);
       define_lamp(rgb(values.subspan(6)), rgb(values.subspan(3)));
       break;
     case Form::position_ld:
+      check(3, "light: Ld", no_largest_share);
       define_lamp(rgb(values.subspan(3)));
       break;
     case Form::position_color_brightness: {
       Rgb const ld = rgb(values.subspan(3)) * v[6];
       if (!check_brightness(interpreter, statement, ld)) return;
+      check(3, "light: the colour", largest_share);
       interpreter.scene.tone_map = ToneMap::reinhard;
       define_lamp(ld);
       break;
     }
     case Form::la:
+      check(0, "light: La", largest_share);
       interpreter.define(statement[0], Light::ambient(std::move(name), first));
       break;
     case Form::ignored_position_la:
+      check(3, "light: La", largest_share);
       interpreter.define(statement[0], Light::ambient(std::move(name), rgb(values.subspan(3))));
       break;
   }
@@ -246,6 +256,9 @@ void define_ambient(Interpreter& interpreter, Statement const& statement) {
   if (!read_numbers(interpreter, statement.arguments.subspan(first), v)) return;
   Rgb const la = size == 1 ? Rgb(v[0]) : Rgb(v[0], v[1], v[2]) * v[3];
   if (!check_brightness(interpreter, statement, la)) return;
+  if (size > 1) {
+    check_color(interpreter, statement.arguments.subspan(first, 3), std::span(v).first(3), "ambient", largest_share);
+  }
   if (size == 5) interpreter.scene.tone_map = ToneMap::reinhard;
   if (has_name) {
     interpreter.define(statement[0], Light::ambient(std::string(statement[0]), la));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/parse_number.hpp"
+#include "io/esdf/color_range.hpp"
 #include "io/esdf/interpreter.hpp"
 #include "io/esdf/keys.hpp"
 #include "io/esdf/statements.hpp"
@@ -177,6 +178,16 @@ bool read_extras(Interpreter& interpreter, std::span<Token const> tokens, Option
   return true;
 }
 
+/// Of ka, kd and ks: one warning for all.
+void warn_of_colors(Interpreter& interpreter, std::span<Token const> tokens, std::span<double const> values) {
+  std::size_t first = 0;
+  for (char const* const name : {"Ka", "Kd", "Ks"}) {
+    std::string const what = fmt::format("material: {}", name);
+    if (!check_color(interpreter, tokens.subspan(first, 3), values.subspan(first, 3), what, largest_share)) return;
+    first += 3;
+  }
+}
+
 bool read_material(Interpreter& interpreter, Statement const& statement) {
   auto const& arguments = statement.arguments;
   auto const first_key = std::find_if(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end(),
@@ -202,6 +213,7 @@ bool read_material(Interpreter& interpreter, Statement const& statement) {
     good = false;
   }
   if (!good) return false;
+  warn_of_colors(interpreter, arguments.subspan(1, 9), std::span(v).first(9));
 
   PhongModel model{.ka = {v[0], v[1], v[2]}, .kd = {v[3], v[4], v[5]}, .ks = {v[6], v[7], v[8]}, .m = v[9]};
 #define LICHTRAUM_TERM(name, ...) model.name = named.name.value_or(terms.name.value_or(model.name));

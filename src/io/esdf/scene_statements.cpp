@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <array>
+
+#include "io/esdf/color_range.hpp"
 #include "io/esdf/interpreter.hpp"
 #include "io/esdf/statements.hpp"
 
@@ -23,7 +26,10 @@ bool has_arguments(Interpreter& interpreter, Statement const& statement, std::si
 
 void define_background(Interpreter& interpreter, Statement const& statement) {
   if (!has_arguments(interpreter, statement, 3, "3 numbers")) return;
-  if (auto const color = read_vec3(interpreter, statement.arguments)) interpreter.scene.background = *color;
+  std::array<double, 3> v{};
+  if (!read_numbers(interpreter, statement.arguments, v)) return;
+  check_color(interpreter, statement.arguments, v, "background", largest_share);
+  interpreter.scene.background = {v[0], v[1], v[2]};
 }
 
 void define_filename(Interpreter& interpreter, Statement const& statement) {

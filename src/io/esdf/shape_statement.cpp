@@ -137,6 +137,13 @@ void define_plane(Interpreter& interpreter, Statement const& statement) {
 void define_box(Interpreter& interpreter, Statement const& statement) {
   std::array<double, 6> v{};
   if (!read_primitive(interpreter, statement, box_signature, v)) return;
+  int const flat_sides = (v[0] == v[3]) + (v[1] == v[4]) + (v[2] == v[5]);  // one makes a wall, which can be seen
+  if (flat_sides >= 2) {
+    interpreter.warning(span_of(statement[1], statement[6]),
+                        fmt::format("box: p1 and p2 are {}: nothing of it can be seen",
+                                    flat_sides == 3 ? "the same point" : "on a line along an axis"),
+                        "they are opposite corners");
+  }
   interpreter.define(statement[0], std::make_shared<Box>(std::string(statement[0]), Vec3(v[0], v[1], v[2]),
                                                          Vec3(v[3], v[4], v[5]), interpreter.material(statement[7])));
 }
@@ -144,6 +151,11 @@ void define_box(Interpreter& interpreter, Statement const& statement) {
 void define_triangle(Interpreter& interpreter, Statement const& statement) {
   std::array<double, 9> v{};
   if (!read_primitive(interpreter, statement, triangle_signature, v)) return;
+  Vec3 const a(v[0], v[1], v[2]);
+  if (glm::cross(Vec3(v[3], v[4], v[5]) - a, Vec3(v[6], v[7], v[8]) - a) == Vec3(0)) {
+    interpreter.warning(span_of(statement[1], statement[9]),
+                        "triangle: its corners are on a line: nothing of it can be seen");
+  }
   interpreter.define(statement[0], std::make_shared<Triangle>(std::string(statement[0]), Vec3(v[0], v[1], v[2]),
                                                               Vec3(v[3], v[4], v[5]), Vec3(v[6], v[7], v[8]),
                                                               interpreter.material(statement[10])));

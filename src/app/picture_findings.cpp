@@ -42,8 +42,8 @@ Diagnostic PictureFindings::warning(std::string message, std::string hint) const
 std::vector<Diagnostic> PictureFindings::of_scene(PictureReady const& ready) {
   std::uint64_t const left_out = ready.scene->statistics.unrepresentable;
   if (left_out == 0 || ready.number > 0) return {};
-  return {warning(
-      fmt::format("{} shapes are left out: their coordinates are too large or too small for the device", left_out))};
+  return {warning(fmt::format("{} left out: too large for the device, which has coordinates up to 1e18, or too small",
+                              left_out == 1 ? "1 shape is" : fmt::format("{} shapes are", left_out)))};
 }
 
 std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, PicturePlan const& plan,

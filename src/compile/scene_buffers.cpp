@@ -150,6 +150,15 @@ class Compiler {
 
   static bool is_unrepresentable(BuildPrimitive const& primitive) { return !primitive.bounds.is_finite(); }
 
+  /// Of what kernels meet by squares and products of coordinates, which beyond are infinite.
+  static bool is_too_large(DeviceBounds const& bounds) {
+    constexpr float largest = 1e18f;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(bounds.min[axis] >= -largest && bounds.max[axis] <= largest)) return true;
+    }
+    return false;
+  }
+
   /// The input of a hierarchy for a range of primitives of a kind. Returns how many are not representable.
   template <class T>
   static std::uint64_t refer(BigVector<T> const& primitives, Range const& range, BuildPrimitive* out) {
@@ -158,6 +167,9 @@ class Compiler {
       for (std::size_t i = begin; i < end; ++i) {
         std::size_t const index = range.first + i;
         out[i] = {bounds_of(primitives[index]), {device::primitive_kind<T>, device::uint(index)}};
+        constexpr bool is_squared =
+            device::primitive_kind<T> == PRIMITIVE_TRIANGLE || device::primitive_kind<T> == PRIMITIVE_SPHERE;
+        if (is_squared && is_too_large(out[i].bounds)) out[i].bounds = {};
       }
       left_out += std::uint64_t(std::count_if(out + begin, out + end, is_unrepresentable));
     });

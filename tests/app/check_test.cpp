@@ -152,3 +152,14 @@ TEST_CASE("check and render say where light is missing", "[app][check]") {
                                       "define camera eye 40\nrender eye out.png 1201 901\n");
   CHECK(lichtraum("check a.sdf --device reference").err.empty());
 }
+
+TEST_CASE("a shape that is too large for the device is called so", "[app][check]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", start + "define shape sphere s 0 0 -1e37 1e36 m\nrender eye out.png 64 48\n");
+  for (char const* const command : {"check", "render"}) {
+    auto const result = lichtraum(std::string(command) + " a.sdf");
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.err, contains_text("a.sdf: warning: 1 shape is left out: too large for the device"));
+    CHECK_THAT(result.err, !contains_text("too small to be"));
+  }
+}

@@ -161,3 +161,15 @@ TEST_CASE("a large part that moves as one is not built again for what moves", "[
     CHECK_FALSE(is_taken_over());
   }
 }
+
+TEST_CASE("shapes whose squares are no floats are left out, and counted", "[unit][compile]") {
+  auto const left_out = [](std::shared_ptr<Shape const> const& shape) {
+    return compile_scene(flatten({shape}), {}, TreeLayout::wide).unrepresentable;
+  };
+  CHECK(left_out(std::make_shared<Sphere>("s", Vec3(9e17, 0, 0), 0.9e17, nullptr)) == 0);
+  CHECK(left_out(std::make_shared<Sphere>("s", Vec3(-9e17, 0, 0), 2e17, nullptr)) == 1);
+  CHECK(left_out(std::make_shared<Sphere>("s", Vec3(0, 1e37, 0), 1e36, nullptr)) == 1);
+  CHECK(left_out(std::make_shared<Triangle>("t", Vec3(0), Vec3(1, 0, 0), Vec3(0, 0, 9e17), nullptr)) == 0);
+  CHECK(left_out(std::make_shared<Triangle>("t", Vec3(0), Vec3(1, 0, 0), Vec3(0, 0, -2e18), nullptr)) == 1);
+  CHECK(left_out(std::make_shared<Box>("b", Vec3(0), Vec3(1e30), nullptr)) == 0);
+}

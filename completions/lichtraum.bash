@@ -78,7 +78,7 @@ _lichtraum() {
       preview) options+=" $language --format-in --size --graphics --camera $view --root --samples --device" ;;
       thumbnail) options+=' --size --device' ;;
       denoise) options+=' -o --output --exposure --tonemap --transfer --denoise --prefilter --device' ;;
-      check) options+=" $language --format-in --device" ;;
+      check) options+=" $language --format-in --device --json" ;;
       info) options+=" $language --format-in --json" ;;
       devices) options+=' --json' ;;
     esac

@@ -13,7 +13,7 @@ set -l view '__fish_seen_subcommand_from view'
 set -l preview '__fish_seen_subcommand_from preview'
 set -l thumbnail '__fish_seen_subcommand_from thumbnail'
 set -l denoise '__fish_seen_subcommand_from denoise'
-set -l json '__fish_seen_subcommand_from render info devices'
+set -l json '__fish_seen_subcommand_from render check info devices'
 
 complete -c lichtraum -f
 complete -c lichtraum -n $first -s V -l version -d 'Print the version'

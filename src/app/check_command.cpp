@@ -21,6 +21,7 @@ constexpr char const* examples =
     "  lichtraum check hello.sdf\n"
     "  lichtraum check --strict *.sdf\n"
     "  lichtraum check model.glb\n"
+    "  lichtraum check -q --json hello.sdf\n"
     "  lichtraum check -v - < hello.sdf\n";
 
 std::string count(std::size_t number, std::string_view what) {
@@ -58,6 +59,7 @@ std::string summary(Prediction const& prediction) {
 bool parse_check(Arguments const& arguments, RenderOptions& options, Console& console) {
   auto const parser = make_parser("check", description, examples);
   add_inputs(*parser, options.scenes, "SCENE...");
+  parser->add_flag("--json", options.json, "Print JSON")->group("Output");
   add_language_options(*parser, options.job.reading);
   add_model_options(*parser, options.job.reading.model);
   add_input_format_option(*parser, options.input_format);
@@ -79,11 +81,14 @@ int check_command(Arguments const& arguments, Console& console) {
   options.load.device = renderer->device().kind;
 
   int code = 0;
+  std::vector<Prediction> predictions;
   predict(inputs, options, names, *renderer, [&](Prediction const& prediction) {
     console.show(prediction.diagnostics);
-    if (!console.is_quiet()) write_standard_output(summary(prediction));
+    if (!console.is_quiet() && !options.json) write_standard_output(summary(prediction));
+    if (options.json) predictions.push_back(prediction);
     if (code == 0) code = prediction.exit_code;
   });
+  if (options.json) write_standard_output(to_json(predictions, renderer->device()));
   return code;
 }
 

@@ -6,6 +6,7 @@
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
 #include "app/device_text.hpp"
+#include "app/report_json.hpp"
 #include "lichtraum/device.hpp"
 
 namespace lichtraum::app {
@@ -53,8 +54,7 @@ std::string to_json(DeviceList const& list) {
                        {"global_memory_bytes", device.global_memory_bytes},
                        {"max_allocation_bytes", device.max_allocation_bytes}});
   }
-  Json const json{{"devices", devices}, {"warnings", list.warnings}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return printed({{"devices", devices}, {"warnings", list.warnings}});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/diagnostics_of.hpp"
 #include "app/exit_code.hpp"
 
 namespace lichtraum::app {
@@ -15,11 +16,7 @@ void add(std::vector<Diagnostic>& all, std::vector<Diagnostic> more) {
 void fail(Prediction& prediction, Error const& error) {
   prediction.exit_code = exit_code(error.kind());
   prediction.pictures.clear();
-  if (auto const* const scene_error = dynamic_cast<SceneError const*>(&error)) {
-    add(prediction.diagnostics, scene_error->diagnostics());
-  } else {
-    prediction.diagnostics.push_back({Severity::error, {}, 1, error.what(), {}, {}});
-  }
+  add(prediction.diagnostics, diagnostics_of(error));
 }
 
 }  // namespace

@@ -22,4 +22,7 @@ struct Prediction {
 void predict(std::vector<std::string> const& inputs, RenderOptions const& options, OutputNames& names,
              Renderer& renderer, std::function<void(Prediction const&)> const& tell);
 
+/// For check --json.
+std::string to_json(std::vector<Prediction> const& predictions, DeviceInfo const& device);
+
 }  // namespace lichtraum::app

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/device_text.hpp"
+#include "app/report_json.hpp"
 #include "lichtraum/words.hpp"
 
 namespace lichtraum::app {
@@ -71,19 +71,15 @@ std::string to_json(RunReport const& report) {
     scenes.push_back({{"file", scene.file},
                       {"load_ms", scene.load_ms},
                       {"pictures", pictures},
-                      {"error", scene.error.empty() ? Json() : Json(scene.error)}});
+                      {"diagnostics", json_of(scene.diagnostics)},
+                      {"error", scene.error.empty() ? Json() : Json(scene.error)},
+                      {"exit_status", scene.exit_code}});
   }
-  Json const json{{"lichtraum", LICHTRAUM_VERSION},
-                  {"device",
-                   {{"index", report.device.index},
-                    {"kind", kind_name(report.device.kind)},
-                    {"name", report.device.name},
-                    {"platform", report.device.platform}}},
+  return printed({{"lichtraum", LICHTRAUM_VERSION},
+                  {"device", json_of(report.device)},
                   {"scenes", scenes},
                   {"film", report.film.empty() ? Json() : Json(report.film)},
-                  {"total_ms", report.total_ms}};
-  // File names and messages need not be UTF-8, JSON must be.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+                  {"total_ms", report.total_ms}});
 }
 
 std::string summary(PictureReport const& report) {

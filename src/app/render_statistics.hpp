@@ -31,7 +31,9 @@ struct SceneReport {
   std::string file;
   double load_ms = 0;
   std::vector<PictureReport> pictures;
-  std::string error;  ///< empty when all went well
+  std::vector<Diagnostic> diagnostics;  ///< in the order in which they were said
+  std::string error;                    ///< empty when all went well
+  int exit_code = 0;                    ///< of the process, were this its only input
 };
 
 struct RunReport {

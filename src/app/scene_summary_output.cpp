@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/report_json.hpp"
 #include "app/scene_summary.hpp"
 #include "lichtraum/words.hpp"
 
@@ -213,7 +214,7 @@ std::string to_json(SceneSummary const& summary, std::string const& file) {
                   {"background", triple_json(scene.background)},
                   {"bounds", bounds},
                   {"model", summary.contents ? contents_json(*summary.contents) : Json()}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return printed(json);
 }
 
 }  // namespace lichtraum::app

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <future>
+#include <iterator>
 #include <optional>
 #include <utility>
 
+#include "app/diagnostics_of.hpp"
 #include "app/exit_code.hpp"
 #include "app/interruption.hpp"
 #include "app/picture_findings.hpp"
@@ -63,7 +65,10 @@ class Sequence {
 
  private:
   void note_failure(Error const& error) {
-    report_.scenes.back().error = error.what();
+    SceneReport& scene = report_.scenes.back();
+    std::ranges::move(diagnostics_of(error), std::back_inserter(scene.diagnostics));
+    scene.error = error.what();
+    scene.exit_code = exit_code(error.kind());
     ++failed_;
     if (code_ == 0 || error.kind() == ErrorKind::interrupted) code_ = exit_code(error.kind());
   }
@@ -100,9 +105,9 @@ class Sequence {
     inputs_left_ = inputs_.size() - input - 1;
     report_.scenes.back().load_ms = scene_.load_ms;
     bar_.clear();
-    console_.show(scene_.diagnostics);
+    show(scene_.diagnostics);
     console_.detail(fmt::format("{}: loaded in {:.1f} ms", scene_.source->name(), scene_.load_ms));
-    console_.show(plan_findings_.next(scene_));
+    show(plan_findings_.next(scene_));
     picture_findings_.begin(scene_);
     if (is_film_) check_film_size();
   }
@@ -170,9 +175,8 @@ class Sequence {
     if (result.complete && !ready.denoiser.empty()) film = denoised(film, ready, picture);
     finish_writing();
     if (result.statistics.rays.not_finite > 0) {
-      bar_.clear();
-      console_.warning(fmt::format("{}: {} samples are left out: their radiance is not a finite number",
-                                   picture.plan.output.shown, result.statistics.rays.not_finite));
+      warn(fmt::format("{}: {} samples are left out: their radiance is not a finite number", picture.plan.output.shown,
+                       result.statistics.rays.not_finite));
     }
     writing_ = std::async(std::launch::async,
                           [this, picture, drawn = develop(std::move(film), picture.plan, ready.development)]() mutable {
@@ -195,21 +199,23 @@ class Sequence {
     }
   }
 
-  /// Below the line that shows progress.
+  /// Beside the line that shows progress, and in the report.
   void show(std::vector<Diagnostic> const& found) {
     if (found.empty()) return;
     bar_.clear();
     console_.show(found);
+    auto& all = report_.scenes.back().diagnostics;
+    all.insert(all.end(), found.begin(), found.end());
   }
+  void warn(std::string message) { show({{Severity::warning, {}, 1, std::move(message), {}, {}}}); }
 
   /// Of a film, once.
   void warn_of_noise(PictureReport const& picture) {
     auto const limit = picture.plan.job.noise;
     if (!limit || !picture.noise || *picture.noise <= *limit) return;
     if (is_film_ && std::exchange(has_warned_of_noise_, true)) return;
-    bar_.clear();
-    console_.warning(fmt::format("{}: after {} samples the noise is {:.2g}, not {}: a larger --samples allows more",
-                                 picture.plan.output.shown, picture.samples, *picture.noise, *limit));
+    warn(fmt::format("{}: after {} samples the noise is {:.2g}, not {}: a larger --samples allows more",
+                     picture.plan.output.shown, picture.samples, *picture.noise, *limit));
   }
 
   Film denoised(Film const& film, PictureReady const& ready, PictureReport& picture) {
@@ -223,8 +229,7 @@ class Sequence {
     picture.denoiser = denoiser_.name(denoising);
     if (picture.denoiser != ready.denoiser) picture.plan.fingerprint.clear();  // it failed with this picture
     if (auto const note = denoiser_.take_note(); !note.empty()) {
-      bar_.clear();
-      console_.warning(note);
+      warn(note);
     }
     return result;
   }

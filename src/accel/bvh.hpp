@@ -24,6 +24,9 @@ struct Bvh {
   DeviceBounds bounds;
 };
 
+/// Holds nothing.
+inline bool is_absent(device::BvhChild const& child) { return !(child.min[0] <= child.max[0]); }
+
 /// Top-down with the surface area heuristic over bins of centroids (Wald 2007, "On fast construction of SAH-based
 /// bounding volume hierarchies"), on every core. The same tree whatever the number of threads; no path of it is longer
 /// than BVH_MAX_DEPTH. Takes O(n log n) time for any input, identical primitives included. Reorders its argument.

@@ -58,8 +58,6 @@ device::BvhChild make_child(DeviceBounds const& bounds, std::size_t first, std::
           device::uint(count)};
 }
 
-bool is_absent(device::BvhChild const& child) { return !(child.min[0] <= child.max[0]); }
-
 using Nodes = std::vector<device::BvhNode>;
 
 /// A subtree, depth-first, in pieces that follow each other. Numbers of nodes count from the beginning of a piece.

@@ -47,8 +47,6 @@ std::array<std::uint8_t, WIDE_CHILDREN> order_of_visits(Children const& children
   return order;
 }
 
-bool is_absent(BvhChild const& child) { return !(child.min[0] <= child.max[0]); }
-
 /// Makes the wide nodes. Plans say how many are in each subtree: so each knows where it goes.
 class Collapser {
  public:

@@ -12,12 +12,12 @@
 namespace lichtraum::app {
 namespace {
 
-constexpr char const* description =
+constexpr char const* check_description =
     "Reports what is wrong in scenes, and what render would write, and draws\n"
     "nothing. SCENE is an eSDF file, a model (glTF, OBJ, PLY, STL), or - for\n"
     "standard input. The exit status is the one that render would have.";
 
-constexpr char const* examples =
+constexpr char const* check_examples =
     "  lichtraum check hello.sdf\n"
     "  lichtraum check --strict *.sdf\n"
     "  lichtraum check model.glb\n"
@@ -57,7 +57,7 @@ std::string summary(Prediction const& prediction) {
 
 /// False when only the help was asked for.
 bool parse_check(Arguments const& arguments, RenderOptions& options, Console& console) {
-  auto const parser = make_parser("check", description, examples);
+  auto const parser = make_parser("check", check_description, check_examples);
   add_inputs(*parser, options.scenes, "SCENE...");
   parser->add_flag("--json", options.json, "Print JSON")->group("Output");
   add_language_options(*parser, options.job.reading);

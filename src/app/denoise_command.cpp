@@ -17,12 +17,12 @@
 namespace lichtraum::app {
 namespace {
 
-constexpr char const* description =
+constexpr char const* denoise_description =
     "Takes the noise out of the radiance that an OpenEXR file holds, guided by its\n"
     "albedo and normals: FILE is what 'lichtraum render --planes\n"
     "radiance,albedo,normal' writes. All other layers stay as they are.";
 
-constexpr char const* examples =
+constexpr char const* denoise_examples =
     "  lichtraum denoise film.exr\n"
     "  lichtraum denoise film.exr -o picture.png --exposure 1\n"
     "  lichtraum denoise film.exr -o smooth.exr --denoise builtin\n";
@@ -43,7 +43,7 @@ Denoising parse_denoiser(std::string_view text) {
 }
 
 bool parse_denoise(Arguments const& arguments, DenoiseOptions& options, Console& console) {
-  auto const parser = make_parser("denoise", description, examples);
+  auto const parser = make_parser("denoise", denoise_description, denoise_examples);
   add_inputs(*parser, options.input, "FILE");
   auto const path = [](std::string const& text) { return std::filesystem::path(parse_name(text)); };
   add_value(*parser, "-o,--output", options.output, path, "FILE",

@@ -12,11 +12,11 @@
 namespace lichtraum::app {
 namespace {
 
-constexpr char const* description =
+constexpr char const* devices_description =
     "Lists the devices that can draw, best first: index, name or kind is what\n"
     "render --device takes.";
 
-constexpr char const* examples =
+constexpr char const* devices_examples =
     "  lichtraum devices\n"
     "  lichtraum devices --json\n";
 
@@ -61,7 +61,7 @@ std::string to_json(DeviceList const& list) {
 
 int devices_command(Arguments const& arguments, Console& console) {
   bool json = false;
-  auto const parser = make_parser("devices", description, examples);
+  auto const parser = make_parser("devices", devices_description, devices_examples);
   parser->add_flag("--json", json, "Print JSON")->group("Output");
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return 0;

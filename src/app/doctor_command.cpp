@@ -15,12 +15,12 @@
 namespace lichtraum::app {
 namespace {
 
-constexpr char const* description =
+constexpr char const* doctor_description =
     "Draws a small known scene on every OpenCL device and compares it with the\n"
     "reference tracer, which is plain C++. Says what to install when something is\n"
     "missing. Exit status 0 when at least one device draws correctly, else 69.";
 
-constexpr char const* examples = "  lichtraum doctor\n  lichtraum doctor -v\n";
+constexpr char const* doctor_examples = "  lichtraum doctor\n  lichtraum doctor -v\n";
 
 // On 99.9 % of all pixels a device may be off by one step of an 8 bit picture: its floats have 24 bits, the reference
 // has 53. The others lie on edges, where a ray may meet one shape or its neighbour.
@@ -67,7 +67,7 @@ Finding examine(DeviceInfo const& device, TestScene const& test, Image const& ex
 }  // namespace
 
 int doctor_command(Arguments const& arguments, Console& console) {
-  auto const parser = make_parser("doctor", description, examples);
+  auto const parser = make_parser("doctor", doctor_description, doctor_examples);
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return 0;
 

@@ -10,11 +10,11 @@
 namespace lichtraum::app {
 namespace {
 
-constexpr char const* description =
+constexpr char const* info_description =
     "Describes a scene as it is at the end of the file. FILE is an eSDF file,\n"
     "a model (glTF, OBJ, PLY, STL), or - for standard input.";
 
-constexpr char const* examples =
+constexpr char const* info_examples =
     "  lichtraum info hello.sdf\n"
     "  lichtraum info hello.sdf --json\n"
     "  lichtraum info model.glb\n";
@@ -26,7 +26,7 @@ int info_command(Arguments const& arguments, Console& console) {
   bool json = false;
   std::string input_format;
   SceneReading reading;
-  auto const parser = make_parser("info", description, examples);
+  auto const parser = make_parser("info", info_description, info_examples);
   add_inputs(*parser, file, "FILE");
   parser->add_flag("--json", json, "Print JSON")->group("Output");
   add_language_options(*parser, reading);

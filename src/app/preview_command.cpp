@@ -13,12 +13,12 @@
 namespace lichtraum::app {
 namespace {
 
-constexpr char const* description =
+constexpr char const* preview_description =
     "Shows a scene in the terminal: in the terminal's own graphics (kitty's or\n"
     "sixel) where it has them, else as characters in two colours. SCENE is an eSDF\n"
     "file, a model, or - for standard input.";
 
-constexpr char const* examples =
+constexpr char const* preview_examples =
     "  lichtraum preview hello.sdf\n"
     "  lichtraum preview model.glb --time 1.5\n"
     "  lichtraum preview hello.sdf --size 60x20 --graphics blocks > hello.txt\n";
@@ -42,7 +42,7 @@ std::optional<TerminalGraphics> parse_graphics(std::string_view text) {
 bool parse_preview(Arguments const& arguments, PreviewOptions& options, Console& console) {
   RenderOptions& render = options.render;
   std::string scene;
-  auto const parser = make_parser("preview", description, examples);
+  auto const parser = make_parser("preview", preview_description, preview_examples);
   add_inputs(*parser, scene, "SCENE");
   std::string const group = "Picture";
   add_value(*parser, "--size", render.job.size, parse_size, "CxR",

@@ -17,13 +17,13 @@
 namespace lichtraum::app {
 namespace {
 
-constexpr char const* description =
+constexpr char const* render_description =
     "Draws scenes to pictures. SCENE is an eSDF file, a model (.gltf, .glb, .obj,\n"
     ".ply, .stl), - for standard input, or a pattern in quotes, such as\n"
     "'frames/*.sdf'. A scene names its pictures itself; one that does not, and a\n"
     "model, is drawn to <scene>.png.";
 
-constexpr char const* examples =
+constexpr char const* render_examples =
     "  lichtraum render hello.sdf\n"
     "  lichtraum render hello.sdf -o hello.exr --size 1920x1080 --samples 4x4\n"
     "  lichtraum render model.glb --time 1.5 -o model.png\n"
@@ -96,7 +96,7 @@ void add_picture_options(CLI::App& parser, RenderOptions& options) {
 
 /// `window_arguments`: with --show, what `lichtraum view` is told besides the scene.
 bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments& window_arguments, Console& console) {
-  auto const parser = make_parser("render", description, examples);
+  auto const parser = make_parser("render", render_description, render_examples);
   add_inputs(*parser, options.scenes, "SCENE...");
   add_output_options(*parser, options);
   add_picture_options(*parser, options);

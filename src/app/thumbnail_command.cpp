@@ -9,13 +9,13 @@
 namespace lichtraum::app {
 namespace {
 
-constexpr char const* description =
+constexpr char const* thumbnail_description =
     "Draws one small picture of a scene or a model, for file managers: quickly, the\n"
     "first of several, within 20 s and 4 GiB of memory. INPUT is a file or a\n"
     "file:// URI. OUTPUT becomes a PNG, whatever its extension, whole or not at all.\n"
     "Nothing but errors is printed.";
 
-constexpr char const* examples =
+constexpr char const* thumbnail_examples =
     "  lichtraum thumbnail hello.sdf hello-small.png\n"
     "  lichtraum thumbnail --size 512 model.glb model-large.png\n";
 
@@ -30,7 +30,7 @@ struct ThumbnailOptions {
 
 bool parse_thumbnail(Arguments const& arguments, ThumbnailOptions& options, Console& console) {
   std::vector<std::string> files;
-  auto const parser = make_parser("thumbnail", description, examples);
+  auto const parser = make_parser("thumbnail", thumbnail_description, thumbnail_examples);
   add_inputs(*parser, files, "INPUT OUTPUT.png");
   std::string const group = "Picture";
   add_value(*parser, "--size", options.side, parse_thumbnail_side, "N", "Pixels of its longer side (default: 256)",

@@ -12,11 +12,11 @@
 namespace lichtraum::app {
 namespace {
 
-constexpr char const* description =
+constexpr char const* view_description =
     "Opens a window on a scene: turn it with the mouse, press ? for the keys. SCENE\n"
     "is an eSDF file or a model (glTF, OBJ, PLY, STL).";
 
-constexpr char const* examples =
+constexpr char const* view_examples =
     "  lichtraum view hello.sdf\n"
     "  lichtraum view hello.sdf --watch\n"
     "  lichtraum view model.glb --time 1.5 --size 1280x720\n";
@@ -29,7 +29,7 @@ std::filesystem::path window_program() {
 
 std::unique_ptr<CLI::App> view_parser(ViewOptions& options, Console& console) {
   RenderOptions& render = options.render;
-  auto parser = make_parser("view", description, examples);
+  auto parser = make_parser("view", view_description, view_examples);
   add_inputs(*parser, options.scene, "SCENE");
   std::string const group = "Window";
   parser

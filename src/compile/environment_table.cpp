@@ -10,16 +10,13 @@
 
 #include "compile/alias_table.hpp"
 #include "core/elementary.hpp"
+#include "core/luminance.hpp"
 #include "core/parallel_ranges.hpp"
 
 namespace lichtraum {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-double luminance(float const* rgb) {
-  return 0.2126 * double(rgb[0]) + 0.7152 * double(rgb[1]) + 0.0722 * double(rgb[2]);
-}
+using std::numbers::pi;
 
 /// What of the sphere a texel of the row covers.
 double solid_angle(EnvironmentMap const& map, std::size_t row) {

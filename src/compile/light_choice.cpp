@@ -2,16 +2,16 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "compile/alias_table.hpp"
 #include "compile/light_tree.hpp"
+#include "core/luminance.hpp"
 
 namespace lichtraum {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
-double luminance(float const (&rgb)[3]) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
+using std::numbers::pi;
 
 /// Of what the material sends out; a texture makes less of it, which does not count here.
 double emitted_luminance(device::ShadingArrays const& tables, std::size_t material) {

@@ -9,7 +9,7 @@
 namespace lichtraum {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The irradiance from above, over pi: by the middles of a fine grid of directions.
 Rgb light_on_level(ReferenceEnvironment const& environment) {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/square.hpp"
+
 namespace lichtraum {
 namespace {
-
-double square(double x) { return x * x; }
 
 /// How much is hidden, for each part that is seen.
 double lambda(double alpha, double cosine) {

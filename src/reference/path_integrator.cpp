@@ -11,7 +11,7 @@
 namespace lichtraum {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Vec3 uniform_direction(ReferenceRandom& random) {
   double const z = 1 - 2 * random.uniform();

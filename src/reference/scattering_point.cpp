@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/elementary.hpp"
+#include "core/square.hpp"
 #include "lichtraum/error.hpp"
 #include "reference/thin_film.hpp"
 #include "scene/pbr_evaluation.hpp"
@@ -13,7 +14,6 @@
 namespace lichtraum {
 namespace {
 
-double square(double x) { return x * x; }
 Rgb color_of(float const (&values)[3]) { return {values[0], values[1], values[2]}; }
 
 void set_phong(PhongModel const& phong, ReferenceScatteringPoint& point) {

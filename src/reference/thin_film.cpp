@@ -5,11 +5,10 @@
 #include <numbers>
 
 #include "core/elementary.hpp"
+#include "core/square.hpp"
 
 namespace lichtraum {
 namespace {
-
-double square(double x) { return x * x; }
 
 /// The paper's equation 10: the CIE's X, Y and Z of cos(2 pi way / wavelength + shift). `way` in nm.
 Vec3 sensitivity(double way, double shift) {

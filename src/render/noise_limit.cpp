@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/square.hpp"
+
 namespace lichtraum {
 namespace {
 
@@ -12,8 +14,6 @@ void check(RenderRequest const& request, double limit) {
   if (limit > 0 && !request.samples && is_random && request.planes.has(FilmPlane::radiance)) return;
   throw std::invalid_argument("a limit of noise is positive, and for radiance by all of a picture's random samples");
 }
-
-double square(double x) { return x * x; }
 
 /// What has noise: radiance, and where shadows are in it, alpha.
 std::vector<float> noisy_values(Film const& film, bool has_shadows_in_alpha) {

@@ -62,9 +62,6 @@ Transform upright_frame(Vec3 const& origin, Vec3 const& up, double width) {
   return Transform::from_matrix(frame);
 }
 
-/// Of triangles or positions of a mesh: fewer are not worth a thread.
-constexpr std::size_t min_range = std::size_t(1) << 15;
-
 class Baker final : public ShapeVisitor {
  public:
   Baker(Transform const& object_from_shape, device::PrimitiveTag tag, FlatObject& object)
@@ -127,7 +124,7 @@ class Baker final : public ShapeVisitor {
     reserve_in_huge_pages(object_.triangles, first + geometry.triangle_count());
     object_.triangles.resize(first + geometry.triangle_count());
     std::atomic<bool> all_fit = true;
-    for_parallel_ranges(geometry.triangle_count(), min_range, [&](std::size_t begin, std::size_t end) {
+    for_parallel_ranges(geometry.triangle_count(), min_elements_of_thread, [&](std::size_t begin, std::size_t end) {
       bool fits = true;
       for (std::size_t i = begin; i < end; ++i) {
         device::TrianglePrimitive& primitive = object_.triangles[first + i];
@@ -174,7 +171,7 @@ class Baker final : public ShapeVisitor {
 
   std::vector<Float3> mapped(std::vector<Float3> const& points) const {
     std::vector<Float3> result(points.size());
-    for_parallel_ranges(points.size(), min_range, [&](std::size_t begin, std::size_t end) {
+    for_parallel_ranges(points.size(), min_elements_of_thread, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         Vec3 const p = object_from_shape_.point({points[i][0], points[i][1], points[i][2]});
         result[i] = {float(p.x), float(p.y), float(p.z)};

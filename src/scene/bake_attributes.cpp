@@ -49,9 +49,6 @@ VertexLayout layout_of(MeshGeometry const& geometry, Material const* material) {
   return layout;
 }
 
-/// Of vertices or triangles: fewer are not worth a thread.
-constexpr std::size_t min_range = std::size_t(1) << 15;
-
 /// The matrix, scaled so that its largest element is 1: neither tiny nor huge maps leave the range of floats.
 Mat3 scaled_to_one(Mat3 const& m) {
   double largest = 0;
@@ -78,7 +75,7 @@ void append_vertices(MeshGeometry const& geometry, VertexLayout const& layout, T
   std::size_t const first = data.size();
   reserve_in_huge_pages(data, first + layout.floats * geometry.positions.size());
   data.resize(first + layout.floats * geometry.positions.size());
-  for_parallel_ranges(geometry.positions.size(), min_range, [&](std::size_t begin, std::size_t end) {
+  for_parallel_ranges(geometry.positions.size(), min_elements_of_thread, [&](std::size_t begin, std::size_t end) {
     float* out = data.data() + first + layout.floats * begin;
     for (std::size_t i = begin; i < end; ++i) {
       if (layout.format & VERTEX_NORMAL) {
@@ -121,7 +118,7 @@ void bake_attributes(Mesh const& mesh, Transform const& object_from_mesh, std::v
     out.format = layout.format;
   };
   if (object.triangles.size() - first == geometry.triangle_count()) {
-    for_parallel_ranges(geometry.triangle_count(), min_range, [&](std::size_t begin, std::size_t end) {
+    for_parallel_ranges(geometry.triangle_count(), min_elements_of_thread, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) write_triangle(i, attributes[i]);
     });
     return;

@@ -5,6 +5,9 @@
 
 namespace lichtraum {
 
+/// Triangles, or vertices: fewer are not worth a thread.
+inline constexpr std::size_t min_elements_of_thread = std::size_t(1) << 15;
+
 /// Appends what shading interpolates between the vertices of `mesh`: normals, and of tangents, colours and texture
 /// coordinates what the material uses. Nothing where there is none of it. The mesh's triangles are those of `object`
 /// from number `first` on; `positions` are its vertices in the object's frame: triangles with a corner that is not

@@ -13,10 +13,10 @@
 namespace lichtraum::esdf {
 namespace {
 
-Signature const signature{
+Signature const camera_signature{
     {{"the opening angle", 1}}, false, {3, 4, 7, 9, 10}, "define camera <name> <degrees> [<width> <height>]"};
 
-constexpr std::string_view usage =
+constexpr std::string_view camera_usage =
     "define camera <name> <degrees> [<width> <height>] aperture=<diameter> focus=<distance>";
 
 Vec3 unit(Vec3 const& v) { return v / glm::length(v); }
@@ -78,10 +78,10 @@ std::optional<Lens> take_lens(Interpreter& interpreter, Statement& statement) {
   };
   std::array<Key, 2> const keys{Key{"aperture", reader("aperture", lens.aperture), true},
                                 Key{"focus", reader("focus", lens.focus_distance)}};
-  if (!read_keys(interpreter, statement, words, keys, std::string(usage))) return std::nullopt;
+  if (!read_keys(interpreter, statement, words, keys, std::string(camera_usage))) return std::nullopt;
   std::size_t const count = arguments.size() - words;
   if (count == 1) {
-    interpreter.error(arguments[words], "camera: a lens has both, aperture= and focus=", std::string(usage));
+    interpreter.error(arguments[words], "camera: a lens has both, aperture= and focus=", std::string(camera_usage));
     return std::nullopt;
   }
   statement.arguments = arguments.first(words);
@@ -95,7 +95,7 @@ bool read_camera(Interpreter& interpreter, Statement statement) {
   bool const has_resolution = numbers == 3 || numbers == 9;
   bool const is_dialect = numbers == 4 || numbers == 7 || numbers == 9 || numbers == 10;
   if (numbers != 1 && numbers != 3 && !is_dialect) {
-    report_wrong_count(interpreter, statement, signature);
+    report_wrong_count(interpreter, statement, camera_signature);
     return false;
   }
   if (is_dialect && !interpreter.dialect(statement.rest(2), "a camera with a place and a direction")) return false;

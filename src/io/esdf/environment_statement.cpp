@@ -15,7 +15,7 @@
 namespace lichtraum::esdf {
 namespace {
 
-constexpr std::string_view usage =
+constexpr std::string_view environment_usage =
     "define light environment <name> <file, studio or r g b> [rotation=<degrees>] [brightness=<x>]";
 
 /// The same from everywhere. Nothing, after a report, when the numbers are none.
@@ -78,12 +78,13 @@ void define_environment(Interpreter& interpreter, Statement const& statement) {
   std::size_t const words = first_key(statement, 1);
   if (words != 2 && words != 4) {
     interpreter.error(words > 4 ? statement.rest(4) : place_after(words > 0 ? arguments[words - 1] : statement.keyword),
-                      "environment light: expected a name, and a file, studio or 3 numbers", std::string(usage));
+                      "environment light: expected a name, and a file, studio or 3 numbers",
+                      std::string(environment_usage));
     return;
   }
   EnvironmentLight given;
   auto const keys = keys_of(interpreter, given);
-  bool const has_good_keys = read_keys(interpreter, statement, words, keys, std::string(usage));
+  bool const has_good_keys = read_keys(interpreter, statement, words, keys, std::string(environment_usage));
   auto light = words == 4 ? read_color(interpreter, arguments.subspan(1, 3)) : read_map(interpreter, arguments[1]);
   if (!light || !has_good_keys) return;
   light->rotation_degrees = given.rotation_degrees;

@@ -17,8 +17,8 @@
 namespace lichtraum::esdf {
 namespace {
 
-Signature const signature{{{"Ka", 3}, {"Kd", 3}, {"Ks", 3}, {"m", 1}}};
-constexpr std::size_t number_count = 10;
+Signature const material_signature{{{"Ka", 3}, {"Kd", 3}, {"Ks", 3}, {"m", 1}}};
+constexpr std::size_t least_numbers = 10;
 constexpr std::size_t most_numbers = 14;
 
 #define LICHTRAUM_NONE(...)
@@ -151,7 +151,7 @@ void apply_extra(MaterialExtra meaning, double value, OptionalTerms& terms) {
 
 bool read_extras(Interpreter& interpreter, std::span<Token const> tokens, OptionalTerms& terms) {
   auto const& meanings = interpreter.options.material_extras;
-  std::array<double, most_numbers - number_count> values{};
+  std::array<double, most_numbers - least_numbers> values{};
   if (!read_numbers(interpreter, tokens, values)) return false;
   Token const at = span_of(tokens.front(), tokens.back());
   std::string const count = fmt::format("{} number{} after m", tokens.size(), tokens.size() == 1 ? "" : "s");
@@ -193,23 +193,24 @@ bool read_material(Interpreter& interpreter, Statement const& statement) {
   auto const first_key = std::find_if(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end(),
                                       [](Token token) { return has_key(token) || find_color_word(token); });
   auto const positional = static_cast<std::size_t>(first_key - arguments.begin());
-  if (positional < 1 + number_count || positional > 1 + most_numbers) {
-    report_wrong_count(interpreter, {statement.what, statement.keyword, arguments.first(positional)}, signature);
+  if (positional < 1 + least_numbers || positional > 1 + most_numbers) {
+    report_wrong_count(interpreter, {statement.what, statement.keyword, arguments.first(positional)},
+                       material_signature);
     return false;
   }
 
-  std::array<double, number_count> v{};
+  std::array<double, least_numbers> v{};
   OptionalTerms terms;
-  bool good = read_numbers(interpreter, arguments.subspan(1, number_count), v);
-  if (positional > 1 + number_count) {
-    good &= read_extras(interpreter, arguments.subspan(1 + number_count, positional - 1 - number_count), terms);
+  bool good = read_numbers(interpreter, arguments.subspan(1, least_numbers), v);
+  if (positional > 1 + least_numbers) {
+    good &= read_extras(interpreter, arguments.subspan(1 + least_numbers, positional - 1 - least_numbers), terms);
   }
   // A key says it clearly, so it wins over an extra number.
   OptionalTerms named;
   if (first_key != arguments.end()) good &= read_terms(interpreter, statement, positional, named);
   if (good && v[9] < 0) {
-    interpreter.error(arguments[number_count],
-                      fmt::format("material: m must not be negative, not {}", in_quotes(arguments[number_count])));
+    interpreter.error(arguments[least_numbers],
+                      fmt::format("material: m must not be negative, not {}", in_quotes(arguments[least_numbers])));
     good = false;
   }
   if (!good) return false;

@@ -16,7 +16,7 @@
 namespace lichtraum::esdf {
 namespace {
 
-constexpr std::string_view usage = "render <camera> <file> [<width> <height>]";
+constexpr std::string_view render_usage = "render <camera> <file> [<width> <height>]";
 
 /// The statement's parts. An empty token is not there.
 struct Parts {
@@ -80,7 +80,7 @@ Camera const* find_camera(Interpreter& interpreter, Statement const& statement, 
   if (!name.empty()) {
     interpreter.report_undefined("camera", Kind::camera, name, cameras);
   } else {
-    interpreter.error(place_after(statement.keyword), "render: no camera is given", std::string(usage));
+    interpreter.error(place_after(statement.keyword), "render: no camera is given", std::string(render_usage));
   }
   return nullptr;
 }
@@ -93,7 +93,7 @@ std::optional<std::string> join_file(Interpreter& interpreter, Statement const& 
       return interpreter.scene.filename;
     }
     interpreter.error(place_after(parts.camera.empty() ? statement.keyword : parts.camera),
-                      "render: the file name is missing", std::string(usage));
+                      "render: the file name is missing", std::string(render_usage));
     return std::nullopt;
   }
   Token const at = span_of(parts.file.front(), parts.file.back());
@@ -109,7 +109,7 @@ std::optional<std::string> join_file(Interpreter& interpreter, Statement const& 
   if (number != parts.file.end() || joined.find('.') == std::string::npos) {
     Token const odd =
         number != parts.file.end() ? *std::find_if_not(number, parts.file.end(), looks_like_number) : parts.file[1];
-    interpreter.error(odd, fmt::format("render: {} does not belong here", in_quotes(odd)), std::string(usage));
+    interpreter.error(odd, fmt::format("render: {} does not belong here", in_quotes(odd)), std::string(render_usage));
     return std::nullopt;
   }
   if (!interpreter.dialect_warning(at, "render: the file name contains spaces",
@@ -193,7 +193,7 @@ void render(Interpreter& interpreter, Statement const& whole) {
   if (parts.numbers.size() == 1 || parts.numbers.size() > 4) {
     interpreter.error(
         parts.numbers.size() == 1 ? place_after(statement.last()) : span_of(parts.numbers[4], parts.numbers.back()),
-        fmt::format("render: expected 2 numbers, found {}", parts.numbers.size()), std::string(usage));
+        fmt::format("render: expected 2 numbers, found {}", parts.numbers.size()), std::string(render_usage));
     return;
   }
   Camera const* const camera = find_camera(interpreter, statement, parts.camera);
@@ -204,11 +204,11 @@ void render(Interpreter& interpreter, Statement const& whole) {
     if (!command.resolution) return;
     if (parts.numbers.size() > 2 && !read_extra_numbers(interpreter, parts.numbers.subspan(2), command)) return;
   }
-  if (!read_keys(interpreter, whole, first_key, keys, std::string(usage)) || !camera) return;
+  if (!read_keys(interpreter, whole, first_key, keys, std::string(render_usage)) || !camera) return;
   command.camera = camera->name();
   if (!command.resolution && !camera->resolution() && !interpreter.scene.resolution) {
     interpreter.error(place_after(statement.last()), "render: neither this statement nor the camera has a resolution",
-                      std::string(usage));
+                      std::string(render_usage));
     return;
   }
   interpreter.render(std::move(command));

@@ -14,9 +14,9 @@ namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-class Reader {
+class HdrReader {
  public:
-  explicit Reader(EnvironmentFile const& file) : file_(file) {}
+  explicit HdrReader(EnvironmentFile const& file) : file_(file) {}
 
   std::string_view line() {
     std::size_t const end = file_.bytes.find('\n', at_);
@@ -50,7 +50,7 @@ struct Header {
 };
 
 /// Two axes, each with its sign and size: "-Y 1024 +X 2048".
-void parse_resolution(Reader const& reader, std::string_view const whole_line, Header& header) {
+void parse_resolution(HdrReader const& reader, std::string_view const whole_line, Header& header) {
   std::string_view line = whole_line;
   auto const refuse = [&] {
     reader.fail(fmt::format("the line before this must be a resolution like '-Y 1024 +X 2048', and is '{}'",
@@ -74,7 +74,7 @@ void parse_resolution(Reader const& reader, std::string_view const whole_line, H
   header.is_mirrored = is_from_right;
 }
 
-Header read_header(Reader& reader) {
+Header read_header(HdrReader& reader) {
   Header header;
   for (reader.line();;) {  // the first says that it is such a file
     std::string_view const line = reader.line();
@@ -96,7 +96,7 @@ Header read_header(Reader& reader) {
 }
 
 /// A row of run lengths a component; its first four bytes are read.
-void read_components(Reader& reader, std::span<Rgbe> row) {
+void read_components(HdrReader& reader, std::span<Rgbe> row) {
   for (std::size_t c = 0; c < 4; ++c) {
     for (std::size_t i = 0; i < row.size();) {
       std::size_t const code = reader.byte();
@@ -114,7 +114,7 @@ void read_components(Reader& reader, std::span<Rgbe> row) {
 
 /// A row pixel by pixel, where 1, 1, 1, n says: the last one n times again. Such counts one after the other are a
 /// number of base 256, its lowest digit first.
-void read_pixels(Reader& reader, Rgbe pixel, std::span<Rgbe> row) {
+void read_pixels(HdrReader& reader, Rgbe pixel, std::span<Rgbe> row) {
   unsigned shift = 0;
   for (std::size_t i = 0;;) {
     if (pixel[0] == 1 && pixel[1] == 1 && pixel[2] == 1) {
@@ -131,7 +131,7 @@ void read_pixels(Reader& reader, Rgbe pixel, std::span<Rgbe> row) {
   }
 }
 
-void read_row(Reader& reader, std::span<Rgbe> row) {
+void read_row(HdrReader& reader, std::span<Rgbe> row) {
   Rgbe const first = reader.pixel();
   bool const has_components = row.size() >= 8 && row.size() < 32768 && first[0] == 2 && first[1] == 2 && first[2] < 128;
   if (!has_components) return read_pixels(reader, first, row);
@@ -142,7 +142,7 @@ void read_row(Reader& reader, std::span<Rgbe> row) {
 }  // namespace
 
 EnvironmentMap decode_hdr(EnvironmentFile const& file) {
-  Reader reader(file);
+  HdrReader reader(file);
   Header const header = read_header(reader);
   EnvironmentMap map = file.sized(header.width, header.height);
   auto const width = std::size_t(map.width), height = std::size_t(map.height);

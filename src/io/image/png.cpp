@@ -60,19 +60,19 @@ void add_fingerprint(Writer& writer, std::string fingerprint) {
   png_set_text(writer.png, writer.info, &text, 1);
 }
 
-struct Reader {
+struct PngReader {
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, [](png_structp, char const*) {});
   png_infop info = png_create_info_struct(png);
 
-  explicit Reader(std::istream& file) {
+  explicit PngReader(std::istream& file) {
     png_set_read_fn(png, &file, [](png_structp p, png_bytep data, std::size_t size) {
       auto& in = *static_cast<std::istream*>(png_get_io_ptr(p));
       if (!in.read(reinterpret_cast<char*>(data), std::streamsize(size))) fail(p, "the file is too short");
     });
   }
-  Reader(Reader const&) = delete;
-  Reader& operator=(Reader const&) = delete;
-  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+  PngReader(PngReader const&) = delete;
+  PngReader& operator=(PngReader const&) = delete;
+  ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
 /// Whether the file ends with the chunk that ends a PNG.
@@ -90,7 +90,7 @@ std::string read_png_fingerprint(std::filesystem::path const& path) {
   if (!file || !ends_well(file)) return {};
   file.seekg(0);
   try {
-    Reader reader(file);
+    PngReader reader(file);
     png_set_user_limits(reader.png, 0x7fffffff, 0x7fffffff);
     png_read_info(reader.png, reader.info);
     png_textp texts = nullptr;

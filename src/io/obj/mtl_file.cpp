@@ -17,9 +17,9 @@ constexpr std::string_view unused[] = {
     "aniso",    "anisor",    "map_disp", "map_ns", "map_ni", "map_opacity", "km",      "map_rma", "map_orm",
 };
 
-class Reader {
+class MtlReader {
  public:
-  explicit Reader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  explicit MtlReader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
   std::vector<MtlMaterial> run(std::string_view text) {
     LineReader lines(text);
@@ -168,7 +168,7 @@ class Reader {
 }  // namespace
 
 std::vector<MtlMaterial> read_mtl(std::string_view text, Diagnostics& diagnostics) {
-  return Reader(diagnostics).run(text);
+  return MtlReader(diagnostics).run(text);
 }
 
 }  // namespace lichtraum::obj

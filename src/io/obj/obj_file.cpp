@@ -20,9 +20,9 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 bool is_finite(Float3 const& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
-class Reader {
+class ObjReader {
  public:
-  explicit Reader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  explicit ObjReader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
   ObjFile run(std::string_view text) {
     LineReader lines(text);
@@ -286,7 +286,7 @@ class Reader {
 
 }  // namespace
 
-ObjFile read_obj(std::string_view text, Diagnostics& diagnostics) { return Reader(diagnostics).run(text); }
+ObjFile read_obj(std::string_view text, Diagnostics& diagnostics) { return ObjReader(diagnostics).run(text); }
 
 void join_continued_lines(std::string& text) {
   if (text.find("\\\n") == std::string::npos && text.find("\\\r\n") == std::string::npos) return;

@@ -85,9 +85,9 @@ double full_scale(Type type) {
 }
 
 template <class Source>
-class Reader {
+class DataReader {
  public:
-  explicit Reader(Source source) : source_(std::move(source)) {}
+  explicit DataReader(Source source) : source_(std::move(source)) {}
 
   MeshGeometry run(std::vector<Element> const& elements) {
     for (Element const& element : elements) {
@@ -274,10 +274,10 @@ class Reader {
 MeshGeometry read_data(std::string_view bytes, Header const& header, Diagnostics& diagnostics) {
   if (header.encoding == Encoding::ascii) {
     AsciiSource source(bytes.substr(header.data_offset), header.data_line, diagnostics);
-    return Reader(std::move(source)).run(header.elements);
+    return DataReader(std::move(source)).run(header.elements);
   }
   BinarySource source(bytes, header.data_offset, header.encoding == Encoding::big_endian, diagnostics);
-  return Reader(std::move(source)).run(header.elements);
+  return DataReader(std::move(source)).run(header.elements);
 }
 
 }  // namespace lichtraum::ply

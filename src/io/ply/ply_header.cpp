@@ -28,9 +28,9 @@ std::optional<Type> type_of(Token word) {
   return std::nullopt;
 }
 
-class Reader {
+class HeaderReader {
  public:
-  Reader(Header& header, Diagnostics& diagnostics) : header_(header), diagnostics_(diagnostics) {}
+  HeaderReader(Header& header, Diagnostics& diagnostics) : header_(header), diagnostics_(diagnostics) {}
 
   bool run(std::string_view bytes) {
     LineReader lines(bytes);
@@ -149,7 +149,7 @@ std::size_t size_of(Type type) {
 }
 
 bool read_header(std::string_view bytes, Header& header, Diagnostics& diagnostics) {
-  return Reader(header, diagnostics).run(bytes);
+  return HeaderReader(header, diagnostics).run(bytes);
 }
 
 }  // namespace lichtraum::ply

@@ -1,0 +1,7 @@
+#pragma once
+
+namespace lichtraum {
+
+constexpr double square(double x) { return x * x; }
+
+}  // namespace lichtraum

@@ -14,7 +14,7 @@ struct PrecompiledProgram {
   std::string_view binary;   ///< for clCreateProgramWithBinary
 };
 
-/// Defined in a file that tools/precompile_kernels generates; none where no OpenCL CPU device worked then.
+/// Made by tools/precompile_kernels; none where no OpenCL CPU device worked then.
 std::span<PrecompiledProgram const> precompiled_programs();
 
 }  // namespace lichtraum

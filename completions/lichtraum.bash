@@ -4,7 +4,7 @@ _lichtraum() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
   local commands='render view preview thumbnail denoise check info devices doctor'
   local general='-q --quiet -v --verbose -h --help'
-  local language='--strict --keep-going --transform-order --rotation --material-extras --allow-path --scene --variant --time --animation --both-sides --max-texture'
+  local language='--strict --keep-going --transform-order --rotation --material-extras --allow-path --scene --variant --time --animation --both-sides --max-texture --point-size'
   COMPREPLY=()
 
   if ((COMP_CWORD == 1)); then

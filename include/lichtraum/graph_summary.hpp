@@ -9,15 +9,18 @@
 
 namespace lichtraum {
 
-/// How many shapes there are of each kind, and how many triangles the meshes have. At most `uncountable` each.
+/// How many shapes there are of each kind, and how many triangles and points the meshes and point clouds
+/// have. At most `uncountable` each.
 struct ShapeCounts {
   static constexpr std::uint64_t uncountable = std::uint64_t(1) << 62;
 
   std::array<std::uint64_t, shape_kind_count> of_kind{};
   std::uint64_t mesh_triangles = 0;
+  std::uint64_t points = 0;
 
   std::uint64_t operator[](ShapeKind kind) const { return of_kind[std::size_t(kind)]; }
-  /// Everything that a ray may meet: shapes that are neither meshes nor composites, and the triangles of meshes.
+  /// Everything that a ray may meet: shapes that hold no others, the triangles of meshes, and the points of
+  /// point clouds.
   std::uint64_t primitives() const;
 };
 

@@ -99,6 +99,7 @@ inline constexpr double exposure_ev = 100;          ///< darker, too
 inline constexpr double environment_degrees = 1e6;  ///< either way
 inline constexpr double environment_brightness = max_environment_brightness;
 inline constexpr int texture_side = 65536;
+inline constexpr double least_point_size = 1e-6, point_size = 1000;  ///< thousandths of the model
 inline constexpr int jpeg_quality = 100;
 }  // namespace job_limits
 

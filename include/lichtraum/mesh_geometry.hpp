@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "lichtraum/bounds.hpp"
 #include "lichtraum/math.hpp"
 
 namespace lichtraum {
@@ -26,6 +27,8 @@ struct MeshGeometry {
 
   std::size_t triangle_count() const { return indices.size() / 3; }
   std::array<Vec3, 3> triangle(std::size_t number) const;
+  /// Around those of its positions that are finite.
+  Bounds bounds() const;
 };
 
 }  // namespace lichtraum

@@ -20,6 +20,9 @@ std::shared_ptr<ModelCache> make_model_cache();
 /// Which of a model's scenes is wanted, in which variant, when, and how fine.
 struct ModelChoice {
   int max_texture = 4096;  ///< pictures with a longer side are halved until they fit; >= 1
+  /// The diameter of points, in thousandths of the diagonal of the box around the model, > 0; nothing: by how many
+  /// there are.
+  std::optional<double> point_size;
 
   // Only glTF models have several scenes, move, and have surfaces without a back; for others these have no effect but a
   // warning.

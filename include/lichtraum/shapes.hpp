@@ -167,6 +167,34 @@ class Mesh final : public Shape {
   Bounds bounds_;
 };
 
+/// Spheres of one radius and one material around points, which may have colours of their own. Of its geometry, which
+/// several may share, only positions and colours count; a position that is not finite is no point.
+class PointCloud final : public Shape {
+ public:
+  /// Throws std::invalid_argument when `geometry` is null or has colours, but not as many as positions, or `radius` is
+  /// not positive and finite.
+  PointCloud(std::string name, std::shared_ptr<MeshGeometry const> geometry, double radius,
+             std::shared_ptr<Material const> material);
+  std::shared_ptr<MeshGeometry const> const& geometry() const { return geometry_; }
+  double radius() const { return radius_; }
+  void set_radius(double radius);
+
+  ShapeKind kind() const override { return ShapeKind::point_cloud; }
+  /// Around the spheres of those of its positions that are finite.
+  Bounds bounds() const override;
+  bool intersect(Ray const& ray, float& t) const override;
+  bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
+  void accept(ShapeVisitor& visitor) const override;
+
+ private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
+  std::shared_ptr<MeshGeometry const> geometry_;
+  Bounds centers_;
+  double radius_ = 0;
+};
+
 /// A group of shapes under one transform.
 class Composite final : public Shape {
  public:
@@ -214,6 +242,7 @@ class ShapeVisitor {
   virtual void visit(Cone const& cone) = 0;
   virtual void visit(Plane const& plane) = 0;
   virtual void visit(Mesh const& mesh) = 0;
+  virtual void visit(PointCloud const& points) = 0;
   virtual void visit(Composite const& composite) = 0;
 
  protected:

@@ -51,6 +51,8 @@
   SINGLE_PRIMITIVE_ARRAYS(ARRAY)                                                                          \
   ARRAY(Instance, instances)                                                                              \
   ARRAY(TriangleAttributes, triangle_attributes) /* one a triangle, as the layout counts them; or none */ \
+  ARRAY(uint, sphere_colors)    /* 1 + where in the vertex data rgba of a sphere begin, as the layout */  \
+  ARRAY(uint, ellipsoid_colors) /* counts them, and of an ellipsoid; 0: none; or none */                  \
   ARRAY(float, vertex_data)                                                                               \
   ARRAY(EmissiveTriangle, emissive_triangles)
 
@@ -106,7 +108,7 @@ DEVICE_STRUCT_SIZE(SceneConstants, 92);
 /* SceneConstants.features: what some of the scene has. What none of it has costs no time. */
 #define SCENE_TRANSPARENCY 1u /* a material lets light through */
 #define SCENE_CUTOUTS 2u      /* a material is there, or lets light through, in some points only */
-#define SCENE_ATTRIBUTES 4u   /* triangles have vertices with normals, colours or texture coordinates */
+#define SCENE_ATTRIBUTES 4u   /* vertices have normals, colours or texture coordinates, or points have colours */
 #define SCENE_PBR 8u          /* a material is derived from a physically based one */
 #define SCENE_LIGHT_KINDS 16u /* a light is not LIGHT_CONSTANT */
 #define SCENE_RARE_SHAPES 32u /* a shape is of a kind from FIRST_RARE_SHAPE on */

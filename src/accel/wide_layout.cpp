@@ -240,18 +240,6 @@ void fill_triangle_blocks(std::span<WideBvh::Block const> blocks,
   }
 }
 
-void fill_block_attributes(std::span<WideBvh::Block const> blocks,
-                           std::span<device::PrimitiveReference const> references,
-                           std::span<device::TriangleAttributes const> attributes,
-                           std::span<device::TriangleAttributes> filled) {
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    for (uint lane = 0; lane < blocks[b].count; ++lane) {
-      uint const triangle = references[blocks[b].first + lane].index;
-      if (triangle < attributes.size()) filled[b * BLOCK_LANES + lane] = attributes[triangle];
-    }
-  }
-}
-
 void fill_sphere_blocks(std::span<WideBvh::Block const> blocks, std::span<device::PrimitiveReference const> references,
                         std::span<device::SpherePrimitive const> spheres, std::span<device::SphereBlock> filled) {
   for (std::size_t b = 0; b < blocks.size(); ++b) {

@@ -35,11 +35,18 @@ void fill_triangle_blocks(std::span<WideBvh::Block const> blocks,
                           std::span<device::TrianglePrimitive const> triangles, std::span<device::TriangleBlock> filled,
                           std::span<device::PrimitiveTag> tags);
 
-/// The same of what their vertices have; triangles beyond the end of `attributes` have nothing.
+/// The same of what is known of each triangle, or sphere; of those beyond the end of `attributes`, nothing.
+template <class Attributes>
 void fill_block_attributes(std::span<WideBvh::Block const> blocks,
                            std::span<device::PrimitiveReference const> references,
-                           std::span<device::TriangleAttributes const> attributes,
-                           std::span<device::TriangleAttributes> filled);
+                           BigVector<Attributes> const& attributes, std::span<Attributes> filled) {
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (device::uint lane = 0; lane < blocks[b].count; ++lane) {
+      device::uint const primitive = references[blocks[b].first + lane].index;
+      if (primitive < attributes.size()) filled[b * BLOCK_LANES + lane] = attributes[primitive];
+    }
+  }
+}
 
 /// Gathers the spheres of blocks.
 void fill_sphere_blocks(std::span<WideBvh::Block const> blocks, std::span<device::PrimitiveReference const> references,

@@ -35,6 +35,7 @@ std::vector<CountRow> rows_of(ShapeCounts const& counts) {
   for (std::size_t i = 0; i < shape_kind_count; ++i) {
     rows.push_back({plural(ShapeKind(i)), counts.of_kind[i]});
     if (ShapeKind(i) == ShapeKind::mesh) rows.push_back({"mesh triangles", counts.mesh_triangles});
+    if (ShapeKind(i) == ShapeKind::point_cloud) rows.push_back({"points", counts.points});
   }
   return rows;
 }

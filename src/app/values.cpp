@@ -134,6 +134,14 @@ int parse_turntable(std::string_view text) { return number_in_range(text, 1, 100
 
 int parse_texture_size(std::string_view text) { return number_in_range(text, 1, job_limits::texture_side); }
 
+double parse_point_size(std::string_view text) {
+  auto const size = number<double>(text);
+  if (!size || !(*size >= job_limits::least_point_size && *size <= job_limits::point_size)) {
+    throw std::invalid_argument("expected thousandths of the model's diagonal, above 0 and at most 1000, such as 2");
+  }
+  return *size;
+}
+
 int parse_thumbnail_side(std::string_view text) { return number_in_range(text, 1, 2048); }
 
 int parse_bits(std::string_view text) { return word(text, std::to_array<Word<int>>({{"8", 8}, {"16", 16}})); }

@@ -32,6 +32,7 @@ FrameRange parse_frames(std::string_view text);   ///< 0..99, both included
 double parse_frame_rate(std::string_view text);   ///< frames a second: > 0, <= 1000
 int parse_turntable(std::string_view text);       ///< 1..100000
 int parse_texture_size(std::string_view text);    ///< 1..65536
+double parse_point_size(std::string_view text);   ///< 1e-6..1000
 int parse_thumbnail_side(std::string_view text);  ///< 1..2048
 int parse_bits(std::string_view text);            ///< 8 or 16
 int parse_quality(std::string_view text);         ///< 1..100

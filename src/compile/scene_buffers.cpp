@@ -73,7 +73,7 @@ class Compiler {
   std::unique_ptr<Pending> take(FlatObject&& object) {
     auto pending = std::make_unique<Pending>();
     pending->content.add(object.content);
-    std::size_t const first_triangle = buffers_.triangles.size();
+    FirstOfObject const first{buffers_.triangles.size(), buffers_.spheres.size(), buffers_.ellipsoids.size()};
     device::for_each_kind(buffers_, object, [&](auto& all, auto& more) {
       pending->ranges.push_back({all.size(), more.size()});
       append(all, std::move(more));
@@ -81,7 +81,7 @@ class Compiler {
     // Leaves name primitives by where they are in all of the scene.
     for (Range const& range : pending->ranges) pending->content.add(range.first);
     pending->content.add(buffers_.vertex_data.size());
-    take_attributes(std::move(object), first_triangle);
+    take_attributes(std::move(object), first);
     return pending;
   }
 
@@ -118,24 +118,33 @@ class Compiler {
     });
   }
 
-  /// Once everything is built: attributes in the order of the layout's triangles.
+  /// Once everything is built: attributes in the order of the layout's triangles and spheres.
   void finish() {
-    if (attributes_.empty()) return;
+    if (buffers_.vertex_data.empty()) return;
     if (buffers_.layout == TreeLayout::binary) {
       attributes_.resize(buffers_.triangles.size(), {});
       buffers_.triangle_attributes = std::move(attributes_);
+      sphere_colors_.resize(buffers_.spheres.size(), 0);
+      buffers_.sphere_colors = std::move(sphere_colors_);
     } else {
       buffers_.triangle_attributes.resize(buffers_.triangle_tags.size(), {});
+      buffers_.sphere_colors.resize(BLOCK_LANES * buffers_.sphere_blocks.size(), 0);
     }
+    buffers_.ellipsoid_colors.resize(buffers_.ellipsoids.size(), 0);
     buffers_.shading.features |= SCENE_ATTRIBUTES;
   }
 
   SceneBuffers& buffers() { return buffers_; }
 
  private:
-  /// Those of the triangles taken last.
-  void take_attributes(FlatObject&& object, std::size_t first_triangle) {
-    if (object.triangle_attributes.empty()) return;
+  /// How many there were when an object's primitives were taken.
+  struct FirstOfObject {
+    std::size_t triangle, sphere, ellipsoid;
+  };
+
+  /// Those of the primitives taken last.
+  void take_attributes(FlatObject&& object, FirstOfObject const& first_of) {
+    if (object.vertex_data.empty()) return;
     std::size_t const first = buffers_.vertex_data.size();
     if (first + object.vertex_data.size() > 0xFFFFFFFFu) {
       throw Error(ErrorKind::scene, "the meshes' normals, colours and texture coordinates need more than 2^32 floats");
@@ -143,8 +152,18 @@ class Compiler {
     for (device::TriangleAttributes& triangle : object.triangle_attributes) {
       for (device::uint& corner : triangle.corners) corner += device::uint(first);
     }
-    attributes_.resize(first_triangle, {});
-    append(attributes_, std::move(object.triangle_attributes));
+    auto const take_colors = [&](BigVector<device::uint>&& colors, std::size_t first_primitive, auto& all) {
+      if (colors.empty()) return;
+      for (device::uint& color : colors) color += color != 0 ? device::uint(first) : 0;
+      all.resize(first_primitive, 0);
+      append(all, std::move(colors));
+    };
+    take_colors(std::move(object.sphere_colors), first_of.sphere, sphere_colors_);
+    take_colors(std::move(object.ellipsoid_colors), first_of.ellipsoid, buffers_.ellipsoid_colors);
+    if (!object.triangle_attributes.empty()) {
+      attributes_.resize(first_of.triangle, {});
+      append(attributes_, std::move(object.triangle_attributes));
+    }
     append(buffers_.vertex_data, std::move(object.vertex_data));
   }
 
@@ -242,6 +261,11 @@ class Compiler {
     buffers_.sphere_blocks.resize(object.first_sphere_block + wide.sphere_blocks.size());
     fill_sphere_blocks(wide.sphere_blocks, bvh.references, buffers_.spheres,
                        std::span(buffers_.sphere_blocks).subspan(object.first_sphere_block));
+    if (!sphere_colors_.empty()) {
+      buffers_.sphere_colors.resize(BLOCK_LANES * buffers_.sphere_blocks.size(), 0);
+      fill_block_attributes(wide.sphere_blocks, bvh.references, sphere_colors_,
+                            std::span(buffers_.sphere_colors).subspan(BLOCK_LANES * object.first_sphere_block));
+    }
     append(buffers_.wide_nodes, std::move(wide.nodes));
     move_nodes(object, object.root_node, object.first_leaf, object.first_sphere_block);
     buffers_.triangle_blocks.resize(object.first_leaf + wide.triangle_blocks.size());
@@ -283,6 +307,11 @@ class Compiler {
         append(buffers_.triangle_attributes,
                part(previous_->triangle_attributes, BLOCK_LANES * known.first_leaf, BLOCK_LANES * known.leaf_count));
       }
+      if (!sphere_colors_.empty() && !previous_->sphere_colors.empty()) {
+        buffers_.sphere_colors.resize(BLOCK_LANES * object.first_sphere_block, 0);
+        append(buffers_.sphere_colors, part(previous_->sphere_colors, BLOCK_LANES * known.first_sphere_block,
+                                            BLOCK_LANES * known.sphere_block_count));
+      }
     }
     move_nodes(object, object.root_node - known.root_node, object.first_leaf - known.first_leaf,
                object.first_sphere_block - known.first_sphere_block);
@@ -310,6 +339,7 @@ class Compiler {
   SceneBuffers const* previous_;
   SceneBuffers buffers_;
   BigVector<device::TriangleAttributes> attributes_;  // of the triangles taken so far, as those are counted
+  BigVector<device::uint> sphere_colors_;             // of the spheres
 };
 
 /// More are found by chance only: they would take more memory than the scene.

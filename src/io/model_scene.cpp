@@ -2,21 +2,23 @@
 
 #include "io/framing.hpp"
 #include "io/names.hpp"
+#include "io/points.hpp"
 #include "lichtraum/orbit.hpp"
 #include "scene/graph_fold.hpp"
 
 namespace lichtraum {
 
-void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& scene) {
+void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& scene, std::optional<double> point_size) {
   Names names;
   std::string const root_name = names.unique(name.empty() ? "model" : name);
   Composite::Children children;
   for (ModelPart& part : parts) {
-    auto mesh = std::make_shared<Mesh>(names.unique(part.name), std::move(part.geometry), std::move(part.material));
-    scene.shapes.insert(mesh);
-    children.push_back(std::move(mesh));
+    auto shape = make_shape(names.unique(part.name), std::move(part.geometry), std::move(part.material));
+    scene.shapes.insert(shape);
+    children.push_back(std::move(shape));
   }
   scene.shapes.insert(std::make_shared<Composite>(root_name, std::move(children)));
+  set_point_sizes(scene, point_size);
   Bounds const box = fold_bounds(scene.roots()).total();
   scene.cameras.insert(frame_box("default", box));
   scene.has_own_lights = false;

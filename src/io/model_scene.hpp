@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,15 +9,17 @@
 
 namespace lichtraum {
 
-/// A mesh of a model whose format knows no nodes.
+/// A mesh, or a point cloud, of a model whose format knows no nodes.
 struct ModelPart {
   std::string name;
-  std::shared_ptr<MeshGeometry const> geometry;
+  std::shared_ptr<MeshGeometry const> geometry;  ///< without triangles: points
   std::shared_ptr<Material const> material;
 };
 
-/// Adds a Mesh for each part, under one root called `name`, and a camera and lights that show them.
-void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& scene);
+/// Adds a Mesh or a PointCloud for each part, under one root called `name`, and a camera and lights that show them.
+/// `point_size`: see set_point_sizes of io/points.hpp.
+void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& scene,
+               std::optional<double> point_size = std::nullopt);
 
 /// A matt material that vertices' colours and textures may change.
 PbrModel matt_pbr(Rgb const& color);

@@ -113,6 +113,9 @@ constexpr auto model_fields = [](auto& model, auto&& field) {
   field("time_seconds", model.time_seconds, any_number());
   field("both_sides", model.both_sides, Flag{});
   field("max_texture_pixels", model.max_texture, Whole{1, job_limits::texture_side});
+  field("point_size", model.point_size,
+        Number{job_limits::least_point_size, job_limits::point_size,
+               fmt::format("thousandths from {} to {}", job_limits::least_point_size, job_limits::point_size)});
 };
 
 constexpr auto environment_fields = [](auto& environment, auto&& field) {

@@ -146,6 +146,22 @@ class Baker final : public ShapeVisitor {
     bake_attributes(mesh, object_from_shape_, positions, places, first, object_);
   }
 
+  void visit(PointCloud const& points) override {
+    if (auto const scale = similarity_scale(object_from_shape_)) {
+      add_points(points, object_.spheres, object_.sphere_colors, [&](Vec3 const& center, auto& primitive) {
+        store(object_from_shape_.point(center), primitive.center);
+        primitive.radius = float(*scale * points.radius());
+        return all_finite(primitive.center) && std::isnormal(primitive.radius);
+      });
+    } else {
+      add_points(points, object_.ellipsoids, object_.ellipsoid_colors, [&](Vec3 const& center, auto& primitive) {
+        Transform const shape_from_unit = Transform::translation(center) * Transform::scaling(Vec3(points.radius()));
+        primitive.unit_from_object = device_transform((object_from_shape_ * shape_from_unit).inverse());
+        return is_finite(primitive.unit_from_object);
+      });
+    }
+  }
+
   void visit(Composite const&) override {}  // no leaf: flatten unfolds it
 
  private:
@@ -164,6 +180,25 @@ class Baker final : public ShapeVisitor {
     } else {
       ++left_out_;
     }
+  }
+
+  /// `place(center, primitive)` says whether the primitive fits the device's numbers.
+  template <class T, class Place>
+  void add_points(PointCloud const& points, BigVector<T>& list, BigVector<device::uint>& colors, Place const& place) {
+    std::vector<Float3> const& positions = points.geometry()->positions;
+    reserve_in_huge_pages(list, list.size() + positions.size());
+    std::vector<std::uint32_t> kept;
+    kept.reserve(positions.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      Vec3 const center(positions[i][0], positions[i][1], positions[i][2]);
+      if (!std::isfinite(center.x + center.y + center.z)) continue;  // no point
+      T primitive{};
+      primitive.tag = tag_;
+      bool const fits = place(center, primitive);
+      append(primitive, fits, list);
+      if (fits) kept.push_back(std::uint32_t(i));
+    }
+    bake_colors(points, kept, list.size(), colors, object_);
   }
 
   /// Mirroring would turn the winding round: then the last two corners change places.

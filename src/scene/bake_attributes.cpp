@@ -93,6 +93,11 @@ void append_vertices(MeshGeometry const& geometry, VertexLayout const& layout, T
   });
 }
 
+void check_float_count(std::size_t count) {
+  if (count <= 0xFFFFFFFFu) return;
+  throw Error(ErrorKind::scene, "the meshes' normals, colours and texture coordinates need more than 2^32 floats");
+}
+
 bool is_finite(Float3 const& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
 }  // namespace
@@ -103,9 +108,7 @@ void bake_attributes(Mesh const& mesh, Transform const& object_from_mesh, std::v
   VertexLayout const layout = layout_of(geometry, mesh.material().get());
   if (layout.format == 0) return;
   std::size_t const first_float = object.vertex_data.size();
-  if (first_float + layout.floats * geometry.positions.size() > 0xFFFFFFFFu) {
-    throw Error(ErrorKind::scene, "the meshes' normals, colours and texture coordinates need more than 2^32 floats");
-  }
+  check_float_count(first_float + layout.floats * geometry.positions.size());
   append_vertices(geometry, layout, object_from_mesh, object.vertex_data);
 
   reserve_in_huge_pages(object.triangle_attributes, object.triangles.size());
@@ -127,6 +130,21 @@ void bake_attributes(Mesh const& mesh, Transform const& object_from_mesh, std::v
   for (std::size_t i = 0; i < geometry.triangle_count(); ++i) {
     auto const is_kept = [&](std::size_t corner) { return is_finite(positions[geometry.indices[3 * i + corner]]); };
     if (is_kept(0) && is_kept(1) && is_kept(2)) write_triangle(i, attributes[kept++]);
+  }
+}
+
+void bake_colors(PointCloud const& points, std::vector<std::uint32_t> const& kept, std::size_t count,
+                 BigVector<device::uint>& colors, FlatObject& object) {
+  std::vector<Float4> const& own = points.geometry()->colors;
+  if (own.empty() || !points.material() || !points.material()->pbr()) return;
+  std::size_t const first_float = object.vertex_data.size();
+  check_float_count(first_float + 4 * kept.size() + 1);
+  reserve_in_huge_pages(object.vertex_data, first_float + 4 * kept.size());
+  reserve_in_huge_pages(colors, count);
+  colors.resize(count - kept.size(), 0);
+  for (std::uint32_t const point : kept) {
+    colors.push_back(device::uint(object.vertex_data.size() + 1));
+    object.vertex_data.insert(object.vertex_data.end(), own[point].begin(), own[point].end());
   }
 }
 

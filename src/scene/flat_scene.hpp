@@ -14,6 +14,10 @@ namespace lichtraum {
 struct FlatObject : device::PrimitiveArrays {
   /// What shading interpolates. One entry a triangle; those that are missing at the end have nothing.
   BigVector<device::TriangleAttributes> triangle_attributes;
+  /// Of spheres, and of ellipsoids, that have a colour of their own: 1 + where its four floats begin in the vertex
+  /// data; 0, as for those that are missing at the end: there is none.
+  BigVector<device::uint> sphere_colors;
+  BigVector<device::uint> ellipsoid_colors;
   BigVector<float> vertex_data;  ///< what they count in
   /// Its part of FlatScene::shapes.
   std::size_t first_shape = 0;

@@ -36,7 +36,9 @@ void count_edge(GraphNode& node, std::uint64_t paths) {
 
 void count_below(GraphNode& node, GraphOrder const& order) {
   if (!node.composite) {
-    node.primitives = as_mesh(*node.shape)->geometry()->triangle_count();
+    PointCloud const* const points = as_point_cloud(*node.shape);
+    node.primitives =
+        points ? points->geometry()->positions.size() : as_mesh(*node.shape)->geometry()->triangle_count();
     return;
   }
   for (auto const& child : node.composite->children()) {
@@ -57,6 +59,10 @@ Composite const* as_composite(Shape const& shape) {
 }
 Mesh const* as_mesh(Shape const& shape) {
   return shape.kind() == ShapeKind::mesh ? static_cast<Mesh const*>(&shape) : nullptr;
+}
+
+PointCloud const* as_point_cloud(Shape const& shape) {
+  return shape.kind() == ShapeKind::point_cloud ? static_cast<PointCloud const*>(&shape) : nullptr;
 }
 
 GraphOrder order_graph(std::vector<std::shared_ptr<Shape const>> const& roots) {

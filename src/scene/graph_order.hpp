@@ -14,14 +14,14 @@ struct GraphNode {
   static constexpr std::uint64_t uncountable = std::uint64_t(1) << 62;
 
   Shape const* shape = nullptr;
-  Composite const* composite = nullptr;  ///< null for a mesh
+  Composite const* composite = nullptr;  ///< null for a mesh, or points
   std::uint64_t occurrences = 0;         ///< paths from a root to this node
-  std::uint64_t primitives = 0;          ///< leaves and triangles of meshes below, one for each path
+  std::uint64_t primitives = 0;          ///< leaves, triangles of meshes and points below, one for each path
   std::uint32_t edges_in = 0;            ///< how often composites (or the list of roots) name it
   bool is_tree = true;                   ///< no node below is named twice
 };
 
-/// Every composite and mesh that can be reached from the roots: all that may hold more than one primitive.
+/// Every composite, mesh and point cloud that can be reached from the roots: all that may hold more than one primitive.
 struct GraphOrder {
   std::vector<GraphNode> nodes;  ///< children before parents
   std::unordered_map<Shape const*, std::uint32_t> index;
@@ -36,8 +36,9 @@ GraphOrder order_graph(std::vector<std::shared_ptr<Shape const>> const& roots);
 /// `shape` when it is one, else null.
 Composite const* as_composite(Shape const& shape);
 Mesh const* as_mesh(Shape const& shape);
+PointCloud const* as_point_cloud(Shape const& shape);
 /// Whether `shape` has a node in the order.
-inline bool is_graph_node(Shape const& shape) { return as_composite(shape) || as_mesh(shape); }
+inline bool is_graph_node(Shape const& shape) { return as_composite(shape) || as_mesh(shape) || as_point_cloud(shape); }
 
 /// The sum or product, at most `uncountable`.
 inline std::uint64_t saturating_add(std::uint64_t a, std::uint64_t b) {

@@ -15,6 +15,7 @@ void add(ShapeCounts& counts, ShapeCounts const& more) {
     counts.of_kind[i] = saturating_add(counts.of_kind[i], more.of_kind[i]);
   }
   counts.mesh_triangles = saturating_add(counts.mesh_triangles, more.mesh_triangles);
+  counts.points = saturating_add(counts.points, more.points);
 }
 
 /// The shape itself, without what is below it.
@@ -22,6 +23,7 @@ ShapeCounts one(Shape const& shape) {
   ShapeCounts counts;
   counts.of_kind[std::size_t(shape.kind())] = 1;
   if (Mesh const* const mesh = as_mesh(shape)) counts.mesh_triangles = mesh->geometry()->triangle_count();
+  if (PointCloud const* const cloud = as_point_cloud(shape)) counts.points = cloud->geometry()->positions.size();
   return counts;
 }
 
@@ -49,10 +51,11 @@ ShapeCounts count_each_once(std::vector<std::shared_ptr<Shape const>> const& roo
 }  // namespace
 
 std::uint64_t ShapeCounts::primitives() const {
-  std::uint64_t sum = mesh_triangles;
+  std::uint64_t sum = saturating_add(mesh_triangles, points);
   for (std::size_t i = 0; i < shape_kind_count; ++i) {
     auto const kind = ShapeKind(i);
-    if (kind != ShapeKind::mesh && kind != ShapeKind::composite) sum = saturating_add(sum, of_kind[i]);
+    bool const holds_others = kind == ShapeKind::mesh || kind == ShapeKind::point_cloud || kind == ShapeKind::composite;
+    if (!holds_others) sum = saturating_add(sum, of_kind[i]);
   }
   return sum;
 }

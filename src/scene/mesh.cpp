@@ -49,21 +49,25 @@ std::array<Vec3, 3> MeshGeometry::triangle(std::size_t number) const {
   return {to_vec3(positions[corners[0]]), to_vec3(positions[corners[1]]), to_vec3(positions[corners[2]])};
 }
 
-Mesh::Mesh(std::string name, std::shared_ptr<MeshGeometry const> geometry, std::shared_ptr<Material const> material)
-    : Shape(std::move(name), std::move(material)), geometry_(std::move(geometry)) {
-  if (!geometry_) throw std::invalid_argument("a mesh needs a geometry");
-  check(*geometry_);
+Bounds MeshGeometry::bounds() const {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   Float3 min{infinity, infinity, infinity};
   Float3 max{-infinity, -infinity, -infinity};
-  for (Float3 const& p : geometry_->positions) {
+  for (Float3 const& p : positions) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       // An infinity is on the wrong side of neither comparison; nor is a NaN.
       if (p[axis] < min[axis] && p[axis] > -infinity) min[axis] = p[axis];
       if (p[axis] > max[axis] && p[axis] < infinity) max[axis] = p[axis];
     }
   }
-  bounds_ = {to_vec3(min), to_vec3(max)};
+  return {to_vec3(min), to_vec3(max)};
+}
+
+Mesh::Mesh(std::string name, std::shared_ptr<MeshGeometry const> geometry, std::shared_ptr<Material const> material)
+    : Shape(std::move(name), std::move(material)), geometry_(std::move(geometry)) {
+  if (!geometry_) throw std::invalid_argument("a mesh needs a geometry");
+  check(*geometry_);
+  bounds_ = geometry_->bounds();
 }
 
 bool Mesh::closest_hit(Ray const& ray, double t_min, Hit& hit) const {

@@ -10,6 +10,9 @@ MeshPoint::MeshPoint(Hit const& hit) {
     geometry_ = mesh->geometry().get();
     first_index_ = 3 * hit.triangle;
     weights_ = hit.barycentric;
+  } else if (PointCloud const* const cloud = as_point_cloud(*hit.shape)) {
+    auto const& colors = cloud->geometry()->colors;
+    if (!colors.empty()) own_color_ = &colors[hit.triangle];
   }
 }
 
@@ -29,6 +32,7 @@ bool MeshPoint::has(int set) const {
 }
 
 glm::dvec4 MeshPoint::color() const {
+  if (own_color_) return {(*own_color_)[0], (*own_color_)[1], (*own_color_)[2], (*own_color_)[3]};
   return has_colors() ? interpolate<glm::dvec4>(geometry_->colors) : glm::dvec4(1);
 }
 

@@ -134,6 +134,8 @@ ContentHash content_of(FlatObject const& object) {
   ContentHasher hasher;
   device::for_each_kind(object, [&](auto const& primitives) { hasher.add(primitives); });
   hasher.add(object.triangle_attributes);
+  hasher.add(object.sphere_colors);
+  hasher.add(object.ellipsoid_colors);
   hasher.add(object.vertex_data);
   return hasher.finish();
 }

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "lichtraum.hpp"
@@ -217,6 +218,27 @@ TEST_CASE("OBJ and PLY models are drawn, checked, described, and shapes of scene
   CHECK_THAT(flawed.err, contains_text("flawed.obj:5:7: warning: expected vertex/texture/normal, found 'x'"));
   lichtraum.folder.write("empty.ply", "ply\n");
   CHECK(lichtraum("check empty.ply").exit_code == 65);
+}
+
+TEST_CASE("a PLY file without faces is drawn as points, as large as asked", "[app][ply][points]") {
+  Lichtraum const lichtraum;
+  std::string const start =
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
+  lichtraum.folder.write("two.ply", start + "-1 0 0 255 0 0\n1 0 0 0 0 255\n");
+  CHECK(lichtraum("check two.ply").exit_code == 0);
+  CHECK_THAT(lichtraum("info two.ply").out, contains_text("points") && contains_text("-1.01 -0.01 -0.01 to 1.01"));
+  auto const json = nlohmann::json::parse(lichtraum("info two.ply --json --point-size 500").out);
+  CHECK(json["shapes"]["drawn"]["points"] == 2);
+  CHECK(json["bounds"]["max"][0] == 1.5);
+  CHECK(lichtraum("render two.ply --point-size 500 --size 64x32 --orbit 0,0 --denoise off -o two.ppm").exit_code == 0);
+  CHECK(std::filesystem::exists(lichtraum.folder / "two.ppm"));
+  for (char const* size : {"0", "-1", "1001", "nan", "big"}) {
+    auto const refused = lichtraum(std::string("render two.ply -o no.png --point-size ") + size);
+    CHECK(refused.exit_code == 64);
+    CHECK_THAT(refused.err, contains_text("--point-size: expected thousandths of the model's diagonal"));
+    CHECK_FALSE(std::filesystem::exists(lichtraum.folder / "no.png"));
+  }
 }
 
 TEST_CASE("the camera sees both sides of OBJ and PLY, and of glTF's surfaces as they say or as asked", "[app][gltf]") {

@@ -190,9 +190,9 @@ TEST_CASE("what is broken is named by its JSON pointer, and the rest is drawn", 
     broken["mode"] = 7;
     expect("/meshes/1/primitives/0/mode: glTF has no mode 7");
   }
-  SECTION("points") {
-    broken["mode"] = 0;
-    expect("/meshes/1/primitives/0: points and lines are not drawn");
+  SECTION("lines") {
+    broken["mode"] = 3;
+    expect("/meshes/1/primitives/0: lines are not drawn");
   }
   SECTION("a cycle") {
     writer.json["nodes"][1] = {{"children", {1}}};

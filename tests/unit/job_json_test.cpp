@@ -30,6 +30,7 @@ class RandomJobs {
     maybe([&] { job.reading.model.time_seconds = real(); });
     job.reading.model.both_sides = coin();
     job.reading.model.max_texture = whole(1, job_limits::texture_side);
+    maybe([&] { job.reading.model.point_size = whole(1, 1000) / 7.0; });
     maybe([&] { job.reading.environment.source = word(); });
     maybe([&] { job.reading.environment.rotation_degrees = whole(-1000, 1000) / 7.0; });
     maybe([&] { job.reading.environment.brightness = whole(0, 1000) / 7.0; });
@@ -141,7 +142,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
       R"("text": "define", "esdf": {"transform_order": "local", "rotation": "left", "strict": true, "keep_going": true,
          "material_extras": ["opacity", "ior"]},
          "model": {"scene": "s", "variant": "v", "animation": "walk", "time_seconds": 1.5,
-         "both_sides": true, "max_texture_pixels": 512},
+         "both_sides": true, "max_texture_pixels": 512, "point_size": 2.5},
          "environment": {"source": "studio", "rotation_degrees": -90, "brightness": 0.5},
          "allowed_paths": ["/tmp"], "picture": 3, "camera": "eye",
          "view": {"eye": [1, 2, 3], "look_at": [4, 5, 6], "up": [0, 0, 1], "fov_x_degrees": 30, "fov_y_degrees": 20,
@@ -157,7 +158,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
   wanted.text = "define";
   wanted.reading.dialect = {
       TransformOrder::local, RotationSense::left, true, true, {MaterialExtra::opacity, MaterialExtra::ior}};
-  wanted.reading.model = {512, "v", "s", 1.5, "walk", true};
+  wanted.reading.model = {512, 2.5, "v", "s", 1.5, "walk", true};
   wanted.reading.environment = {"studio", -90, 0.5};
   wanted.reading.allowed_paths = {"/tmp"};
   wanted.picture = 3;

@@ -12,6 +12,7 @@
 #include "io/gltf/scene_graph.hpp"
 #include "io/gltf/variants.hpp"
 #include "io/gltf/views.hpp"
+#include "io/points.hpp"
 #include "lichtraum/gltf.hpp"
 #include "lichtraum/orbit.hpp"
 #include "scene/graph_fold.hpp"
@@ -108,11 +109,12 @@ struct GltfAnimation::State {
     SceneGraph graph(document, tree, pose, primitives, accessors, materials, names, findings);
     std::string const scene_name = scene_number >= 0 ? document.model.scenes[std::size_t(scene_number)].name : "";
     graph.build(scene_name.empty() ? document.path.stem().string() : scene_name, result.scene);
-    if (graph.triangles() == 0) {
+    if (graph.drawn() == 0) {
       if (graph.faulty_primitives() > 0) findings.fail("", "the model has nothing to draw");
-      findings.warn("", "the scene shows no triangles");
+      findings.warn("", "the scene shows no triangles and no points");
     }
 
+    set_point_sizes(result.scene, options.point_size);
     add_view(tree, result.scene);
     result.diagnostics = findings.take();
     if (!contents) {

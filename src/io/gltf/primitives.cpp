@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "io/gltf/draco.hpp"
 #include "io/gltf/values.hpp"
@@ -50,8 +51,8 @@ struct Primitives::Source {
 std::optional<Primitive> Primitives::read(int mesh, std::size_t number) {
   auto const& source_primitive = document_.model.meshes[std::size_t(mesh)].primitives[number];
   Source source{source_primitive, fmt::format("/meshes/{}/primitives/{}", mesh, number)};
-  if (source_primitive.mode >= 0 && source_primitive.mode <= 3) {
-    findings_.warn(source.pointer, "points and lines are not drawn");
+  if (source_primitive.mode >= TINYGLTF_MODE_LINE && source_primitive.mode <= TINYGLTF_MODE_LINE_STRIP) {
+    findings_.warn(source.pointer, "lines are not drawn");
     return std::nullopt;
   }
   if (source_primitive.mode > 6) {
@@ -172,6 +173,7 @@ std::shared_ptr<MeshGeometry const> Primitives::read_geometry(Source& source) {
   auto geometry = std::make_shared<MeshGeometry>();
   geometry->positions = read_attribute<3>(source, "POSITION", 0);
   if (geometry->positions.empty()) return nullptr;
+  if (source.primitive.mode == TINYGLTF_MODE_POINTS) return read_points(source, std::move(geometry));
   std::size_t const count = geometry->positions.size();
   auto indices = read_indices(source, count);
   if (!indices) return nullptr;
@@ -198,6 +200,38 @@ std::shared_ptr<MeshGeometry const> Primitives::read_geometry(Source& source) {
   if (geometry->indices.empty()) {
     if (faults.out_of_range + faults.non_finite == 0) findings_.warn(source.pointer, "it holds no triangle");
     return nullptr;
+  }
+  return geometry;
+}
+
+std::shared_ptr<MeshGeometry const> Primitives::read_points(Source const& source,
+                                                            std::shared_ptr<MeshGeometry> geometry) {
+  geometry->colors = read_colors(source, geometry->positions.size());
+  auto const is_finite = [](Float3 const& p) { return std::isfinite(p[0] + p[1] + p[2]); };
+  auto const finite = std::count_if(geometry->positions.begin(), geometry->positions.end(), is_finite);
+  if (std::size_t const lost = geometry->positions.size() - std::size_t(finite); lost > 0) {
+    findings_.warn(source.place("POSITION"), fmt::format("points that are not finite are left out: {}", lost));
+  }
+  if (finite == 0) return nullptr;
+  if (source.primitive.indices < 0) return geometry;
+  auto const indices = accessors_.integers(source.primitive.indices, 1, source.pointer + "/indices");
+  if (!indices) return nullptr;
+  // What no index names is put where nothing is drawn: morph targets and joints count all positions.
+  std::vector<bool> is_named(geometry->positions.size(), false);
+  std::size_t out_of_range = 0;
+  for (std::uint32_t const index : *indices) {
+    if (index < is_named.size()) {
+      is_named[index] = true;
+    } else {
+      ++out_of_range;
+    }
+  }
+  if (out_of_range > 0) {
+    findings_.warn(source.pointer + "/indices",
+                   fmt::format("points left out whose index is out of range ({}): {}", is_named.size(), out_of_range));
+  }
+  for (std::size_t i = 0; i < is_named.size(); ++i) {
+    if (!is_named[i]) geometry->positions[i].fill(std::numeric_limits<float>::quiet_NaN());
   }
   return geometry;
 }

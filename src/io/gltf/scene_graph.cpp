@@ -7,6 +7,7 @@
 
 #include "core/elementary.hpp"
 #include "io/gltf/values.hpp"
+#include "io/points.hpp"
 
 namespace lichtraum::gltf {
 namespace {
@@ -112,8 +113,9 @@ std::vector<std::optional<Primitive>> const& SceneGraph::primitives_of(int mesh)
       auto const& primitive = found->second.back();
       int const mode = document_.model.meshes[std::size_t(mesh)].primitives[i].mode;
       if (primitive) {
-        triangles_ += primitive->geometry->triangle_count();
-      } else if (mode < 0 || mode > 3) {
+        bool const are_points = mode == TINYGLTF_MODE_POINTS;
+        drawn_ += are_points ? primitive->geometry->positions.size() : primitive->geometry->triangle_count();
+      } else if (mode <= 0 || mode > 3) {
         ++faulty_primitives_;
       }
     }
@@ -132,8 +134,8 @@ std::shared_ptr<Shape> SceneGraph::add_mesh(int mesh, std::size_t primitive,
   std::string name = source.name.empty() ? fmt::format("mesh_{}", mesh) : source.name;
   if (source.primitives.size() > 1) name += fmt::format(".{}", primitive);
   int const material = source.primitives[primitive].material;
-  auto shape = std::make_shared<Mesh>(names_.unique(name), std::move(geometry),
-                                      material >= 0 ? materials_[std::size_t(material)] : materials_.back());
+  auto shape = make_shape(names_.unique(name), std::move(geometry),
+                          material >= 0 ? materials_[std::size_t(material)] : materials_.back());
   scene.shapes.insert(shape);
   return shape;
 }

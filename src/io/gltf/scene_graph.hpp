@@ -11,8 +11,8 @@
 
 namespace lichtraum::gltf {
 
-/// Turns the nodes of a model into composites and its meshes into Mesh shapes. A mesh that several nodes show is one
-/// shape with several parents, unless a skin or morph weights make it another one for each.
+/// Turns the nodes of a model into composites and its meshes into Mesh and PointCloud shapes. A mesh that several nodes
+/// show is one shape with several parents, unless a skin or morph weights make it another one for each.
 class SceneGraph {
  public:
   SceneGraph(Document const& document, NodeTree const& tree, std::vector<NodePose> const& pose, Primitives& primitives,
@@ -22,9 +22,9 @@ class SceneGraph {
   /// Adds everything to `scene`, children before parents, below one root called `name`.
   void build(std::string const& name, Scene& scene);
 
-  /// Primitives that could not be read although they should hold triangles.
+  /// Primitives that could not be read although they should hold triangles or points.
   std::size_t faulty_primitives() const { return faulty_primitives_; }
-  std::uint64_t triangles() const { return triangles_; }  ///< unique ones
+  std::uint64_t drawn() const { return drawn_; }  ///< triangles and points, unique ones
 
  private:
   using Children = Composite::Children;
@@ -54,7 +54,7 @@ class SceneGraph {
   std::map<int, SkinPose> skins_;
   std::vector<std::string> node_names_;
   std::size_t faulty_primitives_ = 0;
-  std::uint64_t triangles_ = 0;
+  std::uint64_t drawn_ = 0;
 };
 
 }  // namespace lichtraum::gltf

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <new>
 
 #include "core/read_file.hpp"
@@ -7,6 +8,7 @@
 #include "io/model_file.hpp"
 #include "io/model_scene.hpp"
 #include "io/ply/ply_data.hpp"
+#include "io/points.hpp"
 #include "io/triangles.hpp"
 #include "lichtraum/ply.hpp"
 
@@ -44,6 +46,12 @@ std::shared_ptr<Material> material_of(std::string const& texture_file, MeshGeome
   return std::make_shared<Material>("default", std::move(model));
 }
 
+bool has_faces(Header const& header) {
+  return std::any_of(header.elements.begin(), header.elements.end(), [](Element const& element) {
+    return element.count > 0 && (element.name == "face" || element.name == "tristrips");
+  });
+}
+
 Model import(std::string_view bytes, std::string const& name, std::optional<fs::path> const& folder,
              ModelOptions const& options) {
   Diagnostics diagnostics(name, max_findings);
@@ -52,6 +60,8 @@ Model import(std::string_view bytes, std::string const& name, std::optional<fs::
   if (read_header(bytes, header, diagnostics)) {
     *geometry = read_data(bytes, header, diagnostics);
     diagnostics.begin_line({});
+    bool const is_cloud = !has_faces(header);
+    std::size_t const non_finite_points = is_cloud ? reduce_to_points(*geometry) : 0;
     TriangleFaults const faults = remove_faulty_triangles(*geometry);
     auto const left_out = [&](std::size_t count, char const* why) {
       if (count > 0) {
@@ -60,8 +70,14 @@ Model import(std::string_view bytes, std::string const& name, std::optional<fs::
     };
     left_out(faults.out_of_range, "a vertex that is not there");
     left_out(faults.non_finite, "a corner that is not finite");
-    if (geometry->indices.empty()) {
-      diagnostics.add(Severity::error, {}, "the model has nothing to draw: it has no triangles");
+    if (non_finite_points > 0) {
+      diagnostics.add(Severity::warning, {},
+                      fmt::format("points that are not finite are left out: {}", non_finite_points));
+    }
+    if (is_cloud ? geometry->positions.empty() : geometry->indices.empty()) {
+      diagnostics.add(
+          Severity::error, {},
+          fmt::format("the model has nothing to draw: it has no triangles{}", is_cloud ? " and no points" : ""));
     }
   }
   bool const has_failed = diagnostics.errors() > 0;
@@ -75,7 +91,9 @@ Model import(std::string_view bytes, std::string const& name, std::optional<fs::
   model.diagnostics = std::move(diagnostics).finish(0);
   check_static(options, name, model.diagnostics);
   if (has_failed) throw SceneError(std::move(model.diagnostics));
-  add_parts({{"mesh", std::move(geometry), std::move(material)}}, fs::path(name).stem().string(), model.scene);
+  char const* const part = geometry->indices.empty() ? "points" : "mesh";
+  add_parts({{part, std::move(geometry), std::move(material)}}, fs::path(name).stem().string(), model.scene,
+            options.point_size);
   return model;
 }
 

@@ -25,7 +25,8 @@ Transform about(Vec3 const& point, double degrees, Vec3 const& axis) {
 
 }  // namespace
 
-OrbitCamera::OrbitCamera(Camera camera, Vec3 const& center) : camera_(std::move(camera)) {
+OrbitCamera::OrbitCamera(Camera camera, Vec3 const& center, Resolution const& made_for)
+    : camera_(std::move(camera)), fov_x_degrees_(camera_.fov_x_degrees()), made_for_(made_for) {
   Vec3 const eye = position_of(camera_);
   double const ahead = glm::dot(center - eye, forward_of(camera_));
   // What lies beside or behind is as far ahead as it is away.
@@ -37,6 +38,18 @@ double OrbitCamera::distance() const { return glm::distance(position_of(camera_)
 
 void OrbitCamera::apply(Transform const& world_from_world) {
   camera_.set_world_from_camera(world_from_world * camera_.world_from_camera());
+}
+
+void OrbitCamera::fit_to(Resolution const& size) {
+  using Length = long long;
+  bool const is_wider = Length(size.width) * made_for_.height > Length(made_for_.width) * size.height;
+  CameraFit fit{CameraFit::Side::width, fov_x_degrees_, {}};
+  if (is_wider) {
+    double const half_height = std::tan(glm::radians(0.5 * fov_x_degrees_)) * made_for_.height / made_for_.width;
+    fit = {CameraFit::Side::height, 2 * glm::degrees(std::atan(half_height)), {}};
+  }
+  camera_.set_fit(fit);
+  camera_ = camera_.fitted(size);
 }
 
 void OrbitCamera::orbit(double right_degrees, double up_degrees) {

@@ -7,14 +7,18 @@ namespace lichtraum::view {
 /// A camera that is moved by hand around a point. It begins as any camera of a scene, whatever its roll.
 class OrbitCamera {
  public:
-  /// `center`: roughly what is looked at; the camera goes around the point on its axis nearest to it.
-  OrbitCamera(Camera camera, Vec3 const& center);
+  /// `center`: roughly what is looked at; the camera goes around the point on its axis nearest to it. `made_for`: the
+  /// picture that the camera's opening angle is meant for.
+  OrbitCamera(Camera camera, Vec3 const& center, Resolution const& made_for);
 
   Camera const& camera() const { return camera_; }
   /// In front of the camera, on its axis, unless pan and frame moved it elsewhere with it.
   Vec3 const& pivot() const { return pivot_; }
   double distance() const;
 
+  /// Opens the angle so that a picture of this size shows all that the one it was made for does: a wider one shows more
+  /// at the sides, a narrower one more above and below.
+  void fit_to(Resolution const& size);
   /// Around the vertical line through the pivot (to the right is positive: the scene turns to the left), and up towards
   /// its zenith, which it does not cross.
   void orbit(double right_degrees, double up_degrees);
@@ -29,6 +33,8 @@ class OrbitCamera {
   void apply(Transform const& world_from_world);
 
   Camera camera_;
+  double fov_x_degrees_;  // in the picture that it was made for
+  Resolution made_for_;
   Vec3 pivot_;
 };
 

@@ -179,10 +179,9 @@ void Worker::load(Renderer& renderer) {
     denoising_ = decided(job_.denoising, scene.request.integrator);
     scene.development = development_;
     scene.cameras.assign(loaded.scene().cameras.begin(), loaded.scene().cameras.end());
-    scene.center = center_of_interest(loaded.scene(), job_.root, scene.request.camera);
+    scene.bounds = bounds_of_interest(loaded.scene(), job_.root, scene.request.camera);
     prepared_ = renderer.prepare(loaded.scene(), job_.root, prepared_);
     scene_statistics_ = renderer.set_scene(prepared_);
-    scene.bounds = prepared_->bounds;
     console_.show(loaded.diagnostics());
     console_.detail(fmt::format("{}: ready after {:.1f} ms", source_.name(), stopwatch.milliseconds()));
     std::lock_guard const lock(mutex_);

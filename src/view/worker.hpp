@@ -32,8 +32,7 @@ struct SceneView {
   std::string file;
   RenderRequest request;  ///< through the camera that comes first
   std::vector<Camera> cameras;
-  Vec3 center{0};  ///< of what is looked at
-  Bounds bounds;
+  Bounds bounds;  ///< of what is of interest; empty when nothing is drawn
   std::shared_ptr<DrawnObjects const> objects;
   SceneValues values;
   Development development;                         ///< as the scene has its picture

@@ -132,6 +132,27 @@ TEST_CASE("a window is opened, turned, saved to, and closed", "[app][view]") {
   CHECK_THAT(lichtraum.folder.read("log.txt"), contains_text("nonsense"));
 }
 
+TEST_CASE("a window keeps in view what it showed, and frames what stands on a floor", "[app][view]") {
+  if (!obstacle().empty()) SKIP_TEST(obstacle());
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("scene.sdf", std::string(scene_without_camera) + camera);
+  use_window(lichtraum, "view_camera_in_xvfb.sh", {"square.png", "wide.png", "framed.png"});
+  CHECK(lichtraum.folder.read("exit_code") == "0\n");
+  auto const shot = [&](char const* name) { return decode(lichtraum.folder.read(name)); };
+  // The wide picture is the square one, and more at its sides.
+  auto const square = shot("square.png"), wide = shot("wide.png");
+  double sum = 0;
+  for (int y = 0; y < 240; ++y) {
+    for (int x = 0; x < 240; ++x) sum += std::abs(double(square.at(x, y, 0) - wide.at(x + 120, y, 0)));
+  }
+  CHECK(sum / (240 * 240) < 0.5);
+  // The ball fills the picture's height, as seen from the side: the floor's size plays no role.
+  auto const framed = shot("framed.png");
+  int red = 0;
+  for (int y = 0; y < 240; ++y) red += framed.at(240, y, 0) > 2 * framed.at(240, y, 1);
+  CHECK(red > 100);
+}
+
 TEST_CASE("a window on a scene with mistakes waits until they are mended, and goes to other files", "[app][view]") {
   if (!obstacle().empty()) SKIP_TEST(obstacle());
   Lichtraum const lichtraum;

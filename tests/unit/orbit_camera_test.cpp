@@ -65,7 +65,7 @@ TEST_CASE("a camera written as eSDF sees the same", "[unit][view]") {
 
 TEST_CASE("a camera orbits at its distance, and not over the zenith", "[unit][view]") {
   Camera const start = at({0, 3, 10}, {0, 0, 0});
-  OrbitCamera camera(start, Vec3(0));
+  OrbitCamera camera(start, Vec3(0), size);
   CHECK(difference(camera.camera(), start) == 0);
   CHECK(glm::length(camera.pivot()) < 1e-12);
   camera.orbit(90, 0);
@@ -87,7 +87,7 @@ TEST_CASE("a camera orbits at its distance, and not over the zenith", "[unit][vi
 }
 
 TEST_CASE("a camera pans, zooms and frames", "[unit][view]") {
-  OrbitCamera camera(at({0, 0, 10}, {0, 0, 0}), Vec3(0));
+  OrbitCamera camera(at({0, 0, 10}, {0, 0, 0}), Vec3(0), size);
   camera.zoom(0.5);
   CHECK(glm::distance(eye_of(camera), Vec3(0, 0, 5)) < 1e-12);
   camera.zoom(2);
@@ -102,7 +102,24 @@ TEST_CASE("a camera pans, zooms and frames", "[unit][view]") {
   double const passes_at = glm::length(glm::cross(Vec3(1, 2, 3) - ray.origin, ray.direction));
   CHECK(passes_at == Approx(2));
   // What is behind a camera is no reason to turn it.
-  OrbitCamera const away(at({0, 0, 10}, {0, 0, 20}), Vec3(0));
+  OrbitCamera const away(at({0, 0, 10}, {0, 0, 20}), Vec3(0), size);
   CHECK(difference(away.camera(), at({0, 0, 10}, {0, 0, 20})) == 0);
   CHECK(glm::distance(away.pivot(), Vec3(0, 0, 20)) < 1e-9);
+}
+
+TEST_CASE("a camera shows all that it showed in pictures of other proportions", "[unit][view]") {
+  Camera const start = at({0, 0, 10}, {0, 0, 0});
+  Resolution const square{100, 100};
+  OrbitCamera camera(start, Vec3(0), square);
+  auto const corner = [&](double x, double y, Resolution const& picture) {
+    return camera.camera().generate_ray(x, y, picture).direction;
+  };
+  Vec3 const before = corner(0, 0, square);
+  camera.fit_to({300, 100});
+  CHECK(glm::distance(corner(100, 0, {300, 100}), before) < 1e-12);
+  camera.fit_to({100, 200});
+  CHECK(glm::distance(corner(0, 50, {100, 200}), before) < 1e-12);
+  camera.fit_to(square);
+  CHECK(difference(camera.camera(), start) == 0);
+  CHECK(camera.camera().fov_x_degrees() == Approx(start.fov_x_degrees()));
 }

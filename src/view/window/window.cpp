@@ -90,9 +90,9 @@ bool Window::take_news() {
     }
     glfwSetWindowTitle(graphics_->window, ("lichtraum - " + scene_.file).c_str());
     panel_.set_scene(scene_);
-    focus_ = focus_of(scene_.request.camera, scene_.center);
+    focus_ = focus_of(scene_.request.camera, center_of_interest());
     mark_selection();  // of nothing: what was selected was of the scene before
-    if (!is_moved_) camera_.emplace(scene_.request.camera, scene_.center);
+    if (!is_moved_) camera_.emplace(scene_.request.camera, center_of_interest(), scene_.request.resolution);
     show();
   }
   if (news.frame) {
@@ -140,14 +140,17 @@ Camera Window::camera_seen_through() const {
   return camera;
 }
 
-void Window::look_through(Camera const& camera) {
-  camera_.emplace(camera, scene_.center);
+void Window::look_through(Camera const& camera, Resolution const& made_for) {
+  camera_.emplace(camera, center_of_interest(), made_for);
   panel_.aperture = camera.lens().aperture;
-  focus_ = focus_of(camera, scene_.center);
+  focus_ = focus_of(camera, center_of_interest());
 }
+
+Vec3 Window::center_of_interest() const { return scene_.bounds.is_empty() ? Vec3(0) : scene_.bounds.center(); }
 
 void Window::show() {
   shown_size_ = graphics_->framebuffer_size();
+  camera_->fit_to(shown_size_);
   RenderRequest view = scene_.request;
   view.camera = camera_seen_through();
   view.resolution = shown_size_;
@@ -237,7 +240,7 @@ void Window::handle_character(char32_t character) {
   if (character == 'c') copy_camera();
   if (character == 'f') frame_everything();
   if (character == 'r') {
-    look_through(scene_.request.camera);
+    look_through(scene_.request.camera, scene_.request.resolution);
     is_moved_ = false;
     show();
   }
@@ -253,7 +256,9 @@ void Window::close() { glfwSetWindowShouldClose(graphics_->window, GLFW_TRUE); }
 void Window::choose_camera(std::size_t number) {
   if (number >= scene_.cameras.size()) return;
   is_moved_ = true;
-  look_through(scene_.cameras[number].fitted(shown_size_));
+  Camera const& camera = scene_.cameras[number];
+  Resolution const made_for = camera.resolution().value_or(scene_.request.resolution);
+  look_through(camera.fitted(made_for), made_for);
   show();
 }
 

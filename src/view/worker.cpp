@@ -9,6 +9,7 @@
 #include "lichtraum/turntable.hpp"
 #include "view/display_pixels.hpp"
 #include "view/marking.hpp"
+#include "view/problem_text.hpp"
 
 namespace lichtraum::view {
 namespace {
@@ -197,7 +198,7 @@ void Worker::load(Renderer& renderer) {
     auto const* const known = dynamic_cast<Error const*>(&error);
     if (is_first && !(is_watching_ && known && known->kind() == ErrorKind::scene)) throw;
     std::lock_guard const lock(mutex_);
-    news_.problem = error.what();
+    news_.problem = problem_text(error);
   }
   wake_();
 }

@@ -13,23 +13,32 @@ window=$!
 await_window scene.sdf 640x480
 
 until_true changed opened.png empty.png || exit 1
-click 480 240 # the ball
+click 511 240 # the ball
 until_true changed picked.png opened.png || exit 1
 click 600 470 # nothing
 until_true changed nothing.png picked.png || exit 1
-click 33 95 # the arrow of the first row in the tree
+click 25 87 # the arrow of the first row in the tree
 until_true changed unfolded.png nothing.png || exit 1
-click 70 95 # the row itself
+click 62 87 # the row itself
 until_true changed chosen.png unfolded.png || exit 1
 click 600 470
 until_true changed again.png chosen.png || exit 1
-click 100 250 # the lights
-click 60 270  # the first of them
+click 92 247 # the lights
+click 52 267  # the first of them
 until_true changed lights.png again.png || exit 1
-click 39 290 # its brightness: none
+click 31 287 # its brightness: none
 until_true changed dark.png lights.png || exit 1
-click 55 357 # reset
+click 47 354 # reset
 until_true changed reset.png dark.png || exit 1
+click 118 354 # copy
+has_light() { grep -q 'define light' out.txt; }
+until_true has_light || exit 1
+click 115 10 # the menu of help
+until_true changed menu.png reset.png || exit 1
+click 150 32 # its only entry: the keys
+until_true changed keys.png menu.png || exit 1
+press question
+until_true changed closed.png keys.png || exit 1
 press d
 until_true changed depth.png reset.png || exit 1
 press n
@@ -38,15 +47,15 @@ press o
 until_true changed object.png normal.png || exit 1
 press p
 until_true changed picture.png object.png || exit 1
-click 100 393 # the materials
-click 60 413  # the only one
+click 92 390 # the materials
+click 52 410  # the only one
 until_true changed materials.png picture.png || exit 1
-drag 60 455 5 455 # the red of its kd, by 55 of 255
+drag 52 452 2 452 # the red of its kd, by 50 of 255
 until_true changed material.png materials.png || exit 1
-click 100 393 # the materials are folded up
-click 100 416 # the picture
+click 92 390 # the materials are folded up
+click 92 413 # the picture
 until_true changed development.png material.png || exit 1
-click 25 439 # its exposure: the least
+click 17 436 # its exposure: the least
 until_true changed underexposed.png development.png || exit 1
 press q
 wait $window

@@ -36,6 +36,8 @@ struct Graphics {
 
   void open(std::string const& title, Resolution const& size);
   Resolution framebuffer_size() const;
+  /// To this size, or what of it the screen has room for.
+  void resize(Resolution const& size) const;
   void begin_drawing() const;
   /// Puts what was drawn since on the screen.
   void show_drawing() const;

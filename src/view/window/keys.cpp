@@ -13,13 +13,13 @@ void draw_keys() {
       "wheel, + -             nearer, farther\n"
       "R                      the scene's camera\n"
       "1 ... 9                its other cameras\n"
-      "F                      show everything\n"
+      "F                      show what is of interest\n"
       "P, D, N, O             picture, depth, normals, objects\n"
       "Page Down, Page Up     next, previous file of the folder\n"
       "a file dropped here    is opened\n"
       "S                      save what is seen\n"
       "C                      copy the camera as eSDF\n"
-      "Tab                    panel on, off\n"
+      "Tab                    hide or show the panel\n"
       "Q, Esc                 close");
   ImGui::End();
 }

@@ -7,10 +7,17 @@
 #include <glm/geometric.hpp>
 
 #include "lichtraum/words.hpp"
+#include "view/values_as_esdf.hpp"
 #include "view/window/object_rows.hpp"
 #include "view/window/sliders.hpp"
 
 namespace lichtraum::view {
+namespace {
+
+// Of the window's width, and in Dear ImGui's units.
+constexpr float share = 0.3f, least_width = 260, greatest_width = 330;
+
+}  // namespace
 
 void Panel::set_scene(SceneView const& scene) {
   tree_ = ObjectTree(scene.objects);
@@ -31,19 +38,29 @@ bool Panel::select(std::optional<SeenPoint> const& seen) {
   return tree_.selected_objects() != before;
 }
 
-Panel::Changes Panel::draw() {
+float panel_width_in(float window_width) {
+  return std::min(std::clamp(share * window_width, least_width, greatest_width), 0.5f * window_width);
+}
+
+float panel_width_beside(float picture_width) {
+  return std::clamp(share / (1 - share) * picture_width, least_width, greatest_width);
+}
+
+Panel::Changes Panel::draw(float width, std::function<void()> const& draw_menus) {
   if (!loaded_) return {};
-  ImVec2 const area = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({8, 8}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize({std::min(330.0f, area.x - 16), std::max(80.0f, area.y - 16)}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowBgAlpha(0.75f);
+  constexpr ImGuiWindowFlags docked = ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
+                                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_MenuBar;
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({width, ImGui::GetIO().DisplaySize.y});
   Changes changes;
-  if (ImGui::Begin("scene", nullptr, ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav)) {
-    ImGui::PushItemWidth(-100);
+  if (ImGui::Begin("scene", nullptr, docked)) {
+    draw_menus();
+    ImGui::PushItemWidth(-80);
     changes.plane = draw_views();
     changes.selection = draw_objects();
-    changes.values = draw_lights();
-    changes.values |= draw_materials();
+    draw_lights(changes);
+    draw_materials(changes);
     changes.values |= draw_environment();
     draw_picture(changes);
     if (ImGui::Button("reset all")) {
@@ -135,28 +152,27 @@ bool Panel::draw_environment() {
   return has_changed;
 }
 
-bool Panel::draw_lights() {
-  if (values_.lights.empty() || !ImGui::CollapsingHeader("Lights")) return false;
-  bool has_changed = false;
+void Panel::draw_lights(Changes& changes) {
+  if (values_.lights.empty() || !ImGui::CollapsingHeader("Lights")) return;
   for (std::size_t i = 0; i < values_.lights.size(); ++i) {
     Light& light = values_.lights[i];
     ImGui::PushID(int(i));
     if (ImGui::TreeNode("light", "%s (%s)", light.name().c_str(), std::string(light.kind()).c_str())) {
-      has_changed |= edit_light(light, values_.original_light(i), scene_size_);
+      changes.values |= edit_light(light, values_.original_light(i), scene_size_);
       if (ImGui::SmallButton("reset")) {
         values_.reset_light(i);
-        has_changed = true;
+        changes.values = true;
       }
+      ImGui::SameLine();
+      if (ImGui::SmallButton("copy light")) changes.copied = light_as_esdf(light);
       ImGui::TreePop();
     }
     ImGui::PopID();
   }
-  return has_changed;
 }
 
-bool Panel::draw_materials() {
-  if (values_.materials.empty() || !ImGui::CollapsingHeader("Materials")) return false;
-  bool has_changed = false;
+void Panel::draw_materials(Changes& changes) {
+  if (values_.materials.empty() || !ImGui::CollapsingHeader("Materials")) return;
   std::size_t const* selected = nullptr;
   if (tree_.selected()) selected = values_.find(tree_.rows()[*tree_.selected()].shape->material().get());
   for (std::size_t i = 0; i < values_.materials.size(); ++i) {
@@ -164,16 +180,19 @@ bool Panel::draw_materials() {
     ImGui::PushID(int(i));
     ImGuiTreeNodeFlags const flags = selected && *selected == i ? ImGuiTreeNodeFlags_Selected : 0;
     if (ImGui::TreeNodeEx("material", flags, "%s%s", material.value.name().c_str(), material.is_edited ? " *" : "")) {
-      if (edit_material(material.value)) has_changed = material.is_edited = true;
-      if (material.is_edited && ImGui::SmallButton("reset")) {
-        values_.reset_material(i);
-        has_changed = true;
+      if (edit_material(material.value)) changes.values = material.is_edited = true;
+      if (ImGui::SmallButton("copy material")) changes.copied = material_as_esdf(material.value);
+      if (material.is_edited) {
+        ImGui::SameLine();
+        if (ImGui::SmallButton("reset")) {
+          values_.reset_material(i);
+          changes.values = true;
+        }
       }
       ImGui::TreePop();
     }
     ImGui::PopID();
   }
-  return has_changed;
 }
 
 }  // namespace lichtraum::view

@@ -1,10 +1,16 @@
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <string>
 
 #include "view/worker.hpp"
 
 namespace lichtraum::view {
+
+/// How wide the panel is in a window of that width, and beside a picture of that width.
+float panel_width_in(float window_width);
+float panel_width_beside(float picture_width);
 
 /// What is shown beside the picture: numbers, the objects as a tree, what is selected, and what can be changed: how the
 /// picture is developed, environment, lights and materials.
@@ -22,9 +28,10 @@ class Panel {
     bool selection = false;
     bool development = false;
     bool aperture = false;
+    std::string copied;  ///< as eSDF, for the clipboard; empty: nothing
   };
-  /// In the current frame of Dear ImGui.
-  Changes draw();
+  /// In the current frame of Dear ImGui, at the window's left edge. `draw_menus`: called where its menu bar is.
+  Changes draw(float width, std::function<void()> const& draw_menus);
 
   FilmPlane plane = FilmPlane::radiance;
   Development development;
@@ -38,8 +45,8 @@ class Panel {
   void draw_selection() const;
   void draw_picture(Changes& changes);
   bool draw_environment();
-  bool draw_lights();
-  bool draw_materials();
+  void draw_lights(Changes& changes);
+  void draw_materials(Changes& changes);
 
   std::shared_ptr<app::LoadedScene const> loaded_;  // keeps the tree's shapes
   ObjectTree tree_;

@@ -11,6 +11,7 @@
 
 #include "lichtraum/image_io.hpp"
 #include "view/window/keys.hpp"
+#include "view/window/menu.hpp"
 
 namespace lichtraum::view {
 namespace {
@@ -63,7 +64,7 @@ void Window::run() {
     open_dropped();
     handle_mouse();
     handle_keys();
-    if (camera_ && graphics_->framebuffer_size() != shown_size_) show();
+    if (camera_ && picture_size() != shown_size_) show();
     draw();
     ImGui::Render();
     if (!has_news && glfwGetTime() - drawn_at < seconds_between_draws) continue;
@@ -86,7 +87,9 @@ bool Window::take_news() {
     if (news.scene->file != scene_.file) is_moved_ = false;
     scene_ = std::move(*news.scene);
     if (is_first && !options_.render.job.size) {
-      glfwSetWindowSize(graphics_->window, scene_.request.resolution.width, scene_.request.resolution.height);
+      Resolution const& picture = scene_.request.resolution;
+      int const panel = int(panel_width_beside(float(picture.width)));
+      graphics_->resize({picture.width + panel, picture.height});
     }
     glfwSetWindowTitle(graphics_->window, ("lichtraum - " + scene_.file).c_str());
     panel_.set_scene(scene_);
@@ -149,7 +152,7 @@ void Window::look_through(Camera const& camera, Resolution const& made_for) {
 Vec3 Window::center_of_interest() const { return scene_.bounds.is_empty() ? Vec3(0) : scene_.bounds.center(); }
 
 void Window::show() {
-  shown_size_ = graphics_->framebuffer_size();
+  shown_size_ = picture_size();
   camera_->fit_to(shown_size_);
   RenderRequest view = scene_.request;
   view.camera = camera_seen_through();
@@ -167,88 +170,6 @@ void Window::show(FilmPlane plane) {
 void Window::mark_selection() {
   has_marking_ = false;
   worker_->mark(panel_.selected_objects());
-}
-
-void Window::handle_mouse() {
-  ImGuiIO const& io = ImGui::GetIO();
-  if (!camera_ || io.WantCaptureMouse) {
-    dragged_ = -1;
-    return;
-  }
-  constexpr double most_of_a_click = 3;  // a hand is not quite still
-  bool const is_left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) dragged_ = 0;
-  if (is_left && dragged_ >= 0) dragged_ += double(std::abs(io.MouseDelta.x) + std::abs(io.MouseDelta.y));
-  if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && dragged_ >= 0 && dragged_ <= most_of_a_click && !io.KeyShift &&
-      ImGui::IsMousePosValid()) {
-    worker_->look_at(int(io.MousePos.x / io.DisplaySize.x * float(shown_size_.width)),
-                     int(io.MousePos.y / io.DisplaySize.y * float(shown_size_.height)));
-  }
-  bool const is_panning = ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
-                          (is_left && io.KeyShift);
-  double const right = io.MouseDelta.x / std::max(1.0f, io.DisplaySize.x);
-  double const down = io.MouseDelta.y / std::max(1.0f, io.DisplaySize.x);
-  bool moves = false;
-  if (is_panning && (right != 0 || down != 0)) {
-    camera_->pan(-right, down);
-    moves = true;
-  } else if (is_left && dragged_ > most_of_a_click && (right != 0 || down != 0)) {
-    camera_->orbit(-360 * right, 360 * down);
-    moves = true;
-  }
-  if (io.MouseWheel != 0) {
-    camera_->zoom(std::pow(0.85, double(io.MouseWheel)));
-    moves = true;
-  }
-  if (!moves) return;
-  is_moved_ = true;
-  show();
-}
-
-void Window::handle_keys() {
-  if (ImGui::GetIO().WantTextInput) {  // a number is being typed
-    graphics_->characters.clear();
-    graphics_->keys.clear();
-    return;
-  }
-  for (char32_t const character : std::exchange(graphics_->characters, {})) handle_character(character);
-  constexpr double step_degrees = 5;
-  for (int const key : std::exchange(graphics_->keys, {})) {
-    if (key == GLFW_KEY_ESCAPE) close();
-    if (key == GLFW_KEY_PAGE_DOWN) step(1);
-    if (key == GLFW_KEY_PAGE_UP) step(-1);
-    if (key == GLFW_KEY_TAB) is_panel_open_ = !is_panel_open_;
-    double const right = key == GLFW_KEY_RIGHT ? step_degrees : key == GLFW_KEY_LEFT ? -step_degrees : 0;
-    double const up = key == GLFW_KEY_UP ? step_degrees : key == GLFW_KEY_DOWN ? -step_degrees : 0;
-    if (!camera_ || (right == 0 && up == 0)) continue;
-    camera_->orbit(right, up);
-    is_moved_ = true;
-    show();
-  }
-}
-
-void Window::handle_character(char32_t character) {
-  if (character == '?') is_help_open_ = !is_help_open_;
-  if (character == 'q') close();
-  if (!camera_) return;
-  if (character >= '1' && character <= '9') choose_camera(character - '1');
-  if (character == 'p') show(FilmPlane::radiance);
-  if (character == 'd') show(FilmPlane::depth);
-  if (character == 'n') show(FilmPlane::normal);
-  if (character == 'o') show(FilmPlane::object);
-  if (character == 's') save();
-  if (character == 'c') copy_camera();
-  if (character == 'f') frame_everything();
-  if (character == 'r') {
-    look_through(scene_.request.camera, scene_.request.resolution);
-    is_moved_ = false;
-    show();
-  }
-  if (character == '+' || character == '-') {
-    camera_->zoom(character == '+' ? 0.9 : 1 / 0.9);
-    is_moved_ = true;
-    show();
-  }
 }
 
 void Window::close() { glfwSetWindowShouldClose(graphics_->window, GLFW_TRUE); }
@@ -289,27 +210,42 @@ void Window::save() {
 
 void Window::copy_camera() const {
   std::string const text = camera_as_esdf(camera_seen_through(), shown_size_);
+  copy(text);
+}
+
+void Window::copy(std::string const& text) const {
   glfwSetClipboardString(graphics_->window, text.c_str());
-  app::write_standard_output(text);  // for those whose clipboard ends with the window
+  app::write_standard_output(text);
+}
+
+float Window::panel_width() const {
+  return is_panel_open_ && camera_ ? std::floor(panel_width_in(ImGui::GetIO().DisplaySize.x)) : 0;
+}
+
+Resolution Window::picture_size() const {
+  Resolution const all = graphics_->framebuffer_size();
+  float const share = panel_width() / std::max(1.0f, ImGui::GetIO().DisplaySize.x);
+  return {std::max(1, all.width - int(share * float(all.width) + 0.5f)), all.height};
 }
 
 void Window::draw() {
   ImVec2 const area = ImGui::GetIO().DisplaySize;
+  float const left = panel_width();
   auto const add = [&](ShownPicture const& picture) {
     auto* const texture = reinterpret_cast<ImTextureID>(std::uintptr_t(picture.texture));
-    ImGui::GetBackgroundDrawList()->AddImage(texture, {0, 0}, area);
+    ImGui::GetBackgroundDrawList()->AddImage(texture, {left, 0}, area);
   };
   if (frame_) add(graphics_->picture);
   if (has_marking_) add(graphics_->marking);
   if (is_panel_open_) draw_panel();
   if (is_help_open_) draw_keys();
   if (!problem_.empty()) {
-    ImGui::SetNextWindowPos({8, area.y - 8}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowPos({left + 8, area.y - 8}, ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowSizeConstraints({0, 0},
-                                        {area.x - 16, area.y - 16});  // the first of many mistakes stay in sight
+                                        {area.x - left - 16, area.y - 16});  // the first of many mistakes stay in sight
     ImGui::Begin("problem", nullptr, overlay | ImGuiWindowFlags_NoInputs);
     ImGui::PushStyleColor(ImGuiCol_Text, {1, 0.5f, 0.4f, 1});
-    ImGui::PushTextWrapPos(area.x - 24);
+    ImGui::PushTextWrapPos(area.x - left - 24);
     ImGui::TextUnformatted(problem_.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
@@ -318,13 +254,13 @@ void Window::draw() {
 }
 
 void Window::draw_panel() {
-  // On the right: in a window that is too small for both, the panel is on top of it.
   ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x - 8, 8}, ImGuiCond_Always, {1, 0});
   ImGui::SetNextWindowBgAlpha(0.6f);
   ImGui::Begin("statistics", nullptr, overlay | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::TextUnformatted(statistics().c_str());
   ImGui::End();
-  Panel::Changes const changes = panel_.draw();
+  Panel::Changes const changes = panel_.draw(panel_width(), [this] { draw_menus(*graphics_); });
+  if (!changes.copied.empty()) copy(changes.copied);
   if (changes.values) worker_->edit(scene_.number, panel_.values().edits());
   if (changes.development) worker_->develop(panel_.development);
   if (changes.selection) mark_selection();

@@ -51,6 +51,12 @@ class Window {
   void mark_selection();
   void save();
   void copy_camera() const;
+  /// To the clipboard, and to standard output for those whose clipboard ends with the window.
+  void copy(std::string const& text) const;
+  /// 0 while it is hidden. In Dear ImGui's units.
+  float panel_width() const;
+  /// Beside the panel.
+  Resolution picture_size() const;
 
   app::ViewOptions const& options_;
   app::Console const& console_;

@@ -37,7 +37,9 @@ click 115 10 # the menu of help
 until_true changed menu.png reset.png || exit 1
 click 150 32 # its only entry: the keys
 until_true changed keys.png menu.png || exit 1
-press question
+click 115 10
+until_true changed menu_again.png keys.png || exit 1
+click 150 32
 until_true changed closed.png keys.png || exit 1
 press d
 until_true changed depth.png reset.png || exit 1
@@ -52,6 +54,9 @@ click 52 410  # the only one
 until_true changed materials.png picture.png || exit 1
 drag 52 452 2 452 # the red of its kd, by 50 of 255
 until_true changed material.png materials.png || exit 1
+press w
+has_scene() { [[ -s scene_edited_0001.sdf ]]; }
+until_true has_scene || exit 1
 click 92 390 # the materials are folded up
 click 92 413 # the picture
 until_true changed development.png material.png || exit 1

@@ -93,7 +93,7 @@ TEST_CASE("the panel selects objects, changes lights and shows depth, normals an
   CHECK((dark.at(546, 227, 0) >= 3 && dark.at(546, 227, 0) < 12));
   CHECK(difference(shot("reset"), opened, picture) < 0.1);
   CHECK_THAT(lichtraum.folder.read("out.txt"), contains_text("define light diffuse lamp  3 4 6  1 1 1\n"));
-  // What the menu offers is done; what it opened closes with its key.
+  // What the menu offers is done; what it opened closes again.
   CHECK(difference(shot("keys"), shot("reset"), picture) > 5);
   CHECK(difference(shot("closed"), shot("reset"), picture) < 0.1);
   // The other views are what --planes draws.
@@ -109,6 +109,10 @@ TEST_CASE("the panel selects objects, changes lights and shows depth, normals an
   CHECK(material.at(546, 227, 0) < 0.85f * opened.at(546, 227, 0));
   CHECK(material.at(546, 227, 0) > 0.5f * opened.at(546, 227, 0));
   CHECK(material.at(546, 227, 1) == opened.at(546, 227, 1));
+  // The scene that was saved is drawn so, and the other one is as it was.
+  CHECK(lichtraum.folder.read("scene.sdf") == scene);
+  REQUIRE(lichtraum("render -q scene_edited_0001.sdf --samples 256 --size 380x480 -o drawn.png").exit_code == 0);
+  CHECK(difference(material, shot("drawn"), picture, 260) < 0.1);
   // Exposure develops the same picture again.
   CHECK(difference(shot("development"), material, picture) < 0.1);
   CHECK(shot("underexposed").at(546, 227, 0) < 0.1f * material.at(546, 227, 0));

@@ -18,6 +18,7 @@ void draw_keys() {
       "Page Down, Page Up     next, previous file of the folder\n"
       "a file dropped here    is opened\n"
       "S                      save what is seen\n"
+      "W                      save the changed scene as a new file\n"
       "C                      copy the camera as eSDF\n"
       "Tab                    hide or show the panel\n"
       "Q, Esc                 close");

@@ -17,6 +17,7 @@ constexpr Entry file_entries[] = {
     {"Next file of the folder", "Page Down", 0, GLFW_KEY_PAGE_DOWN},
     {"Previous file", "Page Up", 0, GLFW_KEY_PAGE_UP},
     {"Save the picture", "S", 's'},
+    {"Save the changed scene", "W", 'w'},
     {"Copy the camera as eSDF", "C", 'c'},
     {"Close", "Q", 'q'},
 };
@@ -48,6 +49,7 @@ void draw_menu(char const* name, Entry const (&entries)[count], Graphics& graphi
     } else {
       graphics.keys.push_back(entry.key);
     }
+    glfwPostEmptyEvent();  // it is done in the next turn of the window's loop, which must not wait
   }
   ImGui::EndMenu();
 }

@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <utility>
 
 #include "lichtraum/image_io.hpp"
+#include "view/edited_scene.hpp"
 #include "view/window/keys.hpp"
 #include "view/window/menu.hpp"
 
@@ -57,8 +60,8 @@ void Window::run() {
     double const patience = draws_due > 0 ? seconds_between_draws : seconds_between_looks;
     double const start = glfwGetTime();
     glfwWaitEventsTimeout(patience);
-    // What an event does to Dear ImGui's widgets is seen in the drawing after the next one.
-    if (glfwGetTime() - start < patience) draws_due = 2;
+    // Dear ImGui takes a move and a click one after the other, and what they do is seen in the drawing after that.
+    if (glfwGetTime() - start < patience) draws_due = 4;
     bool const has_news = take_news();
     graphics_->begin_drawing();
     open_dropped();
@@ -193,12 +196,32 @@ void Window::frame_everything() {
 
 void Window::save() {
   if (!frame_) return;
+  std::string const stem = std::filesystem::path(scene_.file).stem().string();
+  save_as(stem + "_view", ".png", [this] { return image_format_named("png").encode(frame_->image, {}); });
+}
+
+void Window::save_edits() {
+  // Beside the scene, from where it names its files.
+  std::filesystem::path const file = scene_.file;
+  save_as((file.parent_path() / file.stem()).string() + "_edited", ".sdf", [&] {
+    constexpr std::uintmax_t most_bytes = 256u << 20;
+    std::error_code unknown;
+    if (std::filesystem::file_size(file, unknown) > most_bytes || unknown) {
+      throw Error(ErrorKind::cannot_create, "nothing is saved: the scene's file is too large or gone");
+    }
+    std::ifstream in(file, std::ios::binary);
+    std::string const text{std::istreambuf_iterator<char>(in), {}};
+    return edited_scene(text, panel_.values());
+  });
+}
+
+void Window::save_as(std::string const& stem, char const* extension, std::function<std::string()> const& contents) {
   for (int number = 1;; ++number) {
-    std::string const name =
-        fmt::format("{}_view_{:04}.png", std::filesystem::path(scene_.file).stem().string(), number);
+    std::string const name = fmt::format("{}_{:04}{}", stem, number, extension);
     if (std::filesystem::exists(name)) continue;
     try {
-      write_file_atomically(name, image_format_named("png").encode(frame_->image, {}));
+      write_file_atomically(name, contents());
+      problem_.clear();
       console_.info(fmt::format("saved {}", name));
     } catch (Error const& error) {
       problem_ = error.what();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,6 +51,10 @@ class Window {
   void show(FilmPlane plane);
   void mark_selection();
   void save();
+  /// The scene with what was changed of lights and materials, as a new file beside it.
+  void save_edits();
+  /// To a new file with a number. Says where, or why not.
+  void save_as(std::string const& stem, char const* extension, std::function<std::string()> const& contents);
   void copy_camera() const;
   /// To the clipboard, and to standard output for those whose clipboard ends with the window.
   void copy(std::string const& text) const;

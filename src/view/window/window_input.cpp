@@ -80,6 +80,7 @@ void Window::handle_character(char32_t character) {
   if (character == 'n') show(FilmPlane::normal);
   if (character == 'o') show(FilmPlane::object);
   if (character == 's') save();
+  if (character == 'w') save_edits();
   if (character == 'c') copy_camera();
   if (character == 'f') frame_everything();
   if (character == 'r') {

@@ -1,0 +1,78 @@
+#include "view/edited_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "lichtraum/error.hpp"
+#include "view/values_as_esdf.hpp"
+
+namespace lichtraum::view {
+namespace {
+
+[[noreturn]] void refuse(std::string const& why) { throw Error(ErrorKind::cannot_create, "nothing is saved: " + why); }
+
+std::vector<std::string> words_of(std::string_view line) {
+  std::istringstream in{std::string(line.substr(0, line.find('#')))};
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+/// "material red" or "light lamp" of a line that defines one; empty for others.
+std::string thing_defined_by(std::vector<std::string> const& words) {
+  if (words.size() < 4 || words[0] != "define") return {};
+  if (words[1] == "material") return "material " + words[2];
+  if (words[1] != "light") return {};
+  bool const has_kind = words[2] == "diffuse" || words[2] == "ambient";
+  return "light " + words[has_kind ? 3 : 2];
+}
+
+/// A light with one number for its brightness: it also chooses the tones of the picture.
+bool is_dialect(std::vector<std::string> const& words) {
+  constexpr std::size_t standard = 12;
+  return words[1] == "light" && words[2] != "diffuse" && words[2] != "ambient" && words.size() < standard;
+}
+
+/// What each edited thing becomes.
+std::map<std::string, std::string> new_lines(SceneValues const& values) {
+  std::map<std::string, std::string> lines;
+  for (auto const& material : values.materials) {
+    if (material.is_edited) lines["material " + material.original->name()] = material_as_esdf(material.value);
+  }
+  for (std::size_t i = 0; i < values.lights.size(); ++i) {
+    std::string const line = light_as_esdf(values.lights[i]);
+    if (line != light_as_esdf(values.original_light(i))) lines["light " + values.lights[i].name()] = line;
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string edited_scene(std::string_view text, SceneValues const& values) {
+  auto missing = new_lines(values);
+  if (missing.empty()) refuse("no light and no material was changed");
+  std::string result;
+  while (!text.empty()) {
+    std::string_view const line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    auto const words = words_of(line);
+    auto const found = missing.find(thing_defined_by(words));
+    if (found == missing.end()) {
+      result.append(line) += '\n';
+      continue;
+    }
+    if (is_dialect(words)) refuse(fmt::format("{} is defined in a dialect; copy it instead", found->first));
+    result += found->second;
+    missing.erase(found);
+  }
+  if (!missing.empty()) {
+    refuse(fmt::format("no line of the scene's file defines {}; copy it instead", missing.begin()->first));
+  }
+  return result;
+}
+
+}  // namespace lichtraum::view

@@ -1,0 +1,54 @@
+#include "view/edited_scene.hpp"
+
+#include "lichtraum/drawn_objects.hpp"
+#include "lichtraum/esdf.hpp"
+#include "support/catch.hpp"
+#include "view/values_as_esdf.hpp"
+
+using namespace lichtraum;
+
+namespace {
+
+struct Opened {
+  Scene scene;
+  view::SceneValues values;
+  explicit Opened(std::string const& text) : scene(EsdfScript::from_text(text, "scene", {}).take_scene()) {
+    values = view::SceneValues(scene, DrawnObjects(scene, ""));
+  }
+};
+
+constexpr char const* first = "# define material red is below\n";
+constexpr char const* red = "  define material red 0 0 0  0.5 0 0  0 0 0  1 # dull\n";
+constexpr char const* middle = "define material blue 0 0 0  0 0 1  0 0 0  1\ndefine shape sphere red 0 0 0  1 red\n";
+constexpr char const* lamp = "define light diffuse lamp 0 5 0  1 1 1\n";
+constexpr char const* last = "define light ambient sky 1 1 1\n";
+
+void set_material(view::SceneValues& values, Rgb const& kd) {
+  auto& material = values.materials.at(0);
+  material.value = Material(material.value.name(), PhongModel{.kd = kd});
+  material.is_edited = true;
+}
+
+}  // namespace
+
+TEST_CASE("a scene is saved with what was edited, all else to the byte", "[unit][view]") {
+  Opened opened(std::string(first) + red + middle + lamp + last);
+  CHECK_THROWS_AS(view::edited_scene(first, opened.values), Error);  // nothing was edited
+  set_material(opened.values, Rgb(0.25, 1, 0));
+  opened.values.lights[0] = Light("lamp", PointLight{.ld = Rgb(2), .position = Vec3(1, 2, 3)});
+  std::string const text = view::edited_scene(std::string(first) + red + middle + lamp + last, opened.values);
+  CHECK(text == std::string(first) + view::material_as_esdf(opened.values.materials[0].value) + middle +
+                    "define light diffuse lamp  1 2 3  2 2 2\n" + last);
+  Opened const again(text);
+  CHECK(again.values.materials.at(0).value.phong().kd == Rgb(0.25, 1, 0));
+  CHECK(again.values.lights.at(0).brightness() == Rgb(2));
+}
+
+TEST_CASE("a scene is not saved where an edit would be lost", "[unit][view]") {
+  Opened opened(std::string(red) + middle + "define light lamp 0 5 0  1 1 1  2\n");
+  set_material(opened.values, Rgb(1));
+  CHECK_THROWS_WITH(view::edited_scene(std::string(middle), opened.values), contains_text("material red"));
+  opened.values.reset();
+  opened.values.lights[0] = Light("lamp", PointLight{.ld = Rgb(3)});
+  CHECK_THROWS_WITH(view::edited_scene("define light lamp 0 5 0  1 1 1  2\n", opened.values), contains_text("dialect"));
+}

@@ -12,7 +12,7 @@ start_display 600x300
 window=$!
 await_window scene.sdf 240x240
 press Tab
-until_true changed square.png empty.png || exit 1
+until_true drawn square.png || exit 1
 xdotool windowsize --sync "$id" 480 240
 window_size=480x240
 until_true changed wide.png square.png || exit 1

@@ -14,7 +14,7 @@ window=$!
 await_window scene.sdf 320x240
 xdotool search --class '^lichtraum$' >class
 press Tab # the numbers change all the time
-until_true changed opened.png empty.png || exit 1
+until_true drawn opened.png || exit 1
 press Right Right Right Up
 until_true changed turned.png opened.png || exit 1
 press c
@@ -36,7 +36,7 @@ sed -i '$d' scene.sdf
 window=$!
 await_window scene.sdf 320x240
 press Tab
-until_true changed shown.png empty.png || exit 1
+until_true drawn shown.png || exit 1
 press q
 wait $window
 echo $? >exit_code_shown

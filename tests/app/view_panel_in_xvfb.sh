@@ -12,7 +12,7 @@ start_display 800x600
 window=$!
 await_window scene.sdf 640x480
 
-until_true changed opened.png empty.png || exit 1
+until_true drawn opened.png || exit 1
 click 511 240 # the ball
 until_true changed picked.png opened.png || exit 1
 click 600 470 # nothing

@@ -25,7 +25,7 @@ start_display() {
   unset WAYLAND_DISPLAY
 }
 
-# await_window FILE WxH: until FILE's window is open; what it shows then is empty.png.
+# await_window FILE WxH: until FILE's window is open.
 await_window() {
   local title="^lichtraum - $1\$"
   window_size=$2
@@ -33,7 +33,6 @@ await_window() {
   until_true is_open || exit 1
   xdotool windowfocus "$id"
   eval "$(xdotool getwindowgeometry --shell "$id")" # sets X and Y
-  shot empty.png
 }
 
 # shot PICTURE: of the window.
@@ -47,6 +46,9 @@ settled() {
   shot settled.png
   cmp -s "$1" settled.png
 }
+# drawn PICTURE: a settled one that is not black in the middle. A window is black until its first picture is there, for as
+# long as a busy machine takes.
+drawn() { settled "$1" && [[ -n $(ffmpeg -v error -i "$1" -vf crop=iw/4:ih/4 -f rawvideo -pix_fmt gray - | tr -d '\000-\017' | head -c 1) ]]; }
 # changed PICTURE OTHER: a settled one that is not the other.
 changed() { settled "$1" && ! cmp -s "$1" "$2"; }
 

@@ -52,8 +52,12 @@ drawn() { settled "$1" && [[ -n $(ffmpeg -v error -i "$1" -vf crop=iw/4:ih/4 -f 
 # changed PICTURE OTHER: a settled one that is not the other.
 changed() { settled "$1" && ! cmp -s "$1" "$2"; }
 
-# press KEY...
-press() { xdotool key --window "$id" "$@"; }
+# press KEY... A window that closes at a key is gone before xdotool lets go of it, and fails then: the server takes such a key
+# for one that is still held down, and drops its next press.
+press() {
+  xdotool key --window "$id" "$@" 2>/dev/null
+  xdotool keyup "$@"
+}
 # drag X Y X Y: from a place in the window to another, with the left button.
 drag() {
   xdotool mousemove $((X + $1)) $((Y + $2))

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/math.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// What rays see that hit nothing.
 struct Background {

@@ -5,9 +5,10 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/transform.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// An axis-parallel box, faces included. Empty until something is added. `Vector` is one of glm's of three coordinates.
 template <class Vector>

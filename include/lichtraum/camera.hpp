@@ -4,11 +4,12 @@
 #include <optional>
 #include <string>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/bounds.hpp"
 #include "lichtraum/ray.hpp"
 #include "lichtraum/transform.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 struct Resolution {
   int width = 0;   ///< pixels

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/film.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// Whether the noise of few samples is taken out of a picture before it is developed, and by what.
 enum class Denoising {

@@ -5,7 +5,9 @@
 #include <string_view>
 #include <vector>
 
-namespace lichtraum {
+#include "lichtraum/api.hpp"
+
+namespace LICHTRAUM_API lichtraum {
 
 enum class DeviceKind { reference, cpu, gpu, accelerator };
 

@@ -6,9 +6,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/scene.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// The objects that a scene draws: each path from a root to a shape that is not a composite is one. They are numbered
 /// from 1 in the order in which a walk down from the roots meets them, so those below one path of a composite follow

@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace lichtraum {
+#include "lichtraum/api.hpp"
+
+namespace LICHTRAUM_API lichtraum {
 
 /// Radiance from infinitely far away, in latitude and longitude: a texel (column, row) holds what arrives from the
 /// direction whose u = (column + 0.5) / width and v = (row + 0.5) / height, where, in the world before the light's

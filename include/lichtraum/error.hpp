@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace lichtraum {
+#include "lichtraum/api.hpp"
+
+namespace LICHTRAUM_API lichtraum {
 
 /// What went wrong, as far as a caller has to tell cases apart. The program maps each to an exit code (sysexits.h).
 enum class ErrorKind {

@@ -7,12 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/file_stamp.hpp"
 #include "lichtraum/model.hpp"
 #include "lichtraum/scene.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 enum class TransformOrder {
   parent,  ///< world' = T * world: each transform happens in the parent's frame (the standard)

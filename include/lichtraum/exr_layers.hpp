@@ -5,9 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/camera.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// All channels of an OpenEXR picture of one part, whoever wrote it, with its header.
 class ExrLayers {

@@ -5,7 +5,9 @@
 #include <functional>
 #include <optional>
 
-namespace lichtraum {
+#include "lichtraum/api.hpp"
+
+namespace LICHTRAUM_API lichtraum {
 
 /// By which one sees that a file has changed.
 struct FileStamp {

@@ -7,11 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/camera.hpp"
 #include "lichtraum/image.hpp"
 #include "lichtraum/tone_map.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// What a film can hold of each pixel. The order is that of the device's planes (kernels/shared/film.h).
 enum class FilmPlane {

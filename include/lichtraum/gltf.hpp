@@ -5,9 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/model.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// A model that is read once and posed at many times: its files, materials and undeformed geometry are shared.
 class GltfAnimation {

@@ -5,9 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/shape.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// How many shapes there are of each kind, and how many triangles and points the meshes and point clouds
 /// have. At most `uncountable` each.

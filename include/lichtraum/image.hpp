@@ -3,9 +3,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/camera.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// A picture of float RGB pixels, first row at the top; it may have an alpha beside each.
 class Image {

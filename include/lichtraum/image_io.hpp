@@ -6,10 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/film.hpp"
 #include "lichtraum/image.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// How values are stored in a picture's file.
 struct ValueEncoding {

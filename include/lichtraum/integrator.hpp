@@ -2,7 +2,9 @@
 
 #include "shared/integrators.h"
 
-namespace lichtraum {
+#include "lichtraum/api.hpp"
+
+namespace LICHTRAUM_API lichtraum {
 
 /// How the radiance along the camera's rays is found: kernels/shared/integrators.h says what each is.
 enum class Integrator {

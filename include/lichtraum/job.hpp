@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/denoise.hpp"
 #include "lichtraum/environment.hpp"
 #include "lichtraum/esdf.hpp"
@@ -15,7 +16,7 @@
 #include "lichtraum/model.hpp"
 #include "lichtraum/renderer.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// How a scene or a model is read, as far as that decides its pictures.
 struct SceneReading {

@@ -8,9 +8,10 @@
 #include <type_traits>
 #include <variant>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/math.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// Full brightness within the inner angle, none beyond the outer one; both from the cone's middle, degrees.
 /// 0 <= inner < outer <= 90.

@@ -4,10 +4,11 @@
 #include <string>
 #include <variant>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/pbr_model.hpp"
 #include "lichtraum/phong_model.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// What a surface is made of: a name, and one of two models.
 class Material {

@@ -7,7 +7,9 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-namespace lichtraum {
+#include "lichtraum/api.hpp"
+
+namespace LICHTRAUM_API lichtraum {
 
 using Vec3 = glm::dvec3;
 using Mat3 = glm::dmat3;

@@ -5,10 +5,11 @@
 #include <memory>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/bounds.hpp"
 #include "lichtraum/math.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 using Float2 = std::array<float, 2>;
 using Float3 = std::array<float, 3>;

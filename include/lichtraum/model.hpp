@@ -7,11 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/file_stamp.hpp"
 #include "lichtraum/scene.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// Keeps models that scenes include from being read again for each scene.
 class ModelCache;

@@ -2,9 +2,10 @@
 
 #include <optional>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/renderer.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// How much noise is left in the means of `samples` samples, by what changed since they were those of the first
 /// `earlier_samples`: the square root of the relative mean square error, which

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/model.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// Reads a Wavefront OBJ model with its MTL files: a Mesh for each material of each object or group. Throws what
 /// import_model throws.

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/transform.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// From where something is looked at.
 struct Orbit {

@@ -7,10 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/math.hpp"
 #include "shared/pbr_fields.h"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// A decoded picture: eight bits each of red, green, blue and alpha, first row at the top. What the numbers mean (sRGB
 /// colours or plain data) is said where it is used.

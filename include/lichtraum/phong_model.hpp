@@ -1,9 +1,10 @@
 #pragma once
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/math.hpp"
 #include "shared/phong_fields.h"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// Phong's coefficients (Phong 1975) with Whitted's mirror and glass terms (Whitted 1980). A surface shows
 ///   emission + (1 - reflect - transmit) * (ambient + diffuse) + specular highlight

@@ -2,9 +2,10 @@
 
 #include <string_view>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/model.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// Reads a PLY model, in ASCII or binary of either byte order, as one Mesh. Throws what import_model throws.
 Model import_ply(std::filesystem::path const& path, ModelOptions const& options = {});

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/math.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// The half-line origin + t * direction, t > 0. With a unit direction, t is a distance.
 struct Ray {

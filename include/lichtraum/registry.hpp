@@ -5,7 +5,9 @@
 #include <string_view>
 #include <unordered_map>
 
-namespace lichtraum {
+#include "lichtraum/api.hpp"
+
+namespace LICHTRAUM_API lichtraum {
 
 /// Named things in the order of their definition, with lookup by name. T, or what T points to, has a `name()` that
 /// never changes. References to elements stay valid until the registry is destroyed.

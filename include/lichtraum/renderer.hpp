@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/background.hpp"
 #include "lichtraum/bounds.hpp"
 #include "lichtraum/camera.hpp"
@@ -20,7 +21,7 @@
 #include "lichtraum/scene_edits.hpp"
 #include "lichtraum/traversal.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// Where in a pixel its samples lie. One sample is the pixel's centre.
 struct Sampling {

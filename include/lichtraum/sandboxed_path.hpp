@@ -4,7 +4,9 @@
 #include <span>
 #include <string>
 
-namespace lichtraum {
+#include "lichtraum/api.hpp"
+
+namespace LICHTRAUM_API lichtraum {
 
 /// A path that a scene file asks for: either where it leads, or why it must not be used.
 struct SandboxedPath {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/camera.hpp"
 #include "lichtraum/environment.hpp"
 #include "lichtraum/error.hpp"
@@ -15,7 +16,7 @@
 #include "lichtraum/shapes.hpp"
 #include "lichtraum/tone_map.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// A picture that a scene file asks for (eSDF `render`).
 struct RenderCommand {

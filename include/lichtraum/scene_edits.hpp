@@ -4,11 +4,12 @@
 #include <unordered_map>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/environment.hpp"
 #include "lichtraum/light.hpp"
 #include "lichtraum/material.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// Other lights and materials for the shapes of a scene, as values beside it: the scene stays as it was read.
 struct SceneEdits {

@@ -7,12 +7,13 @@
 #include <string>
 #include <string_view>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/bounds.hpp"
 #include "lichtraum/material.hpp"
 #include "lichtraum/ray.hpp"
 #include "lichtraum/transform.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 class Shape;
 class ShapeVisitor;

@@ -6,10 +6,11 @@
 #include <array>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/mesh_geometry.hpp"
 #include "lichtraum/shape.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 class Sphere final : public Shape {
  public:

@@ -2,9 +2,10 @@
 
 #include <string_view>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/model.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// Reads an STL model, ASCII or binary: a Mesh for each solid, in the file's units. Throws what import_model throws.
 Model import_stl(std::filesystem::path const& path, ModelOptions const& options = {});

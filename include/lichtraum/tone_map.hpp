@@ -1,6 +1,8 @@
 #pragma once
 
-namespace lichtraum {
+#include "lichtraum/api.hpp"
+
+namespace LICHTRAUM_API lichtraum {
 
 /// From unbounded radiance to a displayable range (kernels/shared/tone_map.h has the formulas). Linear, both of Rec.
 /// 709's primaries.

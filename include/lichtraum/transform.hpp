@@ -1,8 +1,9 @@
 #pragma once
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/math.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// An invertible affine map from one frame to another, kept with its inverse. The inverse is composed along with the
 /// map, never computed by elimination, so that scales of 1e-6 or 1e6 lose nothing.

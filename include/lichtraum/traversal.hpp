@@ -1,6 +1,8 @@
 #pragma once
 
-namespace lichtraum {
+#include "lichtraum/api.hpp"
+
+namespace LICHTRAUM_API lichtraum {
 
 /// How a scene's primitives are sorted for rays to find.
 enum class TreeLayout {

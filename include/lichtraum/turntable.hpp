@@ -2,9 +2,10 @@
 
 #include <string_view>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/scene.hpp"
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 /// The box around what is looked at: all shapes (or what is below the one called `root`) that do not surround the
 /// camera, as a floor beneath it and a room around it do. When all of them do, the box around everything; empty when

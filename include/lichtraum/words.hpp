@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lichtraum/api.hpp"
 #include "lichtraum/denoise.hpp"
 #include "lichtraum/esdf.hpp"
 #include "lichtraum/renderer.hpp"
@@ -13,7 +14,7 @@
 
 /// The words that stand for values, on command lines as in JSON.
 
-namespace lichtraum {
+namespace LICHTRAUM_API lichtraum {
 
 template <class Value>
 struct Word {

@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+
+#include "lichtraum.hpp"
+#include "support/catch.hpp"
+
+// The library as others use it: installed, moved to another folder, found by CMake and by pkg-config.
+
+namespace {
+
+namespace fs = std::filesystem;
+
+ProcessResult run(fs::path const& folder, std::vector<std::string> const& words,
+                  std::map<std::string, std::string> const& environment = {}) {
+  Process process;
+  process.arguments = words;
+  process.folder = folder;
+  process.environment = environment;
+  process.timeout_seconds = 300;
+  return run_process(process);
+}
+
+std::string run_well(fs::path const& folder, std::vector<std::string> const& words,
+                     std::map<std::string, std::string> const& environment = {}) {
+  auto const result = run(folder, words, environment);
+  INFO(words.front() << (words.size() > 1 ? " " + words[1] : ""));
+  INFO(result.out + result.err);
+  REQUIRE(result.exit_code == 0);
+  return result.out;
+}
+
+std::string read(fs::path const& path) {
+  std::ifstream file(path, std::ios::binary);
+  INFO(path);
+  REQUIRE(file);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The first block of that language in docs/LIBRARY.md.
+std::string documented(std::string const& language) {
+  std::string const text = read(LICHTRAUM_SOURCE_DIR "/docs/LIBRARY.md");
+  std::string const fence = "```" + language + "\n";
+  std::size_t const begin = text.find(fence);
+  REQUIRE(begin != std::string::npos);
+  return text.substr(begin + fence.size(), text.find("```", begin + 3) - begin - fence.size());
+}
+
+void replace(std::string& text, std::string const& what, std::string const& by) {
+  std::size_t const at = text.find(what);
+  INFO(what);
+  REQUIRE(at != std::string::npos);
+  text.replace(at, what.size(), by);
+}
+
+/// All of it installed to one folder, and then moved to another, which is returned.
+fs::path installed(TemporaryFolder const& folder) {
+  run_well(folder.path(), {LICHTRAUM_CMAKE, "--install", LICHTRAUM_BUILD_DIR, "--prefix", (folder / "here").string()});
+  fs::rename(folder / "here", folder / "moved");
+  return folder / "moved";
+}
+
+/// A folder with the documented program, built by a CMakeLists.txt.
+void make_consumer(fs::path const& folder, std::string const& lists) {
+  fs::create_directories(folder);
+  std::ofstream(folder / "picture.cpp") << documented("cpp");
+  std::ofstream(folder / "CMakeLists.txt") << lists;
+}
+
+std::vector<std::string> configure(fs::path const& prefix) {
+  return {LICHTRAUM_CMAKE,
+          "-G",
+          "Ninja",
+          "-S",
+          ".",
+          "-B",
+          "build",
+          "-D",
+          "CMAKE_PREFIX_PATH=" + prefix.string(),
+          "-D",
+          "CMAKE_BUILD_TYPE=Release"};
+}
+
+}  // namespace
+
+TEST_CASE("programs find the installed library, link to it, and draw what the program draws", "[app][long][package]") {
+  Lichtraum const lichtraum;
+  TemporaryFolder const folder;
+  fs::path const prefix = installed(folder);
+  fs::path const library = prefix / "lib";
+  std::string const scene = LICHTRAUM_SOURCE_DIR "/scenes/hello.sdf";
+  std::string const drawn = [&] {
+    auto const result = lichtraum("render -q " + scene + " -o picture.ppm --size 640x360");
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    return lichtraum.folder.read("picture.ppm");
+  }();
+  REQUIRE(drawn.size() > 640 * 360 * 3);
+
+  SECTION("the shared one, by CMake") {
+    make_consumer(folder / "shared", documented("cmake"));
+    run_well(folder / "shared", configure(prefix));
+    run_well(folder / "shared", {LICHTRAUM_CMAKE, "--build", "build"});
+    run_well(folder / "shared", {"build/picture", scene});  // CMake leaves an rpath
+    CHECK(read(folder / "shared/picture.ppm") == drawn);
+    CHECK_THAT(run_well(folder / "shared", {"ldd", "build/picture"}),
+               contains_text((library / "liblichtraum.so.0").string()));
+  }
+  SECTION("the static one, by CMake") {
+    std::string lists = documented("cmake");
+    replace(lists, "REQUIRED)", "REQUIRED COMPONENTS static)");
+    replace(lists, "lichtraum::lichtraum)", "lichtraum::lichtraum_static)");
+    make_consumer(folder / "static", lists);
+    run_well(folder / "static", configure(prefix));
+    run_well(folder / "static", {LICHTRAUM_CMAKE, "--build", "build"});
+    run_well(folder / "static", {"build/picture", scene});
+    CHECK(read(folder / "static/picture.ppm") == drawn);
+    CHECK(run_well(folder / "static", {"ldd", "build/picture"}).find("liblichtraum") == std::string::npos);
+  }
+  SECTION("by pkg-config") {
+    make_consumer(folder / "plain", "");
+    std::string const flags = run_well(folder.path(), {"pkg-config", "--cflags", "--libs", "lichtraum"},
+                                       {{"PKG_CONFIG_PATH", (library / "pkgconfig").string()}});
+    std::vector<std::string> words{LICHTRAUM_CXX, "-std=c++20", "picture.cpp", "-o", "picture"};
+    std::istringstream in(flags);
+    words.insert(words.end(), std::istream_iterator<std::string>(in), {});
+    run_well(folder / "plain", words);
+    run_well(folder / "plain", {"./picture", scene}, {{"LD_LIBRARY_PATH", library.string()}});
+    CHECK(read(folder / "plain/picture.ppm") == drawn);
+  }
+}
+
+TEST_CASE("a project that contains lichtraum builds its libraries and nothing else of it", "[app][long][package]") {
+  TemporaryFolder const folder;
+  std::string lists = documented("cmake");
+  replace(lists, "find_package(lichtraum 0.1 CONFIG REQUIRED)", "add_subdirectory(" LICHTRAUM_SOURCE_DIR " lichtraum)");
+  make_consumer(folder / "whole", lists);
+  run_well(folder / "whole", configure({}));
+  // The commands: running them takes minutes.
+  std::string const all = run_well(folder / "whole", {"ninja", "-C", "build", "-t", "commands", "all"});
+  CHECK_THAT(all, contains_text("picture.cpp"));
+  CHECK_THAT(all, contains_text("liblichtraum.so"));
+  for (char const* const other : {"src/app", "src/view", "tests/", "CLI11", "desktop"}) {
+    INFO(other);
+    CHECK(all.find(other) == std::string::npos);
+  }
+}
+
+TEST_CASE("another version than this is not found", "[app][long][package]") {
+  TemporaryFolder const folder;
+  fs::path const prefix = installed(folder);
+  for (char const* const version : {"99", "0.2", "0.0"}) {
+    std::string lists = documented("cmake");
+    replace(lists, "0.1", version);
+    make_consumer(folder / version, lists);
+    auto const result = run(folder / version, configure(prefix));
+    INFO(result.err);
+    CHECK(result.exit_code != 0);
+    CHECK_THAT(result.err, contains_text("compatible with requested version"));
+  }
+}
+
+TEST_CASE("the shared library shows what is in its namespace, and each header can be included alone",
+          "[app][long][package]") {
+  TemporaryFolder const folder;
+  fs::path const prefix = installed(folder);
+  std::istringstream symbols(
+      run_well(folder.path(), {"nm", "-DC", "--defined-only", (prefix / "lib/liblichtraum.so").string()}));
+  std::regex const ours("^[0-9a-f]+ . ((typeinfo|typeinfo name|vtable) for )?lichtraum::.*");
+  int count = 0;
+  for (std::string line; std::getline(symbols, line); ++count) {
+    INFO(line);
+    CHECK(std::regex_match(line, ours));
+    CHECK(line.find("lichtraum::cl::") == std::string::npos);
+  }
+  CHECK(count > 150);
+
+  int headers = 0;
+  for (auto const& entry : fs::directory_iterator(prefix / "include/lichtraum")) {
+    if (!entry.is_regular_file()) continue;
+    ++headers;
+    std::string const name = entry.path().filename().string();
+    std::ofstream(folder / (name + ".cpp")) << "#include \"lichtraum/" << name << "\"\n";
+  }
+  CHECK(headers > 40);
+  // Two at a time: a compiler for each takes long.
+  std::string const compile = "ls *.cpp | xargs -P 2 -n 8 " LICHTRAUM_CXX
+                              " -std=c++20 -Wall -Wextra -Werror -fsyntax-only -I " +
+                              (prefix / "include").string() + " -I " + (prefix / "include/lichtraum/kernels").string();
+  run_well(folder.path(), {"sh", "-c", compile});
+}

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lichtraum/api.hpp"
+#include "lichtraum/diagnostic_code.hpp"
 
 namespace LICHTRAUM_API lichtraum {
 
@@ -33,6 +34,7 @@ enum class Severity { note, warning, error };
 /// One finding in an input, ready to be shown.
 struct Diagnostic {
   Severity severity = Severity::error;
+  DiagnosticCode code = DiagnosticCode::none;  ///< its kind
   SourceLocation location;
   std::size_t length = 1;   ///< width of the marked token in bytes
   std::string message;      ///< what and why
@@ -40,7 +42,8 @@ struct Diagnostic {
   std::string hint;         ///< what to do; may be empty
 };
 
-/// `file:line:column: error: message`, the source line, a caret line and the hint. Ends with a newline.
+/// `file:line:column: error: message [E0412]`, without a code where there is none, the source line, a caret line and
+/// the hint. Ends with a newline.
 std::string format_diagnostic(Diagnostic const& diagnostic);
 
 /// Everything the library throws on purpose.

@@ -36,7 +36,7 @@ void PictureFindings::begin(SceneOpened const& scene) {
 }
 
 Diagnostic PictureFindings::warning(std::string message, std::string hint) const {
-  return {Severity::warning, {source_->name(), 0, 0}, 1, std::move(message), {}, std::move(hint)};
+  return {Severity::warning, DiagnosticCode::none, {source_->name(), 0, 0}, 1, std::move(message), {}, std::move(hint)};
 }
 
 std::vector<Diagnostic> PictureFindings::of_scene(PictureReady const& ready) {

@@ -7,7 +7,7 @@ namespace lichtraum::app {
 std::vector<Diagnostic> PlanFindings::next(SceneOpened const& scene) {
   std::vector<Diagnostic> found;
   auto const warn = [&](SourceLocation const& location, std::string message, std::string hint = {}) {
-    found.push_back({Severity::warning, location, 1, std::move(message), {}, std::move(hint)});
+    found.push_back({Severity::warning, DiagnosticCode::none, location, 1, std::move(message), {}, std::move(hint)});
   };
   for (PicturePlan const& plan : scene.plans) {
     ImageFormat const& format = *plan.output.format;

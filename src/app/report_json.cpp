@@ -30,7 +30,9 @@ Json json_of(std::vector<Diagnostic> const& diagnostics) {
   Json list = Json::array();
   for (Diagnostic const& d : diagnostics) {
     Json const notes = d.hint.empty() ? Json::array() : Json::array({d.hint});
+    std::string_view const code = code_text(d.code);
     list.push_back({{"severity", severity_name(d.severity)},
+                    {"code", code.empty() ? Json() : Json(code)},
                     {"message", d.message},
                     {"file", d.location.file.empty() ? Json() : Json(d.location.file)},
                     {"line", count_json(d.location.line)},

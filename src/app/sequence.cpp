@@ -207,7 +207,9 @@ class Sequence {
     auto& all = report_.scenes.back().diagnostics;
     all.insert(all.end(), found.begin(), found.end());
   }
-  void warn(std::string message) { show({{Severity::warning, {}, 1, std::move(message), {}, {}}}); }
+  void warn(std::string message) {
+    show({{Severity::warning, DiagnosticCode::none, {}, 1, std::move(message), {}, {}}});
+  }
 
   /// Of a film, once.
   void warn_of_noise(PictureReport const& picture) {

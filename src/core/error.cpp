@@ -103,8 +103,9 @@ std::string format_diagnostic(Diagnostic const& diagnostic) {
   if (location.line > 0 && location.column > 0) result += ':' + std::to_string(location.column);
   if (!result.empty()) result += ": ";
   result += severity_name(diagnostic.severity);
-  result += ": " + printable(diagnostic.message) + '\n';
-  result += quote(diagnostic);
+  result += ": " + printable(diagnostic.message);
+  if (diagnostic.code != DiagnosticCode::none) result.append(" [").append(code_text(diagnostic.code)).append("]");
+  result += '\n' + quote(diagnostic);
   if (!diagnostic.hint.empty()) result += "  hint: " + printable(diagnostic.hint) + '\n';
   return result;
 }

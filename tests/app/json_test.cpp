@@ -81,6 +81,7 @@ TEST_CASE("check and render give each diagnostic as an object, the same ones", "
   CHECK(check[0]["exit_status"] == 65);
   REQUIRE(check[0]["diagnostics"].size() == 2);
   CHECK(check[0]["diagnostics"][0] == Json({{"severity", "error"},
+                                            {"code", "E0412"},
                                             {"message", "material 'rad' is not defined"},
                                             {"file", "bad.sdf"},
                                             {"line", 7},

@@ -316,7 +316,7 @@ TEST_CASE("models in formats that are not read are refused with what converts th
     auto const result = lichtraum(command + " robot.fbx");
     CHECK(result.exit_code == 65);
     CHECK(result.err ==
-          "robot.fbx:1: error: this is an FBX model, which lichtraum does not read\n"
+          "robot.fbx:1: error: this is an FBX model, which lichtraum does not read [E0204]\n"
           "  hint: make a .glb of it: assimp export in.fbx out.glb -fglb2\n");
   }
   CHECK(!std::filesystem::exists(lichtraum.folder / "robot.png"));

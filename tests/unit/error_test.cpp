@@ -7,7 +7,7 @@ using namespace lichtraum;
 namespace {
 
 Diagnostic at(std::size_t column, std::size_t length, std::string line) {
-  return {Severity::error, {"a.sdf", 3, column}, length, "wrong", std::move(line), ""};
+  return {Severity::error, DiagnosticCode::none, {"a.sdf", 3, column}, length, "wrong", std::move(line), ""};
 }
 
 /// The lines of the formatted text.
@@ -27,19 +27,24 @@ std::vector<std::string> lines_of(Diagnostic const& diagnostic) {
 }  // namespace
 
 TEST_CASE("a diagnostic shows place, line, caret and hint", "[unit][error]") {
-  Diagnostic const diagnostic{Severity::error,         {"scene.sdf", 12, 8}, 5,
-                              "unknown class 'lihgt'", "define lihgt sun",   "did you mean 'light'?"};
+  Diagnostic const diagnostic{Severity::error,         DiagnosticCode::unknown_definition,
+                              {"scene.sdf", 12, 8},    5,
+                              "unknown class 'lihgt'", "define lihgt sun",
+                              "did you mean 'light'?"};
   CHECK(format_diagnostic(diagnostic) ==
-        "scene.sdf:12:8: error: unknown class 'lihgt'\n"
+        "scene.sdf:12:8: error: unknown class 'lihgt' [E0302]\n"
         "    define lihgt sun\n"
         "           ^~~~~\n"
         "  hint: did you mean 'light'?\n");
 }
 
 TEST_CASE("what a diagnostic does not have is left out", "[unit][error]") {
-  CHECK(format_diagnostic({Severity::warning, {"a", 0, 0}, 1, "odd", "", ""}) == "a: warning: odd\n");
-  CHECK(format_diagnostic({Severity::note, {"a", 5, 0}, 1, "odd", "text", ""}) == "a:5: note: odd\n    text\n");
-  CHECK(format_diagnostic({Severity::error, {"", 0, 0}, 1, "odd", "", "h"}) == "error: odd\n  hint: h\n");
+  CHECK(format_diagnostic({Severity::warning, DiagnosticCode::none, {"a", 0, 0}, 1, "odd", "", ""}) ==
+        "a: warning: odd\n");
+  CHECK(format_diagnostic({Severity::note, DiagnosticCode::none, {"a", 5, 0}, 1, "odd", "text", ""}) ==
+        "a:5: note: odd\n    text\n");
+  CHECK(format_diagnostic({Severity::error, DiagnosticCode::none, {"", 0, 0}, 1, "odd", "", "h"}) ==
+        "error: odd\n  hint: h\n");
 }
 
 TEST_CASE("carets keep to tabs, characters and the end of the line", "[unit][error]") {

@@ -151,6 +151,7 @@ TEST_CASE("foreign files are recognised", "[unit][esdf]") {
       CHECK(found[0].severity == Severity::error);
       CHECK(found[0].location.line == 1);
       CHECK(found[0].message == "this is " + foreign.message + ", not an eSDF scene");
+      CHECK(found[0].code == DiagnosticCode::not_a_scene);
       CHECK_FALSE(found[0].hint.empty());
     }
   }
@@ -184,6 +185,7 @@ TEST_CASE("models in formats that are not read are recognised, by their bytes or
     } catch (SceneError const& error) {
       REQUIRE(error.diagnostics().size() == 1);
       CHECK(error.diagnostics()[0].message == "this is " + unread.what + ", which lichtraum does not read");
+      CHECK(error.diagnostics()[0].code == DiagnosticCode::unread_format);
       CHECK_THAT(error.diagnostics()[0].hint, contains_text("make a .glb of it: " + unread.converter));
     }
   }
@@ -196,9 +198,10 @@ TEST_CASE("models in formats that are not read are recognised, by their bytes or
 }
 
 TEST_CASE("control characters and bytes that are not UTF-8", "[unit][esdf]") {
-  CHECK_THAT(shown("define camera e\x1Bye 45\n"), contains_text("s.sdf:1:16: error: control character U+001B\n"));
+  CHECK_THAT(shown("define camera e\x1Bye 45\n"),
+             contains_text("s.sdf:1:16: error: control character U+001B [E0313]\n"));
   std::string const late_nul = std::string(5000, '#') + "\ncamera a" + std::string(1, '\0') + " 45\n";
-  CHECK_THAT(shown(late_nul), contains_text("s.sdf:2:9: error: control character U+0000\n"));
+  CHECK_THAT(shown(late_nul), contains_text("s.sdf:2:9: error: control character U+0000 [E0313]\n"));
   CHECK(shown("# caf\xE9 and \x01\n").empty());
   std::string const latin = "camera k\xFCgel 45\ncamera b\xE4r 45\n";
   auto const found = findings(latin);

@@ -63,7 +63,8 @@ bool report_unknown_key(Interpreter& interpreter, Statement const& statement, st
   for (Token const token : tokens) {
     std::size_t const equals = token.find('=');
     if (equals == Token::npos || equals == 0) continue;
-    interpreter.error(token, fmt::format("{}: unknown key {}", statement.what, in_quotes(token.substr(0, equals))),
+    interpreter.error(Code::unknown_key, token,
+                      fmt::format("{}: unknown key {}", statement.what, in_quotes(token.substr(0, equals))),
                       fmt::format("{} takes no key=value arguments", with_article(statement.what)));
     return true;
   }
@@ -87,7 +88,7 @@ void report_wrong_count(Interpreter& interpreter, Statement const& statement, Si
       fmt::format("{} number{}{}", listed(counts, "or"), expected == 1 && counts.size() == 1 ? "" : "s",
                   signature.takes_material ? " and a material" : "");
   if (statement.arguments.empty()) {
-    interpreter.error(place_after(statement.keyword),
+    interpreter.error(Code::wrong_count, place_after(statement.keyword),
                       fmt::format("{}: expected a name{} {}, found nothing", statement.what,
                                   signature.takes_material ? "," : " and", wanted),
                       std::string(signature.usage));
@@ -136,7 +137,7 @@ void report_wrong_count(Interpreter& interpreter, Statement const& statement, Si
   std::string hint(signature.usage);
   bool const has_comment = std::any_of(first_word, tokens.end(), [](Token t) { return t.substr(0, 2) == "//"; });
   if (has_comment) hint = "a comment after a statement starts with '#'";
-  interpreter.error(at,
+  interpreter.error(Code::wrong_count, at,
                     fmt::format("{}: expected {}, found {}{}", statement.what, wanted, found,
                                 missing.empty() ? "" : fmt::format(" ({})", missing)),
                     std::move(hint));
@@ -148,28 +149,30 @@ std::optional<double> read_number(Interpreter& interpreter, Token token) {
     case NumberProblem::none:
       break;
     case NumberProblem::trailing_f:
-      interpreter.warning(token, fmt::format("{}: the f after the number is not part of it", in_quotes(token)),
+      interpreter.warning(Code::number_with_f, token,
+                          fmt::format("{}: the f after the number is not part of it", in_quotes(token)),
                           "leave it out");
       break;
     case NumberProblem::not_a_number:
-      interpreter.error(token, fmt::format("{} is not a number", in_quotes(token)), hint_for_no_number(token));
+      interpreter.error(Code::not_a_number, token, fmt::format("{} is not a number", in_quotes(token)),
+                        hint_for_no_number(token));
       return std::nullopt;
     case NumberProblem::decimal_comma: {
       std::string with_point(token);
       std::replace(with_point.begin(), with_point.end(), ',', '.');
-      interpreter.error(token, fmt::format("{} is not a number", in_quotes(token)),
+      interpreter.error(Code::not_a_number, token, fmt::format("{} is not a number", in_quotes(token)),
                         fmt::format("decimals have a point: {}", in_quotes(with_point)));
       return std::nullopt;
     }
     case NumberProblem::unicode_minus:
-      interpreter.error(token, fmt::format("{} is not a number", in_quotes(token)),
+      interpreter.error(Code::not_a_number, token, fmt::format("{} is not a number", in_quotes(token)),
                         "this is a typographic dash: write the ASCII minus '-'");
       return std::nullopt;
     case NumberProblem::not_finite:
-      interpreter.error(token, fmt::format("{} is not a finite number", in_quotes(token)));
+      interpreter.error(Code::not_a_number, token, fmt::format("{} is not a finite number", in_quotes(token)));
       return std::nullopt;
     case NumberProblem::too_large:
-      interpreter.error(token, fmt::format("{} is too large", in_quotes(token)),
+      interpreter.error(Code::number_too_large, token, fmt::format("{} is too large", in_quotes(token)),
                         "single-precision numbers reach about 3.4e38");
       return std::nullopt;
   }
@@ -200,8 +203,9 @@ std::optional<Rgb> read_radiance(Interpreter& interpreter, std::span<Token const
   if (!radiance) return std::nullopt;
   for (int c = 0; c < 3; ++c) {
     if ((*radiance)[c] >= 0 && (*radiance)[c] <= largest) continue;
-    interpreter.error(three_tokens[std::size_t(c)], fmt::format("{} must lie between 0 and {:g}, not {}", what, largest,
-                                                                in_quotes(three_tokens[std::size_t(c)])));
+    interpreter.error(
+        Code::out_of_range, three_tokens[std::size_t(c)],
+        fmt::format("{} must lie between 0 and {:g}, not {}", what, largest, in_quotes(three_tokens[std::size_t(c)])));
     return std::nullopt;
   }
   return radiance;
@@ -212,8 +216,9 @@ std::optional<int> read_whole_number(Interpreter& interpreter, Token token, std:
   if (!value) return std::nullopt;
   constexpr int largest = std::numeric_limits<int>::max();
   if (*value != std::floor(*value) || *value < smallest || *value > largest) {
-    interpreter.error(token, fmt::format("{} must be a whole number from {} to {}, not {}", what, smallest, largest,
-                                         in_quotes(token)));
+    interpreter.error(
+        Code::not_a_whole_number, token,
+        fmt::format("{} must be a whole number from {} to {}, not {}", what, smallest, largest, in_quotes(token)));
     return std::nullopt;
   }
   return static_cast<int>(*value);

@@ -35,7 +35,7 @@ std::optional<Transform> read_frame(Interpreter& interpreter, std::span<Token co
 
   Vec3 const direction(v[3], v[4], v[5]);
   if (direction == Vec3(0)) {
-    interpreter.error(span_of(tokens[3], tokens[5]), "camera: the direction must not be zero");
+    interpreter.error(Code::zero_direction, span_of(tokens[3], tokens[5]), "camera: the direction must not be zero");
     return std::nullopt;
   }
   bool const has_up = tokens.size() == 9;
@@ -44,7 +44,7 @@ std::optional<Transform> read_frame(Interpreter& interpreter, std::span<Token co
     Vec3 const other = are_parallel(direction, Vec3(0, 1, 0)) ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
     Token const at = has_up ? span_of(tokens[6], tokens[8]) : span_of(tokens[3], tokens[5]);
     std::string_view const problem = up == Vec3(0) ? "the up vector is zero" : "direction and up are parallel";
-    interpreter.warning(at, fmt::format("camera: {}", problem),
+    interpreter.warning(Code::unusable_up, at, fmt::format("camera: {}", problem),
                         fmt::format("{} {} {} is taken as up", other.x, other.y, other.z));
     up = other;
   }
@@ -56,7 +56,8 @@ std::optional<double> read_opening_angle(Interpreter& interpreter, Token token) 
   if (degrees && *degrees > 0 && *degrees < 180) return degrees;
   if (degrees) {
     interpreter.error(
-        token, fmt::format("camera: the opening angle must lie between 0 and 180 degrees, not {}", in_quotes(token)));
+        Code::out_of_range, token,
+        fmt::format("camera: the opening angle must lie between 0 and 180 degrees, not {}", in_quotes(token)));
   }
   return std::nullopt;
 }
@@ -72,7 +73,8 @@ std::optional<Lens> take_lens(Interpreter& interpreter, Statement& statement) {
       if (!given) return false;
       number = *given;
       if (number > 0) return true;
-      interpreter.error(value, fmt::format("camera: {} must be more than 0, not {}", word, in_quotes(value)));
+      interpreter.error(Code::out_of_range, value,
+                        fmt::format("camera: {} must be more than 0, not {}", word, in_quotes(value)));
       return false;
     };
   };
@@ -81,7 +83,8 @@ std::optional<Lens> take_lens(Interpreter& interpreter, Statement& statement) {
   if (!read_keys(interpreter, statement, words, keys, std::string(camera_usage))) return std::nullopt;
   std::size_t const count = arguments.size() - words;
   if (count == 1) {
-    interpreter.error(arguments[words], "camera: a lens has both, aperture= and focus=", std::string(camera_usage));
+    interpreter.error(Code::incomplete_lens, arguments[words],
+                      "camera: a lens has both, aperture= and focus=", std::string(camera_usage));
     return std::nullopt;
   }
   statement.arguments = arguments.first(words);

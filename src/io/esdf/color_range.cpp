@@ -22,11 +22,12 @@ bool check_color(Interpreter& interpreter, std::span<Token const> tokens, std::s
                  std::string_view what, double largest) {
   Token const at = span_of(tokens.front(), tokens.back());
   if (std::ranges::min(values) < 0) {
-    interpreter.warning(at, fmt::format("{} is negative: colours are 0 to 1", what), "0 is black");
+    interpreter.warning(Code::color_out_of_range, at, fmt::format("{} is negative: colours are 0 to 1", what),
+                        "0 is black");
     return false;
   }
   if (largest == no_largest_share ? is_of_bytes(values) : std::ranges::max(values) > largest) {
-    interpreter.warning(at, fmt::format("{} is {}: colours are 0 to 1", what, in_quotes(at)),
+    interpreter.warning(Code::color_out_of_range, at, fmt::format("{} is {}: colours are 0 to 1", what, in_quotes(at)),
                         "1 is full brightness: divide numbers from 0 to 255 by 255");
     return false;
   }

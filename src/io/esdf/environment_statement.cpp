@@ -33,7 +33,7 @@ std::optional<EnvironmentLight> read_map(Interpreter& interpreter, Token word) {
     SandboxedPath const path =
         resolve_sandboxed(interpreter.source.folder, std::filesystem::path(word), interpreter.options.allowed_paths);
     if (!path) {
-      interpreter.error(word, fmt::format("cannot use {}: {}", in_quotes(word), path.reason),
+      interpreter.error(Code::file_outside, word, fmt::format("cannot use {}: {}", in_quotes(word), path.reason),
                         "--allow-path <folder> permits files outside of the scene's folder");
       return std::nullopt;
     }
@@ -43,7 +43,7 @@ std::optional<EnvironmentLight> read_map(Interpreter& interpreter, Token word) {
   try {
     return EnvironmentLight{source, interpreter.options.find_environment(source)};
   } catch (Error const& problem) {
-    interpreter.error(word, fmt::format("cannot read {}: {}", in_quotes(word), problem.what()),
+    interpreter.error(Code::unreadable_file, word, fmt::format("cannot read {}: {}", in_quotes(word), problem.what()),
                       problem.kind() == ErrorKind::no_input
                           ? "a map's place is relative to the scene's; without one, there is the built-in 'studio'"
                           : "");
@@ -53,22 +53,23 @@ std::optional<EnvironmentLight> read_map(Interpreter& interpreter, Token word) {
 
 /// What fills `light`.
 auto keys_of(Interpreter& interpreter, EnvironmentLight& light) {
-  return std::to_array<Key>(
-      {{"rotation",
-        [&](Token value) {
-          auto const degrees = read_number(interpreter, value);
-          if (degrees) light.rotation_degrees = *degrees;
-          return degrees.has_value();
-        }},
-       {"brightness", [&](Token value) {
-          auto const brightness = read_number(interpreter, value);
-          if (!brightness) return false;
-          light.brightness = *brightness;
-          if (*brightness >= 0 && *brightness <= max_environment_brightness) return true;
-          interpreter.error(value, fmt::format("environment light: brightness must lie between 0 and {}, not {}",
-                                               max_environment_brightness, in_quotes(value)));
-          return false;
-        }}});
+  return std::to_array<Key>({{"rotation",
+                              [&](Token value) {
+                                auto const degrees = read_number(interpreter, value);
+                                if (degrees) light.rotation_degrees = *degrees;
+                                return degrees.has_value();
+                              }},
+                             {"brightness", [&](Token value) {
+                                auto const brightness = read_number(interpreter, value);
+                                if (!brightness) return false;
+                                light.brightness = *brightness;
+                                if (*brightness >= 0 && *brightness <= max_environment_brightness) return true;
+                                interpreter.error(
+                                    Code::out_of_range, value,
+                                    fmt::format("environment light: brightness must lie between 0 and {}, not {}",
+                                                max_environment_brightness, in_quotes(value)));
+                                return false;
+                              }}});
 }
 
 }  // namespace
@@ -77,7 +78,8 @@ void define_environment(Interpreter& interpreter, Statement const& statement) {
   auto const& arguments = statement.arguments;
   std::size_t const words = first_key(statement, 1);
   if (words != 2 && words != 4) {
-    interpreter.error(words > 4 ? statement.rest(4) : place_after(words > 0 ? arguments[words - 1] : statement.keyword),
+    interpreter.error(Code::wrong_count,
+                      words > 4 ? statement.rest(4) : place_after(words > 0 ? arguments[words - 1] : statement.keyword),
                       "environment light: expected a name, and a file, studio or 3 numbers",
                       std::string(environment_usage));
     return;

@@ -40,21 +40,26 @@ constexpr std::size_t examined_bytes = 4096;
 }  // namespace
 
 std::optional<ForeignFile> recognise_foreign_file(std::filesystem::path const& path, std::string_view text) {
-  if (auto const model = recognise_unread_model(path, text)) return ForeignFile{"this is " + model->what, model->hint};
+  if (auto const model = recognise_unread_model(path, text)) {
+    return ForeignFile{DiagnosticCode::unread_format, "this is " + model->what, model->hint};
+  }
   std::string_view const head = text.substr(0, examined_bytes);
   std::size_t const first = head.find_first_not_of(" \t\r\n");
   std::string_view const start = first == std::string_view::npos ? ""sv : head.substr(first);
   for (FileSignature const& signature : signatures) {
     if (start.substr(0, signature.start.size()) == signature.start) {
-      return ForeignFile{"this is " + std::string(signature.what) + ", not an eSDF scene", std::string(signature.hint)};
+      return ForeignFile{DiagnosticCode::not_a_scene, "this is " + std::string(signature.what) + ", not an eSDF scene",
+                         std::string(signature.hint)};
     }
   }
   if (head.find('\0') != std::string_view::npos) {
-    return ForeignFile{"this is a binary file, not an eSDF scene", std::string(no_scene_hint)};
+    return ForeignFile{DiagnosticCode::not_a_scene, "this is a binary file, not an eSDF scene",
+                       std::string(no_scene_hint)};
   }
   // A template's placeholder {{...}} starts like JSON and is reported where it stands.
   if (start.substr(0, 1) == "{" && start.substr(0, 2) != "{{") {
-    return ForeignFile{"this is a JSON document (a glTF model?), not an eSDF scene", std::string(no_scene_hint)};
+    return ForeignFile{DiagnosticCode::not_a_scene, "this is a JSON document (a glTF model?), not an eSDF scene",
+                       std::string(no_scene_hint)};
   }
   return std::nullopt;
 }

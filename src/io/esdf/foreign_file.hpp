@@ -5,10 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include "lichtraum/diagnostic_code.hpp"
+
 namespace lichtraum::esdf {
 
 /// What a file is that is certainly no eSDF.
 struct ForeignFile {
+  DiagnosticCode code;
   std::string message;
   std::string hint;
 };

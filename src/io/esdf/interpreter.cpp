@@ -101,7 +101,7 @@ void Interpreter::drop_semicolon() {
   Token& last = tokens_.back();
   if (last.back() != ';') return;
   std::size_t const end = last.find_last_not_of(';') + 1;
-  error(last.substr(end), "';' at the end of a line", "leave it out: a statement ends with its line");
+  error(Code::semicolon, last.substr(end), "';' at the end of a line", "leave it out: a statement ends with its line");
   last = last.substr(0, end);
   if (last.empty()) tokens_.pop_back();
 }
@@ -115,7 +115,8 @@ bool Interpreter::report_spaces_around_equals() {
     if (!is_before && !is_after) continue;
     Token const word = is_before ? tokens_[i - 1] : tokens_[i].substr(0, tokens_[i].size() - 1);
     Token const value = is_after ? tokens_[i + 1] : tokens_[i].substr(1);
-    error(span_of(is_before ? tokens_[i - 1] : tokens_[i], is_after ? tokens_[i + 1] : tokens_[i]), "spaces around '='",
+    error(Code::spaces_around_equals,
+          span_of(is_before ? tokens_[i - 1] : tokens_[i], is_after ? tokens_[i + 1] : tokens_[i]), "spaces around '='",
           fmt::format("write it without spaces: {}", in_quotes(fmt::format("{}={}", word, value))));
     mark_faulty(tokens_);
     return true;
@@ -125,7 +126,7 @@ bool Interpreter::report_spaces_around_equals() {
 
 bool Interpreter::check_tokens(TokenTraits const& traits) {
   if (is_conflict_marker(tokens_[0])) {
-    error(span_of(tokens_.front(), tokens_.back()), "git conflict marker",
+    error(Code::conflict_marker, span_of(tokens_.front(), tokens_.back()), "git conflict marker",
           "resolve the conflict: keep one of the two versions, remove the markers");
     return false;
   }
@@ -135,7 +136,7 @@ bool Interpreter::check_tokens(TokenTraits const& traits) {
     std::size_t const close = open == Token::npos ? open : line.find("}}", open);
     if (close != Token::npos) {
       Token const placeholder = line.substr(open, close + 2 - open);
-      error(placeholder, fmt::format("unsubstituted placeholder {}", in_quotes(placeholder)),
+      error(Code::placeholder, placeholder, fmt::format("unsubstituted placeholder {}", in_quotes(placeholder)),
             "this file is a template: fill it in first");
       return false;
     }
@@ -145,7 +146,8 @@ bool Interpreter::check_tokens(TokenTraits const& traits) {
     for (Token const token : tokens_) {
       auto const at = std::find_if(token.begin(), token.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; });
       if (at == token.end()) continue;
-      error(Token(&*at, 1), fmt::format("control character U+{:04X}", static_cast<unsigned>(*at)));
+      error(Code::control_character, Token(&*at, 1),
+            fmt::format("control character U+{:04X}", static_cast<unsigned>(*at)));
       return false;
     }
   }
@@ -155,10 +157,10 @@ bool Interpreter::check_tokens(TokenTraits const& traits) {
       constexpr std::string_view message = "not UTF-8";
       constexpr std::string_view hint = "save the file as UTF-8; it looks like Latin-1 or Windows-1252";
       if (options.strict) {
-        error(token, std::string(message), std::string(hint));
+        error(Code::not_utf8, token, std::string(message), std::string(hint));
         return false;
       }
-      if (!has_bad_encoding_) warning(token, std::string(message), std::string(hint));
+      if (!has_bad_encoding_) warning(Code::not_utf8, token, std::string(message), std::string(hint));
       has_bad_encoding_ = true;
     }
   }
@@ -169,7 +171,7 @@ void Interpreter::execute() {
   std::span<Token const> const tokens = tokens_;
   bool const is_define = tokens[0] == "define";
   if (is_define && tokens.size() == 1) {
-    error(place_after(tokens[0]), "define: expected a kind of thing to define, found nothing",
+    error(Code::wrong_count, place_after(tokens[0]), "define: expected a kind of thing to define, found nothing",
           "'define' is followed by material, shape, light, camera or background");
     return;
   }
@@ -178,7 +180,7 @@ void Interpreter::execute() {
   if (!keyword) {
     std::string const lower = to_lower_ascii(word);
     auto [meant, hint] = is_define ? correct_class(*this, word, lower) : correct_command(*this, word, lower);
-    error(word,
+    error(is_define ? Code::unknown_definition : Code::unknown_statement, word,
           is_define ? fmt::format("cannot define {}: unknown kind", in_quotes(word))
                     : fmt::format("unknown statement {}", in_quotes(word)),
           std::move(hint));
@@ -202,22 +204,22 @@ void Interpreter::mark_faulty(std::span<Token const> definition) {
   }
 }
 
-void Interpreter::error(Token at, std::string message, std::string hint) {
-  diagnostics_.add(Severity::error, at, std::move(message), std::move(hint));
+void Interpreter::error(Code code, Token at, std::string message, std::string hint) {
+  diagnostics_.add(Severity::error, code, at, std::move(message), std::move(hint));
 }
 
-void Interpreter::warning(Token at, std::string message, std::string hint) {
-  diagnostics_.add(Severity::warning, at, std::move(message), std::move(hint));
+void Interpreter::warning(Code code, Token at, std::string message, std::string hint) {
+  diagnostics_.add(Severity::warning, code, at, std::move(message), std::move(hint));
 }
 
 bool Interpreter::dialect(Token at, std::string_view form) {
-  diagnostics_.add(options.strict ? Severity::error : Severity::note, at,
+  diagnostics_.add(options.strict ? Severity::error : Severity::note, Code::not_standard, at,
                    fmt::format("{} is not part of the standard", form));
   return !options.strict;
 }
 
-bool Interpreter::dialect_warning(Token at, std::string message, std::string hint) {
-  diagnostics_.add(options.strict ? Severity::error : Severity::warning, at, std::move(message), std::move(hint));
+bool Interpreter::dialect_warning(Code code, Token at, std::string message, std::string hint) {
+  diagnostics_.add(options.strict ? Severity::error : Severity::warning, code, at, std::move(message), std::move(hint));
   return !options.strict;
 }
 
@@ -234,7 +236,8 @@ std::vector<Diagnostic> Interpreter::take_diagnostics() {
 std::shared_ptr<Material> const& Interpreter::material(Token name) {
   if (last_material_ && name == (*last_material_)->name()) return *last_material_;
   if (auto* const found = scene.materials.find(name)) return *(last_material_ = found);
-  if (!is_faulty(Kind::material, name)) report_undefined("material", Kind::material, name, scene.materials);
+  if (!is_faulty(Kind::material, name))
+    report_undefined(Code::undefined_material, "material", Kind::material, name, scene.materials);
   return magenta_;
 }
 
@@ -265,7 +268,7 @@ void Interpreter::define(Token name, EnvironmentLight environment) {
   if (scene.environment && scene.environment->name != name) {
     std::string const& first = scene.environment->name;
     std::size_t const line = find_definition(Kind::light, first, false);
-    error(name, fmt::format("there is an environment already: {}", in_quotes(first)),
+    error(Code::second_environment, name, fmt::format("there is an environment already: {}", in_quotes(first)),
           line == 0 ? std::string() : fmt::format("it is defined in line {}; a scene has one", line));
   } else if (scene.environment || scene.lights.contains(name)) {
     report_duplicate(Kind::light, name);
@@ -283,7 +286,8 @@ void Interpreter::render(RenderCommand command) {
 
 void Interpreter::report_duplicate(Kind kind, Token name) {
   std::size_t const line = find_definition(kind, name, false);
-  error(name, fmt::format("{} {} is already defined", kind_names[static_cast<std::size_t>(kind)], in_quotes(name)),
+  error(Code::already_defined, name,
+        fmt::format("{} {} is already defined", kind_names[static_cast<std::size_t>(kind)], in_quotes(name)),
         line == 0 ? std::string() : fmt::format("first defined in line {}", line));
 }
 

@@ -19,6 +19,8 @@
 
 namespace lichtraum::esdf {
 
+using Code = DiagnosticCode;
+
 using DrawFunction = std::function<bool(Scene const&, RenderCommand const&)>;
 
 /// What has names of its own.
@@ -52,12 +54,12 @@ class Interpreter {
   Scene scene;
 
   // For statements: reporting. `at` is a part of the current line.
-  void error(Token at, std::string message, std::string hint = {});
-  void warning(Token at, std::string message, std::string hint = {});
+  void error(Code code, Token at, std::string message, std::string hint = {});
+  void warning(Code code, Token at, std::string message, std::string hint = {});
   /// A form that the standard does not know: an error and false with options.strict, else a note.
   bool dialect(Token at, std::string_view form);
   /// The same with a warning instead of a note.
-  bool dialect_warning(Token at, std::string message, std::string hint = {});
+  bool dialect_warning(Code code, Token at, std::string message, std::string hint = {});
   /// The one of `names` that was probably meant by `word`, or an empty text.
   template <class... Names>
   std::string_view nearest(Token word, Names const&... names) {
@@ -90,12 +92,12 @@ class Interpreter {
   void define(Token name, EnvironmentLight environment);
   /// Reports a reference to something that does not exist, with what was probably meant. Once for each name.
   template <class... Names>
-  void report_undefined(std::string_view what, Kind kind, Token name, Names const&... names) {
+  void report_undefined(Code code, std::string_view what, Kind kind, Token name, Names const&... names) {
     auto const [known, is_new] = undefined_[static_cast<std::size_t>(kind)].try_emplace(name, Diagnostics::no_finding);
     if (!is_new) return diagnostics_.add_again(known->second);
     std::string hint = suggest(name, names...);
     if (hint.empty()) hint = defined_later(kind, name);
-    error(name, std::string(what) + ' ' + in_quotes(name) + " is not defined", std::move(hint));
+    error(code, name, std::string(what) + ' ' + in_quotes(name) + " is not defined", std::move(hint));
     known->second = diagnostics_.last();
   }
 

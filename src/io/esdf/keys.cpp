@@ -14,7 +14,8 @@ namespace {
 bool read_key(Interpreter& interpreter, std::string_view what, Token argument, std::span<Key const> keys,
               std::string const& usage, std::unordered_set<std::string_view>& seen) {
   if (!has_key(argument)) {
-    interpreter.error(argument, fmt::format("{}: expected key=value, found {}", what, in_quotes(argument)), usage);
+    interpreter.error(Code::expected_key, argument,
+                      fmt::format("{}: expected key=value, found {}", what, in_quotes(argument)), usage);
     return false;
   }
   std::size_t const equals = argument.find('=');
@@ -25,16 +26,18 @@ bool read_key(Interpreter& interpreter, std::string_view what, Token argument, s
     std::vector<std::string_view> words;
     for (Key const& key : keys) words.push_back(key.word);
     std::string const hint = interpreter.suggest(word, words);
-    interpreter.error(word.empty() ? argument : word, fmt::format("{}: unknown key {}", what, in_quotes(word)),
+    interpreter.error(Code::unknown_key, word.empty() ? argument : word,
+                      fmt::format("{}: unknown key {}", what, in_quotes(word)),
                       hint.empty() ? fmt::format("{} takes {}", with_article(what), list_of(keys)) : hint);
     return false;
   }
   if (!seen.insert(word).second) {
-    interpreter.error(argument, fmt::format("{}: {} is given twice", what, word));
+    interpreter.error(Code::given_twice, argument, fmt::format("{}: {} is given twice", what, word));
     return false;
   }
   if (value.empty()) {
-    interpreter.error(argument, fmt::format("{}: {}= has no value", what, word), "write it without spaces around '='");
+    interpreter.error(Code::key_without_value, argument, fmt::format("{}: {}= has no value", what, word),
+                      "write it without spaces around '='");
     return false;
   }
   if (known->is_dialect && !interpreter.dialect(argument, fmt::format("{}=", word))) return false;

@@ -60,7 +60,7 @@ bool is_within_float(Rgb const& c) {
 /// Whether colour times brightness is still a number on the device.
 bool check_brightness(Interpreter& interpreter, Statement const& statement, Rgb const& color) {
   if (is_within_float(color)) return true;
-  interpreter.error(statement.last(), "colour times brightness is too large",
+  interpreter.error(Code::number_too_large, statement.last(), "colour times brightness is too large",
                     "single-precision numbers reach about 3.4e38");
   return false;
 }
@@ -75,7 +75,7 @@ std::optional<double> take_radius(Interpreter& interpreter, Statement& statement
                   if (!number) return false;
                   radius = *number;
                   if (radius >= 0 && is_within_float(Rgb(radius))) return true;
-                  interpreter.error(value,
+                  interpreter.error(Code::out_of_range, value,
                                     fmt::format("light: the radius must be at least 0, not {}", in_quotes(value)),
                                     "0 is a point, as without a radius");
                   return false;
@@ -179,13 +179,14 @@ void define_ambient_light(Interpreter& interpreter, Statement const& outer, Stat
   } else if (numbers == 9) {
     std::string const message = "this is a point light with a position, La and Ld";
     if (!has_name) {
-      interpreter.warning(named.rest(0), message + ", called 'ambient'", hint);  // the standard's form
+      interpreter.warning(Code::ambient_light_form, named.rest(0), message + ", called 'ambient'",
+                          hint);  // the standard's form
       define_light_as(interpreter, named, Form::position_la_ld);
-    } else if (interpreter.dialect_warning(named.rest(0), message, hint)) {
+    } else if (interpreter.dialect_warning(Code::ambient_light_form, named.rest(0), message, hint)) {
       define_light_as(interpreter, named, Form::position_la_ld);
     }
   } else if (numbers == 6) {
-    if (interpreter.dialect_warning(named.rest(0), no_position, hint)) {
+    if (interpreter.dialect_warning(Code::ambient_light_form, named.rest(0), no_position, hint)) {
       define_light_as(interpreter, named, Form::ignored_position_la);
     }
   } else if (numbers == 7 && !has_name) {
@@ -216,7 +217,7 @@ bool report_unknown_kind(Interpreter& interpreter, Statement const& statement) {
   std::string const hint = interpreter.suggest(statement[0], known);
   std::size_t const numbers = first_key(statement, 2) - 2;
   if (hint.empty() && numbers != diffuse_numbers && numbers != ambient_numbers) return false;
-  interpreter.error(statement[0], fmt::format("light: unknown kind {}", in_quotes(statement[0])),
+  interpreter.error(Code::unknown_light, statement[0], fmt::format("light: unknown kind {}", in_quotes(statement[0])),
                     hint.empty() ? "the kinds are diffuse, ambient and environment" : hint);
   return true;
 }
@@ -246,7 +247,7 @@ void define_ambient(Interpreter& interpreter, Statement const& statement) {
   std::size_t const size = statement.size();
   bool const has_name = size == 4 || size == 5;
   if (!has_name && size != 1 && size != 3) {
-    interpreter.error(size > 5 ? statement.rest(5) : place_after(statement.last()),
+    interpreter.error(Code::wrong_count, size > 5 ? statement.rest(5) : place_after(statement.last()),
                       fmt::format("ambient: expected 3 numbers, found {} argument{}", size, size == 1 ? "" : "s"),
                       "ambient <r> <g> <b>, optionally with a name before and a brightness after");
     return;

@@ -53,13 +53,15 @@ ColorWord const* find_color_word(Token token) {
 std::optional<double> read_share(Interpreter& interpreter, std::string_view word, Token value) {
   auto const share = read_number(interpreter, value);
   if (!share || (*share >= 0 && *share <= 1)) return share;
-  interpreter.error(value, fmt::format("material: {} must lie between 0 and 1, not {}", word, in_quotes(value)));
+  interpreter.error(Code::out_of_range, value,
+                    fmt::format("material: {} must lie between 0 and 1, not {}", word, in_quotes(value)));
   return std::nullopt;
 }
 std::optional<double> read_positive(Interpreter& interpreter, std::string_view word, Token value) {
   auto const number = read_number(interpreter, value);
   if (!number || *number > 0) return number;
-  interpreter.error(value, fmt::format("material: {} must be greater than 0, not {}", word, in_quotes(value)),
+  interpreter.error(Code::out_of_range, value,
+                    fmt::format("material: {} must be greater than 0, not {}", word, in_quotes(value)),
                     word == "ior" ? "air is 1, water 1.33, glass 1.5" : "");
   return std::nullopt;
 }
@@ -86,14 +88,14 @@ auto keys_of(Interpreter& interpreter, OptionalTerms& terms) {
 bool read_color(Interpreter& interpreter, ColorWord const& color, std::span<Token const> tokens, OptionalTerms& terms) {
   std::string const hint = fmt::format("{} <r> <g> <b>", color.word);
   if (tokens.size() < 4) {
-    interpreter.error(place_after(tokens.back()), fmt::format("material: {} is followed by 3 numbers", color.word),
-                      hint);
+    interpreter.error(Code::wrong_count, place_after(tokens.back()),
+                      fmt::format("material: {} is followed by 3 numbers", color.word), hint);
     return false;
   }
   Token const at = span_of(tokens[0], tokens[3]);
   if (!interpreter.dialect(at, color.word)) return false;
   if (terms.*color.term) {
-    interpreter.error(at, fmt::format("material: {} is given twice", color.word));
+    interpreter.error(Code::given_twice, at, fmt::format("material: {} is given twice", color.word));
     return false;
   }
   terms.*color.term = read_radiance(interpreter, tokens.subspan(1, 3), fmt::format("material: {}", color.word));
@@ -111,7 +113,8 @@ bool read_terms(Interpreter& interpreter, Statement const& statement, std::size_
     if (!color) {
       others.push_back(token);
     } else if (word != token) {
-      interpreter.error(token, fmt::format("material: {} is followed by 3 numbers, not by '='", word),
+      interpreter.error(Code::color_with_equals, token,
+                        fmt::format("material: {} is followed by 3 numbers, not by '='", word),
                         fmt::format("{} <r> <g> <b>", word));
       good = false;
     } else {
@@ -158,7 +161,7 @@ bool read_extras(Interpreter& interpreter, std::span<Token const> tokens, Option
   if (meanings.size() < tokens.size()) {
     std::size_t const named = meanings.size();
     bool const accepted = interpreter.dialect_warning(
-        span_of(tokens[named], tokens.back()),
+        Code::extra_material_numbers, span_of(tokens[named], tokens.back()),
         named == 0 ? fmt::format("material: {}, ignored", count)
                    : fmt::format("material: {}, only the first {} named by --material-extras", count, named),
         "--material-extras says what they mean, e.g. --material-extras reflectance,ior");
@@ -171,7 +174,7 @@ bool read_extras(Interpreter& interpreter, std::span<Token const> tokens, Option
   }
   if (!meanings.empty() && terms.reflect.value_or(0) + terms.transmit.value_or(0) > 1) {
     interpreter.warning(
-        at,
+        Code::more_than_all_light_in_extras, at,
         "material: reflectance and transmittance add up to more than 1; reflectance gets what transmittance leaves");
     terms.reflect = 1 - *terms.transmit;
   }
@@ -209,7 +212,7 @@ bool read_material(Interpreter& interpreter, Statement const& statement) {
   OptionalTerms named;
   if (first_key != arguments.end()) good &= read_terms(interpreter, statement, positional, named);
   if (good && v[9] < 0) {
-    interpreter.error(arguments[least_numbers],
+    interpreter.error(Code::out_of_range, arguments[least_numbers],
                       fmt::format("material: m must not be negative, not {}", in_quotes(arguments[least_numbers])));
     good = false;
   }
@@ -222,7 +225,8 @@ bool read_material(Interpreter& interpreter, Statement const& statement) {
 #undef LICHTRAUM_TERM
 #undef LICHTRAUM_NONE
   if (model.reflect + model.transmit > 1) {
-    interpreter.error(span_of(*first_key, arguments.back()), "material: reflect + transmit must not exceed 1");
+    interpreter.error(Code::more_than_all_light, span_of(*first_key, arguments.back()),
+                      "material: reflect + transmit must not exceed 1");
     return false;
   }
   interpreter.define(arguments[0], std::make_shared<Material>(std::string(arguments[0]), model));

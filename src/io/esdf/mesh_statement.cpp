@@ -28,17 +28,18 @@ std::shared_ptr<Shape> load_mesh(Interpreter& interpreter, Token name, Token fil
   SandboxedPath const path =
       resolve_sandboxed(interpreter.source.folder, std::filesystem::path(file), interpreter.options.allowed_paths);
   if (!path) {
-    interpreter.error(file, fmt::format("cannot use {}: {}", in_quotes(file), path.reason),
+    interpreter.error(Code::file_outside, file, fmt::format("cannot use {}: {}", in_quotes(file), path.reason),
                       "--allow-path <folder> permits files outside of the scene's folder");
     return nullptr;
   }
   MeshFormat const* const format = find_mesh_format(interpreter.source.mesh_formats, path.path);
   if (auto const unread = recognise_unread_model(path.path); !format && unread) {
-    interpreter.error(file, fmt::format("cannot read {}: it is {}", in_quotes(file), unread->what), unread->hint);
+    interpreter.error(Code::unread_format, file, fmt::format("cannot read {}: it is {}", in_quotes(file), unread->what),
+                      unread->hint);
     return nullptr;
   }
   if (!format) {
-    interpreter.error(file, fmt::format("cannot read {}: unknown model format", in_quotes(file)),
+    interpreter.error(Code::unread_format, file, fmt::format("cannot read {}: unknown model format", in_quotes(file)),
                       known_formats(interpreter.source.mesh_formats));
     return nullptr;
   }
@@ -50,9 +51,9 @@ std::shared_ptr<Shape> load_mesh(Interpreter& interpreter, Token name, Token fil
     return interpreter.options.models->shape(*format, path.path, options, std::string(name));
   } catch (SceneError const& problem) {
     std::string const first = problem.diagnostics().empty() ? problem.what() : problem.diagnostics().front().message;
-    interpreter.error(file, fmt::format("cannot read {}: {}", in_quotes(file), first));
+    interpreter.error(Code::unreadable_file, file, fmt::format("cannot read {}: {}", in_quotes(file), first));
   } catch (Error const& problem) {
-    interpreter.error(file, fmt::format("cannot read {}: {}", in_quotes(file), problem.what()));
+    interpreter.error(Code::unreadable_file, file, fmt::format("cannot read {}: {}", in_quotes(file), problem.what()));
   }
   return nullptr;
 }
@@ -69,7 +70,7 @@ void define_model(Interpreter& interpreter, Token name, Token file, std::shared_
 
 void define_mesh(Interpreter& interpreter, Statement const& statement) {
   if (statement.size() != 2 && statement.size() != 3) {
-    interpreter.error(statement.size() > 3 ? statement.rest(3) : place_after(statement.last()),
+    interpreter.error(Code::wrong_count, statement.size() > 3 ? statement.rest(3) : place_after(statement.last()),
                       fmt::format("mesh: expected a name, a file and perhaps a material, found {} argument{}",
                                   statement.size(), statement.size() == 1 ? "" : "s"));
     if (statement.size() > 0) interpreter.mark_faulty(Kind::shape, statement[0]);
@@ -81,7 +82,7 @@ void define_mesh(Interpreter& interpreter, Statement const& statement) {
 
 void define_obj(Interpreter& interpreter, Statement const& statement) {
   if (statement.size() != 1) {
-    interpreter.error(statement.size() > 1 ? statement.rest(1) : place_after(statement.last()),
+    interpreter.error(Code::wrong_count, statement.size() > 1 ? statement.rest(1) : place_after(statement.last()),
                       fmt::format("obj: expected a file, found {} arguments", statement.size()),
                       "for more, use define shape mesh <name> <file> [<material>]");
     if (statement.size() > 0) interpreter.mark_faulty(Kind::shape, statement[0]);

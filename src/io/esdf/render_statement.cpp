@@ -71,16 +71,19 @@ Camera const* find_camera(Interpreter& interpreter, Statement const& statement, 
   if (cameras.size() == 1) {
     std::string const only = in_quotes(cameras.front().name());
     bool const accepted =
-        name.empty() ? interpreter.dialect_warning(statement.keyword, "render: no camera is given",
-                                                   fmt::format("using the only one: {}", only))
-                     : interpreter.dialect_warning(name, fmt::format("camera {} is not defined", in_quotes(name)),
-                                                   fmt::format("using the only one: {}", only));
+        name.empty()
+            ? interpreter.dialect_warning(Code::camera_assumed, statement.keyword, "render: no camera is given",
+                                          fmt::format("using the only one: {}", only))
+            : interpreter.dialect_warning(Code::camera_assumed, name,
+                                          fmt::format("camera {} is not defined", in_quotes(name)),
+                                          fmt::format("using the only one: {}", only));
     return accepted ? &cameras.front() : nullptr;
   }
   if (!name.empty()) {
-    interpreter.report_undefined("camera", Kind::camera, name, cameras);
+    interpreter.report_undefined(Code::undefined_camera, "camera", Kind::camera, name, cameras);
   } else {
-    interpreter.error(place_after(statement.keyword), "render: no camera is given", std::string(render_usage));
+    interpreter.error(Code::no_camera, place_after(statement.keyword), "render: no camera is given",
+                      std::string(render_usage));
   }
   return nullptr;
 }
@@ -92,7 +95,7 @@ std::optional<std::string> join_file(Interpreter& interpreter, Statement const& 
       if (!interpreter.dialect(statement.keyword, "a render without a file name")) return std::nullopt;
       return interpreter.scene.filename;
     }
-    interpreter.error(place_after(parts.camera.empty() ? statement.keyword : parts.camera),
+    interpreter.error(Code::no_file_name, place_after(parts.camera.empty() ? statement.keyword : parts.camera),
                       "render: the file name is missing", std::string(render_usage));
     return std::nullopt;
   }
@@ -109,10 +112,11 @@ std::optional<std::string> join_file(Interpreter& interpreter, Statement const& 
   if (number != parts.file.end() || joined.find('.') == std::string::npos) {
     Token const odd =
         number != parts.file.end() ? *std::find_if_not(number, parts.file.end(), looks_like_number) : parts.file[1];
-    interpreter.error(odd, fmt::format("render: {} does not belong here", in_quotes(odd)), std::string(render_usage));
+    interpreter.error(Code::stray_word, odd, fmt::format("render: {} does not belong here", in_quotes(odd)),
+                      std::string(render_usage));
     return std::nullopt;
   }
-  if (!interpreter.dialect_warning(at, "render: the file name contains spaces",
+  if (!interpreter.dialect_warning(Code::spaces_in_file_name, at, "render: the file name contains spaces",
                                    fmt::format("taken as {}", in_quotes(joined)))) {
     return std::nullopt;
   }
@@ -121,9 +125,9 @@ std::optional<std::string> join_file(Interpreter& interpreter, Statement const& 
 
 bool read_extra_numbers(Interpreter& interpreter, std::span<Token const> extra, RenderCommand& command) {
   Token const at = span_of(extra.front(), extra.back());
-  if (!interpreter.dialect_warning(at, extra.size() == 1
-                                           ? "render: one more number, taken as samples per pixel"
-                                           : "render: more numbers, taken as samples per pixel and depth")) {
+  if (!interpreter.dialect_warning(Code::extra_render_numbers, at,
+                                   extra.size() == 1 ? "render: one more number, taken as samples per pixel"
+                                                     : "render: more numbers, taken as samples per pixel and depth")) {
     return false;
   }
   auto const samples = read_whole_number(interpreter, extra[0], "the number of samples", 0);
@@ -140,7 +144,7 @@ std::optional<Integrator> read_integrator(Interpreter& interpreter, Token value)
   std::vector<std::string_view> known;
   for (auto const& entry : words) known.push_back(entry.word);
   std::string const hint = interpreter.suggest(value, known);
-  interpreter.error(value, fmt::format("render: unknown integrator {}", in_quotes(value)),
+  interpreter.error(Code::unknown_integrator, value, fmt::format("render: unknown integrator {}", in_quotes(value)),
                     hint.empty() ? list_of(words) : hint);
   return std::nullopt;
 }
@@ -192,6 +196,7 @@ void render(Interpreter& interpreter, Statement const& whole) {
   if (!file) return;
   if (parts.numbers.size() == 1 || parts.numbers.size() > 4) {
     interpreter.error(
+        Code::wrong_count,
         parts.numbers.size() == 1 ? place_after(statement.last()) : span_of(parts.numbers[4], parts.numbers.back()),
         fmt::format("render: expected 2 numbers, found {}", parts.numbers.size()), std::string(render_usage));
     return;
@@ -207,8 +212,8 @@ void render(Interpreter& interpreter, Statement const& whole) {
   if (!read_keys(interpreter, whole, first_key, keys, std::string(render_usage)) || !camera) return;
   command.camera = camera->name();
   if (!command.resolution && !camera->resolution() && !interpreter.scene.resolution) {
-    interpreter.error(place_after(statement.last()), "render: neither this statement nor the camera has a resolution",
-                      std::string(render_usage));
+    interpreter.error(Code::no_resolution, place_after(statement.last()),
+                      "render: neither this statement nor the camera has a resolution", std::string(render_usage));
     return;
   }
   interpreter.render(std::move(command));

@@ -16,7 +16,7 @@ namespace {
 /// Reports any other number of arguments than `count`.
 bool has_arguments(Interpreter& interpreter, Statement const& statement, std::size_t count, std::string_view expected) {
   if (statement.size() == count) return true;
-  interpreter.error(statement.size() > count ? statement.rest(count) : place_after(statement.last()),
+  interpreter.error(Code::wrong_count, statement.size() > count ? statement.rest(count) : place_after(statement.last()),
                     fmt::format("{}: expected {}, found {} argument{}", statement.what, expected, statement.size(),
                                 statement.size() == 1 ? "" : "s"));
   return false;

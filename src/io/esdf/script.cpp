@@ -40,6 +40,7 @@ EsdfScript EsdfScript::from_text(std::string text, std::string name, EsdfOptions
   // Nothing of a foreign file is worth keeping, so options.keep_going changes nothing here.
   if (auto const foreign = esdf::recognise_foreign_file(name, state->text)) {
     Diagnostic problem;
+    problem.code = foreign->code;
     problem.location = {std::move(name), 1, 0};
     problem.message = foreign->message;
     problem.hint = foreign->hint;

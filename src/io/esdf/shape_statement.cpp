@@ -39,7 +39,8 @@ bool read_primitive(Interpreter& interpreter, Statement const& statement, Signat
                     std::array<double, N>& values) {
   if (statement.size() == N + 2 && looks_like_number(statement.last()) && !looks_like_number(statement[1]) &&
       interpreter.scene.materials.contains(statement[1])) {
-    interpreter.error(statement[1], fmt::format("{}: {} is not a number", statement.what, in_quotes(statement[1])),
+    interpreter.error(Code::material_first, statement[1],
+                      fmt::format("{}: {} is not a number", statement.what, in_quotes(statement[1])),
                       "the material is the last argument");
     interpreter.mark_faulty(Kind::shape, statement[0]);
     return false;
@@ -53,10 +54,11 @@ bool read_primitive(Interpreter& interpreter, Statement const& statement, Signat
 /// A radius, whose sign does not count. Reports what is wrong with it.
 std::optional<double> checked_radius(Interpreter& interpreter, Statement const& statement, Token token, double value) {
   if (value == 0) {
-    interpreter.error(token, fmt::format("{}: the radius must not be 0", statement.what));
-  } else if (value > 0 || interpreter.dialect_warning(
-                              token, fmt::format("{}: the radius {} is negative", statement.what, in_quotes(token)),
-                              "its absolute value is taken")) {
+    interpreter.error(Code::zero_size, token, fmt::format("{}: the radius must not be 0", statement.what));
+  } else if (value > 0 ||
+             interpreter.dialect_warning(Code::negative_radius, token,
+                                         fmt::format("{}: the radius {} is negative", statement.what, in_quotes(token)),
+                                         "its absolute value is taken")) {
     return std::abs(value);
   }
   interpreter.mark_faulty(Kind::shape, statement[0]);
@@ -98,7 +100,7 @@ std::optional<RoundSolid> read_round_solid(Interpreter& interpreter, Statement c
   if (solid.p1 == solid.p2) {
     auto const* const names = signature.numbers.begin();
     interpreter.error(
-        statement[has_height ? 5 : 4],
+        Code::zero_size, statement[has_height ? 5 : 4],
         has_height ? fmt::format("{}: the height must not be 0", statement.what)
                    : fmt::format("{}: {} and {} are the same point", statement.what, names[0].name, names[1].name));
     interpreter.mark_faulty(Kind::shape, statement[0]);
@@ -126,7 +128,7 @@ void define_plane(Interpreter& interpreter, Statement const& statement) {
   if (!read_primitive(interpreter, statement, plane_signature, v)) return;
   Vec3 const normal(v[3], v[4], v[5]);
   if (normal == Vec3(0)) {
-    interpreter.error(statement[4], "plane: the normal must not be 0 0 0");
+    interpreter.error(Code::zero_direction, statement[4], "plane: the normal must not be 0 0 0");
     interpreter.mark_faulty(Kind::shape, statement[0]);
     return;
   }
@@ -139,7 +141,7 @@ void define_box(Interpreter& interpreter, Statement const& statement) {
   if (!read_primitive(interpreter, statement, box_signature, v)) return;
   int const flat_sides = (v[0] == v[3]) + (v[1] == v[4]) + (v[2] == v[5]);  // one makes a wall, which can be seen
   if (flat_sides >= 2) {
-    interpreter.warning(span_of(statement[1], statement[6]),
+    interpreter.warning(Code::invisible_shape, span_of(statement[1], statement[6]),
                         fmt::format("box: p1 and p2 are {}: nothing of it can be seen",
                                     flat_sides == 3 ? "the same point" : "on a line along an axis"),
                         "they are opposite corners");
@@ -153,7 +155,7 @@ void define_triangle(Interpreter& interpreter, Statement const& statement) {
   if (!read_primitive(interpreter, statement, triangle_signature, v)) return;
   Vec3 const a(v[0], v[1], v[2]);
   if (glm::cross(Vec3(v[3], v[4], v[5]) - a, Vec3(v[6], v[7], v[8]) - a) == Vec3(0)) {
-    interpreter.warning(span_of(statement[1], statement[9]),
+    interpreter.warning(Code::invisible_shape, span_of(statement[1], statement[9]),
                         "triangle: its corners are on a line: nothing of it can be seen");
   }
   interpreter.define(statement[0], std::make_shared<Triangle>(std::string(statement[0]), Vec3(v[0], v[1], v[2]),
@@ -164,7 +166,7 @@ void define_triangle(Interpreter& interpreter, Statement const& statement) {
 // Children are looked up now, and a composite is complete when it becomes visible to others: no cycle can come about.
 void define_composite(Interpreter& interpreter, Statement const& statement) {
   if (statement.size() < 2) {
-    interpreter.error(place_after(statement.last()),
+    interpreter.error(Code::wrong_count, place_after(statement.last()),
                       fmt::format("composite: expected a name and at least one child, found {}",
                                   statement.size() == 0 ? "nothing" : "no child"));
     if (statement.size() > 0) interpreter.mark_faulty(Kind::shape, statement[0]);
@@ -177,9 +179,10 @@ void define_composite(Interpreter& interpreter, Statement const& statement) {
     if (auto const* const shape = interpreter.scene.shapes.find(child)) {
       children.push_back(*shape);
     } else if (child == name) {
-      interpreter.error(child, fmt::format("composite {} cannot contain itself", in_quotes(name)));
+      interpreter.error(Code::contains_itself, child,
+                        fmt::format("composite {} cannot contain itself", in_quotes(name)));
     } else if (!interpreter.is_faulty(Kind::shape, child)) {
-      interpreter.report_undefined("shape", Kind::shape, child, interpreter.scene.shapes);
+      interpreter.report_undefined(Code::undefined_shape, "shape", Kind::shape, child, interpreter.scene.shapes);
     }
   }
   interpreter.define(name, std::make_shared<Composite>(std::string(name), std::move(children)));
@@ -206,7 +209,8 @@ std::span<Keyword const> shape_kinds() { return shape_table; }
 
 void define_shape(Interpreter& interpreter, Statement const& statement) {
   if (statement.arguments.empty()) {
-    interpreter.error(place_after(statement.keyword), "shape: expected a kind of shape, found nothing", known_shapes);
+    interpreter.error(Code::wrong_count, place_after(statement.keyword),
+                      "shape: expected a kind of shape, found nothing", known_shapes);
     return;
   }
   Token const word = statement[0];
@@ -216,7 +220,7 @@ void define_shape(Interpreter& interpreter, Statement const& statement) {
     kind->execute(interpreter, inner);
   } else {
     if (!kind) {
-      interpreter.error(word, fmt::format("unknown shape {}", in_quotes(word)),
+      interpreter.error(Code::unknown_shape, word, fmt::format("unknown shape {}", in_quotes(word)),
                         hint_for_unknown_kind(interpreter, statement));
     }
     if (inner.size() > 0) interpreter.mark_faulty(Kind::shape, inner[0]);

@@ -34,6 +34,7 @@ std::optional<Steps> refuse_count(Interpreter& interpreter, Token operation, Ope
     if (token == "translate" || token == "rotate" || token == "scale") hint = "write one operation per line";
   }
   interpreter.error(
+      Code::wrong_count,
       too_many ? span_of(operands[most], operands.back()) : place_after(operands.empty() ? operation : operands.back()),
       fmt::format("{}: expected {}, found {} argument{}", operation, expected, operands.size(),
                   operands.size() == 1 ? "" : "s"),
@@ -52,7 +53,8 @@ std::optional<Steps> read_rotate_about_letter(Interpreter& interpreter, Operands
   constexpr std::string_view letters = "xyz";
   std::size_t const index = operands[1].size() == 1 ? letters.find(operands[1][0]) : std::string_view::npos;
   if (index == std::string_view::npos) {
-    interpreter.error(operands[1], fmt::format("rotate: expected an axis, found {}", in_quotes(operands[1])),
+    interpreter.error(Code::unknown_axis, operands[1],
+                      fmt::format("rotate: expected an axis, found {}", in_quotes(operands[1])),
                       "three numbers, or one of x, y and z");
     return std::nullopt;
   }
@@ -79,7 +81,7 @@ std::optional<Steps> read_rotate(Interpreter& interpreter, Token operation, Oper
   Vec3 const axis(v[1], v[2], v[3]);
   double const length = glm::length(axis);
   if (length == 0) {
-    interpreter.error(span_of(operands[1], operands[3]), "rotate: the axis must not be zero");
+    interpreter.error(Code::zero_direction, span_of(operands[1], operands[3]), "rotate: the axis must not be zero");
     return std::nullopt;
   }
   return Steps{rotation(interpreter, v[0], axis / length)};
@@ -99,7 +101,7 @@ std::optional<Steps> read_scale(Interpreter& interpreter, Token operation, Opera
   }
   for (std::size_t i = 0; good && i < operands.size(); ++i) {
     if (v[i] != 0) continue;
-    interpreter.error(operands[i], "scale: a factor must not be 0", "it would make the object flat");
+    interpreter.error(Code::zero_scale, operands[i], "scale: a factor must not be 0", "it would make the object flat");
     good = false;
   }
   if (!good) return std::nullopt;
@@ -115,7 +117,8 @@ std::optional<Steps> read_steps(Interpreter& interpreter, Statement const& state
   constexpr std::string_view known[] = {"translate", "rotate", "scale"};
   std::string hint = interpreter.suggest(operation, known);
   if (hint.empty()) hint = "translate, rotate or scale";
-  interpreter.error(operation, fmt::format("transform: unknown operation {}", in_quotes(operation)), std::move(hint));
+  interpreter.error(Code::unknown_transform, operation,
+                    fmt::format("transform: unknown operation {}", in_quotes(operation)), std::move(hint));
   return std::nullopt;
 }
 
@@ -139,7 +142,7 @@ Transform composed(Interpreter const& interpreter, Transform world, Steps const&
 
 void transform(Interpreter& interpreter, Statement const& statement) {
   if (statement.size() < 2) {
-    interpreter.error(place_after(statement.last()),
+    interpreter.error(Code::wrong_count, place_after(statement.last()),
                       fmt::format("transform: expected an object and an operation, found {}",
                                   statement.size() == 0 ? "nothing" : "no operation"),
                       "translate, rotate or scale");
@@ -150,15 +153,17 @@ void transform(Interpreter& interpreter, Statement const& statement) {
   auto* const shape = scene.shapes.find(name);
   Camera* const camera = shape ? nullptr : scene.cameras.find(name);
   if (shape && scene.cameras.contains(name)) {
-    interpreter.warning(name,
+    interpreter.warning(Code::shape_and_camera, name,
                         fmt::format("{} is both a shape and a camera: the shape is transformed", in_quotes(name)));
   }
   if (!shape && !camera && !interpreter.is_faulty(Kind::shape, name) && !interpreter.is_faulty(Kind::camera, name)) {
     if (scene.lights.contains(name)) {
-      interpreter.error(name, fmt::format("{} is a light: only shapes and cameras can be transformed", in_quotes(name)),
+      interpreter.error(Code::transformed_light, name,
+                        fmt::format("{} is a light: only shapes and cameras can be transformed", in_quotes(name)),
                         "set the light's position in its definition");
     } else {
-      interpreter.report_undefined("shape or camera", Kind::shape, name, scene.shapes, scene.cameras);
+      interpreter.report_undefined(Code::undefined_object, "shape or camera", Kind::shape, name, scene.shapes,
+                                   scene.cameras);
     }
   }
 
@@ -167,7 +172,7 @@ void transform(Interpreter& interpreter, Statement const& statement) {
   Transform const& before = shape ? (*shape)->world_from_object() : camera->world_from_camera();
   Transform const after = composed(interpreter, before, *steps);
   if (!is_finite(after.matrix()) || !is_finite(after.inverse_matrix())) {
-    interpreter.error(statement.rest(1),
+    interpreter.error(Code::transforms_too_large, statement.rest(1),
                       fmt::format("the transforms of {} exceed the range of numbers", in_quotes(name)));
   } else if (shape) {
     (*shape)->set_world_from_object(after);

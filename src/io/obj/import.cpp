@@ -40,7 +40,8 @@ class Importer {
     std::vector<ModelPart> parts;
     PartGeometry geometry(file);
     for (Part const& part : file.parts) parts.push_back(named(part, geometry.of(part), model.scene));
-    if (parts.empty()) diagnostics_.add(Severity::error, {}, "the model has nothing to draw: it has no triangles");
+    if (parts.empty())
+      diagnostics_.add(Severity::error, DiagnosticCode::none, {}, "the model has nothing to draw: it has no triangles");
     bool const has_failed = parts.empty();
     model.diagnostics = std::move(diagnostics_).finish(0);
     model.diagnostics.insert(model.diagnostics.end(), of_libraries_.begin(), of_libraries_.end());
@@ -72,14 +73,15 @@ class Importer {
       for (std::string const& name : names_of_libraries(mention.word)) {
         if (!known.insert(name).second) continue;
         if (known.size() > max_libraries || bytes > max_library_bytes) {
-          return diagnostics_.add(Severity::warning, mention.word, "too many material files: this one is left out");
+          return diagnostics_.add(Severity::warning, DiagnosticCode::none, mention.word,
+                                  "too many material files: this one is left out");
         }
         std::string reason;
         if (auto text = read_model_file(folder_, options_.allowed_paths, options_.on_read, name, reason)) {
           bytes += text->size();
           read_library(name, std::move(*text));
         } else {
-          diagnostics_.add(Severity::warning, mention.word, reason);
+          diagnostics_.add(Severity::warning, DiagnosticCode::none, mention.word, reason);
         }
       }
     }
@@ -122,7 +124,7 @@ class Importer {
         used.push_back(&found->second);
       } else {
         diagnostics_.begin_line(mention.line);
-        diagnostics_.add(Severity::warning, mention.word,
+        diagnostics_.add(Severity::warning, DiagnosticCode::none, mention.word,
                          fmt::format("there is no material {}", in_quotes(mention.word)));
       }
     }
@@ -169,7 +171,8 @@ class Importer {
     ImageJob const& job = jobs_[job_numbers_.at(path_of(texture, library))];
     if (!job.image) {
       libraries_[library].findings->begin_line(texture.line);
-      libraries_[library].findings->add(Severity::warning, {}, fmt::format("the picture is left out: {}", job.reason));
+      libraries_[library].findings->add(Severity::warning, DiagnosticCode::none, {},
+                                        fmt::format("the picture is left out: {}", job.reason));
     }
     return job.image;
   }

@@ -158,7 +158,9 @@ class MtlReader {
     }
   }
 
-  void warn(Token at, std::string message) { diagnostics_.add(Severity::warning, at, std::move(message)); }
+  void warn(Token at, std::string message) {
+    diagnostics_.add(Severity::warning, DiagnosticCode::none, at, std::move(message));
+  }
 
   Diagnostics& diagnostics_;
   std::vector<MtlMaterial> materials_;

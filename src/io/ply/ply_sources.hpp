@@ -46,7 +46,9 @@ class AsciiSource {
   }
   /// How many numbers there can be at most.
   std::uint64_t capacity(Type) const { return bytes_left_ / 2 + 1; }
-  void warn(std::string message) { diagnostics_.add(Severity::warning, word_, std::move(message)); }
+  void warn(std::string message) {
+    diagnostics_.add(Severity::warning, DiagnosticCode::none, word_, std::move(message));
+  }
 
  private:
   LineReader lines_;
@@ -109,7 +111,7 @@ class BinarySource {
   }
   std::uint64_t capacity(Type type) const { return (bytes_.size() - at_) / size_of(type); }
   void warn(std::string const& message) {
-    diagnostics_.add(Severity::warning, {}, "byte " + std::to_string(at_) + ": " + message);
+    diagnostics_.add(Severity::warning, DiagnosticCode::none, {}, "byte " + std::to_string(at_) + ": " + message);
   }
 
  private:

@@ -34,12 +34,13 @@ Token span_of(Token first, Token last) {
 
 Token place_after(Token token) { return Token(token.data() + token.size(), 0); }
 
-void Diagnostics::add(Severity severity, Token at, std::string message, std::string hint) {
+void Diagnostics::add(Severity severity, DiagnosticCode code, Token at, std::string message, std::string hint) {
   std::size_t& count = counts_[static_cast<std::size_t>(severity)];
   last_ = no_finding;
   if (++count > limit_) return;
 
-  Diagnostic diagnostic{severity, {file_, line_.number, 0}, 1, std::move(message), {}, std::move(hint)};
+  if (severity == Severity::note) code = DiagnosticCode::none;
+  Diagnostic diagnostic{severity, code, {file_, line_.number, 0}, 1, std::move(message), {}, std::move(hint)};
   std::string_view const text = line_.text;
   std::less_equal<char const*> const not_after;  // also for pointers into different texts
   bool const is_in_line =
@@ -93,7 +94,10 @@ std::vector<Diagnostic> Diagnostics::finish(std::size_t stopped_at) && {
     if (hidden_errors > 0 && hidden_warnings > 0) message += " and ";
     if (hidden_warnings > 0) message += counted(hidden_warnings, "more warning");
   }
-  if (!message.empty()) found_.push_back({Severity::warning, {file_, 0, 0}, 1, std::move(message), {}, {}});
+  if (!message.empty()) {
+    found_.push_back(
+        {Severity::warning, DiagnosticCode::too_many_findings, {file_, 0, 0}, 1, std::move(message), {}, {}});
+  }
   return std::move(found_);
 }
 

@@ -29,8 +29,9 @@ class Diagnostics {
   void begin_line(Line const& line) { line_ = line; }
   Line const& line() const { return line_; }
 
-  /// `at` is a part of the current line; an empty `at` outside of it stands for the whole line or file.
-  void add(Severity severity, Token at, std::string message, std::string hint = {});
+  /// `at` is a part of the current line; an empty `at` outside of it stands for the whole line or file. Notes are kept
+  /// without their code.
+  void add(Severity severity, DiagnosticCode code, Token at, std::string message, std::string hint = {});
 
   /// The finding that was added last, for add_again; no_finding if there was no room for it.
   std::size_t last() const { return last_; }

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "lichtraum/api.hpp"
+
+namespace LICHTRAUM_API lichtraum {
+
+/// The kinds of errors and warnings: CODE(letter, number, name, title). E is an error, W a warning; with strict reading
+/// a warning may be an error, and with keep_going an error a warning, of the same code. Codes are stable: texts may be
+/// worded better, but a number keeps its meaning, and one that is no longer used is never given to another kind.
+///
+///   02xx  files              05xx  numbers and colours
+///   03xx  statements         06xx  shapes and transforms
+///   04xx  names              07xx  materials, lights and cameras
+///   08xx  pictures
+// clang-format off
+#define LICHTRAUM_DIAGNOSTIC_CODES(CODE)                                                                \
+  CODE(E, 0201, not_a_scene, "a file that is not a scene")                                              \
+  CODE(E, 0202, file_outside, "a file outside of the folders that a scene may use")                     \
+  CODE(E, 0203, unreadable_file, "a file that cannot be read")                                          \
+  CODE(E, 0204, unread_format, "a model in a format that is not read")                                  \
+  CODE(W, 0205, too_many_findings, "more findings than are shown")                                      \
+  CODE(E, 0301, unknown_statement, "an unknown statement")                                              \
+  CODE(E, 0302, unknown_definition, "'define' with an unknown kind of thing")                           \
+  CODE(E, 0303, wrong_count, "too few or too many arguments")                                           \
+  CODE(E, 0304, unknown_key, "an unknown key")                                                          \
+  CODE(E, 0305, expected_key, "a word where key=value is expected")                                     \
+  CODE(E, 0306, key_without_value, "a key without a value")                                             \
+  CODE(E, 0307, given_twice, "something that is given twice")                                           \
+  CODE(E, 0308, spaces_around_equals, "spaces around '='")                                              \
+  CODE(E, 0309, color_with_equals, "'=' after the name of a colour")                                    \
+  CODE(E, 0310, semicolon, "a semicolon at the end of a line")                                          \
+  CODE(E, 0311, conflict_marker, "a git conflict marker")                                               \
+  CODE(E, 0312, placeholder, "a placeholder that was not filled in")                                    \
+  CODE(E, 0313, control_character, "a control character")                                               \
+  CODE(W, 0314, not_utf8, "text that is not UTF-8")                                                     \
+  CODE(E, 0315, not_standard, "a form that is not part of the standard")                                \
+  CODE(E, 0401, already_defined, "a name that is already defined")                                      \
+  CODE(E, 0402, second_environment, "a second environment")                                             \
+  CODE(W, 0403, shape_and_camera, "a shape and a camera of the same name")                              \
+  CODE(E, 0404, contains_itself, "a composite that contains itself")                                    \
+  CODE(E, 0411, undefined_shape, "a shape that is not defined")                                         \
+  CODE(E, 0412, undefined_material, "a material that is not defined")                                   \
+  CODE(E, 0413, undefined_camera, "a camera that is not defined")                                       \
+  CODE(E, 0414, undefined_object, "a shape or camera that is not defined")                              \
+  CODE(E, 0501, not_a_number, "a word where a number is expected")                                      \
+  CODE(E, 0502, number_too_large, "a number that is too large")                                         \
+  CODE(E, 0503, out_of_range, "a number outside of its range")                                          \
+  CODE(E, 0504, not_a_whole_number, "a number that must be whole")                                      \
+  CODE(W, 0505, number_with_f, "an f after a number")                                                   \
+  CODE(W, 0506, color_out_of_range, "a colour that is not between 0 and 1")                             \
+  CODE(E, 0507, zero_direction, "a direction of length 0")                                              \
+  CODE(E, 0601, unknown_shape, "an unknown kind of shape")                                              \
+  CODE(E, 0602, material_first, "a material before the numbers")                                        \
+  CODE(E, 0603, zero_size, "a shape of size 0")                                                         \
+  CODE(W, 0604, negative_radius, "a negative radius")                                                   \
+  CODE(W, 0605, invisible_shape, "a shape too thin to be seen")                                         \
+  CODE(E, 0606, unknown_transform, "an unknown operation of 'transform'")                               \
+  CODE(E, 0607, unknown_axis, "an unknown axis")                                                        \
+  CODE(E, 0608, zero_scale, "a scale of 0")                                                             \
+  CODE(E, 0609, transforms_too_large, "transforms that exceed the range of numbers")                    \
+  CODE(E, 0610, transformed_light, "a light that is to be transformed")                                 \
+  CODE(E, 0701, more_than_all_light, "a material that gives more light than it gets")                   \
+  CODE(W, 0702, more_than_all_light_in_extras, "numbers after m that give more light than arrives")     \
+  CODE(W, 0703, extra_material_numbers, "numbers after m that mean nothing")                            \
+  CODE(E, 0704, unknown_light, "an unknown kind of light")                                              \
+  CODE(W, 0705, ambient_light_form, "an ambient light without a name or position")                      \
+  CODE(E, 0706, incomplete_lens, "half of a lens")                                                      \
+  CODE(W, 0707, unusable_up, "a camera whose up says nothing")                                          \
+  CODE(E, 0801, no_camera, "a render without a camera")                                                 \
+  CODE(W, 0802, camera_assumed, "a render whose camera had to be guessed")                              \
+  CODE(E, 0803, no_file_name, "a render without a file name")                                           \
+  CODE(W, 0804, spaces_in_file_name, "a file name with spaces")                                         \
+  CODE(E, 0805, stray_word, "a word that does not belong in a render")                                  \
+  CODE(W, 0806, extra_render_numbers, "more numbers than a render takes")                               \
+  CODE(E, 0807, unknown_integrator, "an unknown integrator")                                            \
+  CODE(E, 0808, no_resolution, "a picture without a resolution")
+// clang-format on
+
+/// `none` is for notes, and for what has no code yet.
+enum class DiagnosticCode {
+  none,
+#define LICHTRAUM_ENUMERATOR(letter, number, name, title) name,
+  LICHTRAUM_DIAGNOSTIC_CODES(LICHTRAUM_ENUMERATOR)
+#undef LICHTRAUM_ENUMERATOR
+};
+
+struct DiagnosticCodeEntry {
+  DiagnosticCode code;
+  std::string_view text;   ///< "E0412"; empty for none
+  std::string_view title;  ///< "a material that is not defined"
+};
+
+/// All of them, by number, after the one for DiagnosticCode::none.
+inline constexpr DiagnosticCodeEntry diagnostic_codes[] = {{DiagnosticCode::none, "", ""},
+#define LICHTRAUM_ENTRY(letter, number, name, title) {DiagnosticCode::name, #letter #number, title},
+                                                           LICHTRAUM_DIAGNOSTIC_CODES(LICHTRAUM_ENTRY)
+#undef LICHTRAUM_ENTRY
+};
+
+/// "E0412"; empty for none.
+constexpr std::string_view code_text(DiagnosticCode code) {
+  return diagnostic_codes[static_cast<std::size_t>(code)].text;
+}
+
+}  // namespace lichtraum

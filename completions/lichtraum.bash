@@ -2,7 +2,7 @@
 
 _lichtraum() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
-  local commands='render view preview thumbnail denoise check info devices doctor'
+  local commands='render view preview thumbnail denoise check info explain devices doctor'
   local general='-q --quiet -v --verbose -h --help'
   local language='--strict --keep-going --transform-order --rotation --material-extras --allow-path --scene --variant --time --animation --both-sides --max-texture --point-size'
   COMPREPLY=()
@@ -101,6 +101,7 @@ _lichtraum() {
         compgen -f -- "$current" | grep -E '\.exr$'
       )
       ;;
+    explain) mapfile -t COMPREPLY < <(compgen -W "$(lichtraum explain 2> /dev/null | grep -oE '^  [EW][0-9]+')" -- "${current^^}") ;;
     help) mapfile -t COMPREPLY < <(compgen -W "$commands" -- "$current") ;;
   esac
 }

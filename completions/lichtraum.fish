@@ -1,6 +1,6 @@
 # fish completion for lichtraum
 
-set -l commands render view preview thumbnail denoise check info devices doctor
+set -l commands render view preview thumbnail denoise check info explain devices doctor
 set -l first "not __fish_seen_subcommand_from $commands"
 set -l any "__fish_seen_subcommand_from $commands"
 set -l scenes '__fish_seen_subcommand_from render view preview check info'
@@ -24,6 +24,7 @@ complete -c lichtraum -n $first -a thumbnail -d 'Draw a small picture for file m
 complete -c lichtraum -n $first -a denoise -d 'Take the noise out of a stored film'
 complete -c lichtraum -n $first -a check -d 'Report what is wrong in scenes'
 complete -c lichtraum -n $first -a info -d 'Describe what is in a scene'
+complete -c lichtraum -n $first -a explain -d 'Say what a code means'
 complete -c lichtraum -n $first -a devices -d 'List the devices that can draw'
 complete -c lichtraum -n $first -a doctor -d 'Test every device'
 
@@ -107,6 +108,9 @@ complete -c lichtraum -n $denoise -l transfer -x -a 'linear srgb' -d 'How linear
 complete -c lichtraum -n $denoise -l denoise -x -a 'on builtin' -d 'What takes out the noise'
 complete -c lichtraum -n $denoise -l prefilter -d 'Take the noise out of albedo and normals first'
 complete -c lichtraum -n $denoise -l device -x -a 'cpu gpu reference' -d 'Where the built-in filter runs'
+
+complete -c lichtraum -n '__fish_seen_subcommand_from explain' \
+    -a "(lichtraum explain 2> /dev/null | string replace -rf '^  ([EW]\d+)  ' '\$1\t')"
 
 complete -c lichtraum -n $view -l watch -d 'Read the scene again when it is saved'
 complete -c lichtraum -n $view -l size -x -d 'Size of the window'

@@ -26,6 +26,7 @@ int thumbnail_command(Arguments const& arguments, Console& console);
 int denoise_command(Arguments const& arguments, Console& console);
 int check_command(Arguments const& arguments, Console& console);
 int info_command(Arguments const& arguments, Console& console);
+int explain_command(Arguments const& arguments, Console& console);
 int devices_command(Arguments const& arguments, Console& console);
 int doctor_command(Arguments const& arguments, Console& console);
 
@@ -37,6 +38,7 @@ inline constexpr Command commands[] = {
     {"denoise", "FILE", "take the noise out of a stored film", denoise_command},
     {"check", "SCENE...", "report what is wrong in scenes, draw nothing", check_command},
     {"info", "FILE", "describe what is in a scene", info_command},
+    {"explain", "[CODE...]", "say what a code such as E0412 means", explain_command},
     {"devices", "", "list the devices that can draw", devices_command},
     {"doctor", "", "test every device, say what is missing", doctor_command},
 };

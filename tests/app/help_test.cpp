@@ -10,7 +10,7 @@
 namespace {
 
 char const* const commands[] = {"render", "view", "preview", "thumbnail", "denoise",
-                                "check",  "info", "devices", "doctor"};
+                                "check",  "info", "explain", "devices",   "doctor"};
 
 std::string read_source(std::string const& name) {
   std::ifstream file(std::string(LICHTRAUM_SOURCE_DIR "/") + name);
@@ -36,7 +36,7 @@ std::set<std::string> options_of(std::string const& help) {
 TEST_CASE("every command has a help text that fits a terminal", "[app][help]") {
   Lichtraum const lichtraum;
   for (std::string const words : {"--help", "-h", "help", "help render", "render --help", "check --help", "info -h",
-                                  "devices --help", "doctor --help"}) {
+                                  "explain --help", "devices --help", "doctor --help"}) {
     auto const result = lichtraum(words);
     INFO(words);
     CHECK(result.exit_code == 0);
@@ -59,7 +59,7 @@ TEST_CASE("the examples in the help texts are good commands", "[app][help]") {
   lichtraum.folder.write("frames/1.sdf", "define nonsense\n");
   std::size_t count = 0;
   for (std::string const command :
-       {"", "render", "view", "preview", "thumbnail", "denoise", "check", "info", "devices", "doctor"}) {
+       {"", "render", "view", "preview", "thumbnail", "denoise", "check", "info", "explain", "devices", "doctor"}) {
     std::string const help = lichtraum(command + " --help").out;
     std::string const examples = help.substr(help.find("Examples:"));
     for (std::string const& example : matches(examples, "\n  (lichtraum [^\n]*?)(?=  |\n)")) {

@@ -1,0 +1,31 @@
+#include "lichtraum/explanation.hpp"
+
+#include <array>
+
+#include "explain/tables.hpp"
+
+namespace lichtraum {
+
+std::span<ExplanationGroup const> explanation_groups() {
+  static std::array const groups{
+      ExplanationGroup{"Files", explain::files()},
+      ExplanationGroup{"Statements of eSDF", explain::statements()},
+      ExplanationGroup{"Names", explain::names()},
+      ExplanationGroup{"Numbers and colours", explain::numbers()},
+      ExplanationGroup{"Shapes and transforms", explain::shapes()},
+      ExplanationGroup{"Materials, lights and cameras", explain::materials_and_views()},
+      ExplanationGroup{"Pictures", explain::pictures()},
+  };
+  return groups;
+}
+
+Explanation const* explanation_of(DiagnosticCode code) {
+  for (ExplanationGroup const& group : explanation_groups()) {
+    for (Explanation const& explanation : group.explanations) {
+      if (explanation.code == code) return &explanation;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace lichtraum

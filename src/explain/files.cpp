@@ -1,0 +1,58 @@
+#include "explain/tables.hpp"
+
+namespace lichtraum::explain {
+namespace {
+
+constexpr Explanation file_table[] = {
+    {DiagnosticCode::not_a_scene,
+     R"(The file is not an eSDF scene: its first bytes are those of a picture, an office
+document, a web page or an archive. Often a scene was saved by a word processor,
+or a web page in its place. Save it as plain text in UTF-8, and check that you
+named the right file.
+)",
+     R"(<!DOCTYPE html>
+<title>scene.sdf</title>
+)",
+     R"(define camera eye 45
+)"},
+    {DiagnosticCode::file_outside,
+     R"(A scene may use files in its own folder and in folders below it, so that a scene
+from somebody else cannot read whatever it likes. Move the file there, or permit
+its folder with --allow-path.
+)",
+     R"(define shape mesh teapot ../teapot.obj
+)",
+     R"(define shape mesh teapot teapot.obj
+)"},
+    {DiagnosticCode::unreadable_file,
+     R"(A file that the scene names does not exist, cannot be opened, or is faulty; the
+message says which. Names are relative to the scene's folder, and upper and
+lower case differ.
+)",
+     R"(define shape mesh teapot Teapod.obj
+)",
+     R"(define shape mesh teapot teapot.obj
+)"},
+    {DiagnosticCode::unread_format,
+     R"(The file is a model in a format that lichtraum does not read. It reads glTF
+(.gltf, .glb), Wavefront OBJ, PLY and STL. The hint names a program that
+converts the model, where there is one.
+)",
+     R"(define shape mesh robot robot.fbx
+)",
+     R"(define shape mesh robot robot.obj
+)"},
+    {DiagnosticCode::too_many_findings,
+     R"(Only the first 100 findings are shown. After 100 errors the rest of the file is
+not even read, unless there is --keep-going. Mend the first ones and check
+again: one mistake, such as a missing material, often leads to many.
+)",
+     "", ""},
+};
+static_assert(explains_all(file_table, "02"));
+
+}  // namespace
+
+std::span<Explanation const> files() { return file_table; }
+
+}  // namespace lichtraum::explain

@@ -1,0 +1,124 @@
+#include "lichtraum/explanation.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "core/utf8.hpp"
+#include "support/catch.hpp"
+#include "support/esdf.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+namespace {
+
+constexpr std::string_view triangle_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+std::vector<Explanation> all_explanations() {
+  std::vector<Explanation> all;
+  for (ExplanationGroup const& group : explanation_groups()) {
+    all.insert(all.end(), group.explanations.begin(), group.explanations.end());
+  }
+  return all;
+}
+
+DiagnosticCodeEntry const& entry_of(DiagnosticCode code) { return diagnostic_codes[std::size_t(code)]; }
+
+bool has_word(std::string_view command, std::string_view word) { return command.find(word) != std::string_view::npos; }
+
+/// What the loader finds in an example, under the options of its command, as codes.
+std::set<std::string_view> codes_found(std::string_view text, std::string_view command) {
+  TemporaryFolder const folder;
+  for (char const* const name : {"teapot.obj", "robot.obj"}) folder.write(name, std::string(triangle_obj));
+  EsdfOptions options;
+  options.strict = has_word(command, "--strict");
+  if (has_word(command, "--material-extras reflectance,transmittance")) {
+    options.material_extras = {MaterialExtra::reflectance, MaterialExtra::transmittance};
+  }
+  std::vector<Diagnostic> found;
+  try {
+    found = EsdfScript::from_text(std::string(text), "scene.sdf", options, folder.path()).diagnostics();
+  } catch (SceneError const& error) {
+    found = error.diagnostics();
+  }
+  std::set<std::string_view> codes;
+  for (Diagnostic const& diagnostic : found) {
+    INFO(format_diagnostic(diagnostic));
+    if (diagnostic.severity == Severity::note) continue;
+    // The letter is that of the severity: no example needs --keep-going, and --strict is for what it makes an error.
+    CHECK(code_text(diagnostic.code).substr(0, 1) == (diagnostic.severity == Severity::error ? "E" : "W"));
+    codes.insert(code_text(diagnostic.code));
+  }
+  return codes;
+}
+
+std::string page() {
+  std::string text =
+      "# Diagnostics\n"
+      "What the codes of errors and warnings mean, as `lichtraum explain E0412` says it. A code keeps its meaning: "
+      "texts may be "
+      "worded\nbetter, but the number of one that is no longer used is never given to another. `E` is for errors and "
+      "`W` for "
+      "warnings;\n`--strict` may make a warning an error, and `--keep-going` an error a warning, of the same code.\n\n"
+      "This page is made from the tables in `src/explain/`; `LICHTRAUM_WRITE_DOCS=1 build/dev/tests/unit_tests "
+      "\"[codes]\"`\nwrites it anew.\n";
+  for (ExplanationGroup const& group : explanation_groups()) {
+    text += fmt::format("\n## {}\n", group.title);
+    for (Explanation const& e : group.explanations) {
+      text += fmt::format("\n### {}: {}\n{}", entry_of(e.code).text, entry_of(e.code).title, e.text);
+      if (e.example.empty()) continue;
+      std::string const how = e.command == Explanation{}.command ? "For example" : fmt::format("With `{}`", e.command);
+      text += fmt::format("\n{}:\n```\n{}```\nInstead:\n```\n{}```\n", how, e.example, e.instead);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("every code has an explanation that fits a terminal", "[unit][codes]") {
+  auto const all = all_explanations();
+  CHECK(all.size() + 1 == std::size(diagnostic_codes));
+  for (DiagnosticCodeEntry const& entry : diagnostic_codes) {
+    INFO(entry.text);
+    Explanation const* const explanation = explanation_of(entry.code);
+    CHECK((explanation == nullptr) == (entry.code == DiagnosticCode::none));
+    if (!explanation) continue;
+    CHECK(explanation->example.empty() == explanation->instead.empty());
+    CHECK(explanation->text.size() > 40);
+    for (std::string_view text : {explanation->text, explanation->example, explanation->instead}) {
+      CHECK(is_utf8(text));
+      for (std::size_t end = 0; !text.empty(); text.remove_prefix(end + 1)) {
+        end = text.find('\n');
+        REQUIRE(end != std::string_view::npos);
+        CHECK(end <= 80);
+      }
+    }
+  }
+}
+
+TEST_CASE("each explanation's example has that finding and no other, and is right instead", "[unit][codes]") {
+  int examples = 0;
+  for (Explanation const& explanation : all_explanations()) {
+    std::string_view const code = code_text(explanation.code);
+    INFO(code);
+    if (explanation.example.empty()) continue;
+    CHECK(codes_found(explanation.example, explanation.command) == std::set{code});
+    CHECK(codes_found(explanation.instead, explanation.command).empty());
+    ++examples;
+  }
+  // Without an example: a hundred findings, and bytes that a page of text cannot show.
+  CHECK(std::size_t(examples) + 3 == all_explanations().size());
+}
+
+TEST_CASE("docs/DIAGNOSTICS.md says what the tables say", "[unit][codes][docs]") {
+  std::string const path = LICHTRAUM_SOURCE_DIR "/docs/DIAGNOSTICS.md";
+  if (std::getenv("LICHTRAUM_WRITE_DOCS")) std::ofstream(path, std::ios::binary) << page();
+  CHECK(read_project_file("docs/DIAGNOSTICS.md") == page());
+}

@@ -11,12 +11,14 @@ namespace LICHTRAUM_API lichtraum {
 /// a warning may be an error, and with keep_going an error a warning, of the same code. Codes are stable: texts may be
 /// worded better, but a number keeps its meaning, and one that is no longer used is never given to another kind.
 ///
-///   02xx  files              05xx  numbers and colours
-///   03xx  statements         06xx  shapes and transforms
-///   04xx  names              07xx  materials, lights and cameras
-///   08xx  pictures
+///   01xx  options               06xx  shapes and transforms              10xx  glTF
+///   02xx  files                 07xx  materials, lights and cameras      11xx  OBJ and MTL
+///   03xx  statements of eSDF    08xx  pictures                           12xx  PLY
+///   04xx  names                 09xx  models                             13xx  STL
+///   05xx  numbers and colours
 // clang-format off
 #define LICHTRAUM_DIAGNOSTIC_CODES(CODE)                                                                \
+  CODE(W, 0101, option_without_effect, "an option without effect")                                      \
   CODE(E, 0201, not_a_scene, "a file that is not a scene")                                              \
   CODE(E, 0202, file_outside, "a file outside of the folders that a scene may use")                     \
   CODE(E, 0203, unreadable_file, "a file that cannot be read")                                          \
@@ -76,7 +78,49 @@ namespace LICHTRAUM_API lichtraum {
   CODE(E, 0805, stray_word, "a word that does not belong in a render")                                  \
   CODE(W, 0806, extra_render_numbers, "more numbers than a render takes")                               \
   CODE(E, 0807, unknown_integrator, "an unknown integrator")                                            \
-  CODE(E, 0808, no_resolution, "a picture without a resolution")
+  CODE(E, 0808, no_resolution, "a picture without a resolution")                                        \
+  CODE(W, 0811, name_used_twice, "pictures of the same name")                                           \
+  CODE(W, 0812, other_format, "a picture in another format than its name says")                         \
+  CODE(W, 0813, shapes_left_out, "shapes that are too large or too small to be drawn")                  \
+  CODE(W, 0814, no_light, "a scene without light")                                                      \
+  CODE(W, 0815, black_picture, "a picture that no light reaches")                                       \
+  CODE(W, 0816, empty_view, "a camera that sees nothing")                                               \
+  CODE(W, 0817, noise_left, "noise that is left")                                                       \
+  CODE(W, 0818, samples_left_out, "samples that are not finite")                                        \
+  CODE(W, 0819, other_denoiser, "noise that is taken out in another way")                               \
+  CODE(E, 0901, nothing_to_draw, "a model with nothing to draw")                                        \
+  CODE(W, 0902, geometry_left_out, "parts of a model that cannot be drawn")                             \
+  CODE(W, 0903, texture_left_out, "a picture of a model that cannot be used")                           \
+  CODE(W, 0904, faulty_number, "a faulty number in a model")                                            \
+  CODE(E, 1001, not_gltf, "a file that is not glTF")                                                    \
+  CODE(E, 1002, gltf_version, "another version of glTF")                                                \
+  CODE(E, 1003, broken_glb, "a .glb that is broken")                                                    \
+  CODE(W, 1004, cut_glb, "a .glb that is cut off")                                                      \
+  CODE(W, 1005, gltf_property, "a faulty property of a glTF model")                                     \
+  CODE(W, 1006, unsupported_extension, "an extension of glTF that is not supported")                    \
+  CODE(W, 1007, unreadable_buffer, "a buffer of a glTF model that cannot be read")                      \
+  CODE(W, 1008, unreadable_accessor, "an accessor of a glTF model that cannot be read")                 \
+  CODE(W, 1009, undrawn_primitive, "a primitive of a glTF model that is not drawn")                     \
+  CODE(E, 1010, unfolds_too_far, "a glTF model that is larger than its files can hold")                 \
+  CODE(W, 1011, faulty_animation, "a faulty animation of a glTF model")                                 \
+  CODE(W, 1012, faulty_node, "a faulty node of a glTF model")                                           \
+  CODE(W, 1013, faulty_skin, "a faulty skin of a glTF model")                                           \
+  CODE(W, 1014, faulty_view, "a faulty camera or light of a glTF model")                                \
+  CODE(W, 1015, faulty_gltf_material, "a faulty material of a glTF model")                              \
+  CODE(W, 1101, unknown_obj_keyword, "an unknown keyword in OBJ or MTL")                                \
+  CODE(W, 1102, undrawn_obj, "elements of OBJ that are not drawn")                                      \
+  CODE(W, 1103, faulty_face, "a faulty face in OBJ")                                                    \
+  CODE(W, 1104, missing_vertex, "a vertex that an OBJ model does not have")                             \
+  CODE(W, 1105, missing_obj_material, "a material that is in no MTL file")                              \
+  CODE(W, 1106, unreadable_mtl, "an MTL file that cannot be used")                                      \
+  CODE(W, 1107, missing_obj_word, "a line of OBJ or MTL that lacks a word")                             \
+  CODE(W, 1108, unread_color, "a colour of MTL in another form")                                        \
+  CODE(W, 1109, parts_joined, "an OBJ model of very many parts")                                        \
+  CODE(E, 1201, ply_header, "a faulty header of a PLY file")                                            \
+  CODE(W, 1202, ply_data, "faulty data of a PLY file")                                                  \
+  CODE(E, 1301, not_stl, "a file that is not STL")                                                      \
+  CODE(W, 1302, stl_text, "a faulty line of an STL file")                                               \
+  CODE(W, 1303, stl_bytes, "a binary STL file of the wrong size")
 // clang-format on
 
 /// `none` is for notes, and for what has no code yet.

@@ -35,14 +35,15 @@ void PictureFindings::begin(SceneOpened const& scene) {
   has_told_of_light_ = false;
 }
 
-Diagnostic PictureFindings::warning(std::string message, std::string hint) const {
-  return {Severity::warning, DiagnosticCode::none, {source_->name(), 0, 0}, 1, std::move(message), {}, std::move(hint)};
+Diagnostic PictureFindings::warning(DiagnosticCode code, std::string message, std::string hint) const {
+  return {Severity::warning, code, {source_->name(), 0, 0}, 1, std::move(message), {}, std::move(hint)};
 }
 
 std::vector<Diagnostic> PictureFindings::of_scene(PictureReady const& ready) {
   std::uint64_t const left_out = ready.scene->statistics.unrepresentable;
   if (left_out == 0 || ready.number > 0) return {};
-  return {warning(fmt::format("{} left out: too large for the device, which has coordinates up to 1e18, or too small",
+  return {warning(DiagnosticCode::shapes_left_out,
+                  fmt::format("{} left out: too large for the device, which has coordinates up to 1e18, or too small",
                               left_out == 1 ? "1 shape is" : fmt::format("{} shapes are", left_out)))};
 }
 
@@ -57,6 +58,7 @@ std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, P
         lacks_light
             ? explain_missing_light(ready.light)
             : warning(
+                  DiagnosticCode::black_picture,
                   fmt::format("the picture is black: no light reaches what the camera '{}' sees",
                               ready.request.camera.name()),
                   "is each lamp inside a shape, or outside of a closed room? or do the materials reflect nothing?"));
@@ -83,16 +85,19 @@ std::vector<Diagnostic> PictureFindings::predicted(PictureReady const& ready, Pi
 
 Diagnostic PictureFindings::explain_missing_light(SceneLight light) const {
   if (light == SceneLight::unused) {
-    return warning("nothing gives light: whitted does not show the light of an environment", "--integrator path does");
+    return warning(DiagnosticCode::no_light, "nothing gives light: whitted does not show the light of an environment",
+                   "--integrator path does");
   }
-  return warning("nothing gives light: there is no lamp, no ambient light, no environment and no surface that shines",
+  return warning(DiagnosticCode::no_light,
+                 "nothing gives light: there is no lamp, no ambient light, no environment and no surface that shines",
                  "define light diffuse lamp 10 10 10 1 1 1");
 }
 
 /// Says where the scene lies, and which other convention would show it.
 Diagnostic PictureFindings::explain_empty_view(PictureReady const& ready, PicturePlan const& plan) {
-  Diagnostic result = warning(fmt::format("the camera '{}' sees nothing: {}", ready.request.camera.name(),
-                                          describe_direction(ready.request.camera, ready.scene->bounds)));
+  Diagnostic result =
+      warning(DiagnosticCode::empty_view, fmt::format("the camera '{}' sees nothing: {}", ready.request.camera.name(),
+                                                      describe_direction(ready.request.camera, ready.scene->bounds)));
   for (Convention const& convention : other_conventions(options_.job.reading.dialect)) {
     if (is_model_ || !shows_something(convention.dialect, ready.request, plan.scene_number)) continue;
     result.hint = fmt::format("with {} it is in view", convention.arguments);

@@ -36,7 +36,7 @@ class PictureFindings {
   std::vector<Diagnostic> predicted(PictureReady const& ready, PicturePlan const& plan);
 
  private:
-  Diagnostic warning(std::string message, std::string hint = {}) const;
+  Diagnostic warning(DiagnosticCode code, std::string message, std::string hint = {}) const;
   Diagnostic explain_missing_light(SceneLight light) const;
   Diagnostic explain_empty_view(PictureReady const& ready, PicturePlan const& plan);
   bool shows_something(EsdfDialect const& dialect, RenderRequest request, std::size_t wanted);

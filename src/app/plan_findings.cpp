@@ -6,22 +6,25 @@ namespace lichtraum::app {
 
 std::vector<Diagnostic> PlanFindings::next(SceneOpened const& scene) {
   std::vector<Diagnostic> found;
-  auto const warn = [&](SourceLocation const& location, std::string message, std::string hint = {}) {
-    found.push_back({Severity::warning, DiagnosticCode::none, location, 1, std::move(message), {}, std::move(hint)});
+  auto const warn = [&](DiagnosticCode code, SourceLocation const& location, std::string message,
+                        std::string hint = {}) {
+    found.push_back({Severity::warning, code, location, 1, std::move(message), {}, std::move(hint)});
   };
   for (PicturePlan const& plan : scene.plans) {
     ImageFormat const& format = *plan.output.format;
     bool const is_own_file = !plan.output.is_standard_output() && !plan.output.is_film;
     int const use = is_own_file ? ++uses_[plan.output.path] : 1;
     if (use == 2) {
-      warn(plan.location, fmt::format("several pictures are called '{}': the last one is kept", plan.output.shown),
+      warn(DiagnosticCode::name_used_twice, plan.location,
+           fmt::format("several pictures are called '{}': the last one is kept", plan.output.shown),
            "-o picture-%04d.png numbers them");
     }
     if (use > 1) continue;
-    if (!plan.output.note.empty()) warn(plan.location, plan.output.note);
+    if (!plan.output.note.empty()) warn(DiagnosticCode::other_format, plan.location, plan.output.note);
     auto const has_no_effect = [&](bool given, bool applies, char const* option, char const* advice = "") {
       if (!given || applies || !warned_.insert({option, plan.output.path.extension()}).second) return;
-      warn({}, fmt::format("{} has no effect on '{}'{}", option, plan.output.shown, advice));
+      warn(DiagnosticCode::option_without_effect, {},
+           fmt::format("{} has no effect on '{}'{}", option, plan.output.shown, advice));
     };
     bool const is_film = plan.output.is_film;
     has_no_effect(options_.has_bits, format.encode && format.max_bits > 8 && !is_film, "--bits");

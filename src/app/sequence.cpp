@@ -175,7 +175,8 @@ class Sequence {
     if (result.complete && !ready.denoiser.empty()) film = denoised(film, ready, picture);
     finish_writing();
     if (result.statistics.rays.not_finite > 0) {
-      warn(fmt::format("{}: {} samples are left out: their radiance is not a finite number", picture.plan.output.shown,
+      warn(DiagnosticCode::samples_left_out,
+           fmt::format("{}: {} samples are left out: their radiance is not a finite number", picture.plan.output.shown,
                        result.statistics.rays.not_finite));
     }
     writing_ = std::async(std::launch::async,
@@ -207,8 +208,8 @@ class Sequence {
     auto& all = report_.scenes.back().diagnostics;
     all.insert(all.end(), found.begin(), found.end());
   }
-  void warn(std::string message) {
-    show({{Severity::warning, DiagnosticCode::none, {}, 1, std::move(message), {}, {}}});
+  void warn(DiagnosticCode code, std::string message) {
+    show({{Severity::warning, code, {}, 1, std::move(message), {}, {}}});
   }
 
   /// Of a film, once.
@@ -216,7 +217,8 @@ class Sequence {
     auto const limit = picture.plan.job.noise;
     if (!limit || !picture.noise || *picture.noise <= *limit) return;
     if (is_film_ && std::exchange(has_warned_of_noise_, true)) return;
-    warn(fmt::format("{}: after {} samples the noise is {:.2g}, not {}: a larger --samples allows more",
+    warn(DiagnosticCode::noise_left,
+         fmt::format("{}: after {} samples the noise is {:.2g}, not {}: a larger --samples allows more",
                      picture.plan.output.shown, picture.samples, *picture.noise, *limit));
   }
 
@@ -231,7 +233,7 @@ class Sequence {
     picture.denoiser = denoiser_.name(denoising);
     if (picture.denoiser != ready.denoiser) picture.plan.fingerprint.clear();  // it failed with this picture
     if (auto const note = denoiser_.take_note(); !note.empty()) {
-      warn(note);
+      warn(DiagnosticCode::other_denoiser, note);
     }
     return result;
   }

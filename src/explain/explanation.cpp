@@ -8,6 +8,7 @@ namespace lichtraum {
 
 std::span<ExplanationGroup const> explanation_groups() {
   static std::array const groups{
+      ExplanationGroup{"Options", explain::options()},
       ExplanationGroup{"Files", explain::files()},
       ExplanationGroup{"Statements of eSDF", explain::statements()},
       ExplanationGroup{"Names", explain::names()},
@@ -15,6 +16,11 @@ std::span<ExplanationGroup const> explanation_groups() {
       ExplanationGroup{"Shapes and transforms", explain::shapes()},
       ExplanationGroup{"Materials, lights and cameras", explain::materials_and_views()},
       ExplanationGroup{"Pictures", explain::pictures()},
+      ExplanationGroup{"Models", explain::models()},
+      ExplanationGroup{"Models in glTF", explain::gltf()},
+      ExplanationGroup{"Models in OBJ, with MTL", explain::obj()},
+      ExplanationGroup{"Models in PLY", explain::ply()},
+      ExplanationGroup{"Models in STL", explain::stl()},
   };
   return groups;
 }

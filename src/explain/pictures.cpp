@@ -87,6 +87,135 @@ render eye picture.png
      R"(define camera eye 45
 render eye picture.png 320 240
 )"},
+    {DiagnosticCode::name_used_twice,
+     R"(Several pictures would be written to the same file, so only the last one is
+kept. Give each a name of its own, or number them: -o picture-%04d.png.
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 -5  1  red
+define light diffuse lamp  5 5 5  1 1 1
+define camera eye 45
+render eye picture.png 32 24
+render eye picture.png 32 24
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 -5  1  red
+define light diffuse lamp  5 5 5  1 1 1
+define camera eye 45
+render eye picture.png 32 24
+render eye other.png 32 24
+)",
+     "lichtraum render scene.sdf"},
+    {DiagnosticCode::other_format,
+     R"(The scene asks for a picture in a format that lichtraum does not write, so
+another ending is added and the picture is a PNG. It writes .png, .ppm, .jpg,
+.exr and .pfm.
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 -5  1  red
+define light diffuse lamp  5 5 5  1 1 1
+define camera eye 45
+render eye picture.gif 32 24
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 -5  1  red
+define light diffuse lamp  5 5 5  1 1 1
+define camera eye 45
+render eye picture.png 32 24
+)",
+     "lichtraum render scene.sdf"},
+    {DiagnosticCode::shapes_left_out,
+     R"(Devices compute with single precision, and have coordinates up to 1e18. Shapes
+that are larger or farther away are left out, as are those that are too small to
+have a size. Choose another unit of length.
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 -5  1  red
+define light diffuse lamp  5 5 5  1 1 1
+define camera eye 45
+define shape sphere far  0 0 -1e30  1  red
+render eye picture.png 32 24
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 -5  1  red
+define light diffuse lamp  5 5 5  1 1 1
+define camera eye 45
+define shape sphere far  0 0 -1e3  1  red
+render eye picture.png 32 24
+)",
+     "lichtraum render scene.sdf"},
+    {DiagnosticCode::no_light,
+     R"(Nothing gives light, so all that the picture shows is black. Define a lamp, an
+ambient light or an environment, or a material with emission. An environment is
+light for the integrator path only.
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 -5  1  red
+define camera eye 45
+render eye picture.png 32 24
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 -5  1  red
+define light diffuse lamp  5 5 5  1 1 1
+define camera eye 45
+render eye picture.png 32 24
+)",
+     "lichtraum render scene.sdf"},
+    {DiagnosticCode::black_picture,
+     R"(The camera sees shapes and there are lamps, but no light reaches what it sees.
+Often a lamp is inside a shape, or outside of a closed room; or the materials
+reflect nothing.
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 -5  1  red
+define light diffuse lamp  0 0 -5  1 1 1
+define camera eye 45
+render eye picture.png 32 24
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 -5  1  red
+define light diffuse lamp  5 5 5  1 1 1
+define camera eye 45
+render eye picture.png 32 24
+)",
+     "lichtraum render scene.sdf"},
+    {DiagnosticCode::empty_view,
+     R"(No ray of the camera meets anything: it looks the wrong way, stands too far
+away, or the scene has no shapes. The message says where the scene lies, as the
+camera sees it, and whether another reading of rotations or transforms
+(--rotation, --transform-order) would show it.
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 5  1  red
+define light diffuse lamp  5 5 5  1 1 1
+define camera eye 45
+render eye picture.png 32 24
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 -5  1  red
+define light diffuse lamp  5 5 5  1 1 1
+define camera eye 45
+render eye picture.png 32 24
+)",
+     "lichtraum render scene.sdf"},
+    {DiagnosticCode::noise_left,
+     R"(The limit that --noise sets was not reached with the samples that are allowed.
+The picture is written with the noise that is left. Allow more with --samples,
+or accept more noise.
+)",
+     "", ""},
+    {DiagnosticCode::samples_left_out,
+     R"(Some samples of the picture were infinite or not a number, and were left out.
+Lamps, environments or materials with extreme numbers cause it. If those of your
+scene are ordinary, please report it.
+)",
+     "", ""},
+    {DiagnosticCode::other_denoiser,
+     R"(Noise was to be taken out in one way and is taken out in another, or not at all.
+Most often Open Image Denoise is not installed, or a part of it; the message
+says what was missing. docs/DENOISING.md says how to install it.
+)",
+     "", ""},
 };
 static_assert(explains_all(picture_table, "08"));
 

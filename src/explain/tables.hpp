@@ -18,6 +18,7 @@ constexpr bool explains_all(std::span<Explanation const> table, std::string_view
   return i == table.size();
 }
 
+std::span<Explanation const> options();
 std::span<Explanation const> files();
 std::span<Explanation const> statements();
 std::span<Explanation const> names();
@@ -25,5 +26,10 @@ std::span<Explanation const> numbers();
 std::span<Explanation const> shapes();
 std::span<Explanation const> materials_and_views();
 std::span<Explanation const> pictures();
+std::span<Explanation const> models();
+std::span<Explanation const> gltf();
+std::span<Explanation const> obj();
+std::span<Explanation const> ply();
+std::span<Explanation const> stl();
 
 }  // namespace lichtraum::explain

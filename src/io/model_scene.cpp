@@ -36,7 +36,7 @@ std::shared_ptr<Material> default_material(bool has_colors) {
 
 void check_static(ModelOptions const& options, std::string const& file, std::vector<Diagnostic>& diagnostics) {
   auto const warn = [&](char const* message) {
-    diagnostics.push_back({Severity::warning, DiagnosticCode::none, {file, 0, 0}, 1, message, {}, {}});
+    diagnostics.push_back({Severity::warning, DiagnosticCode::option_without_effect, {file, 0, 0}, 1, message, {}, {}});
   };
   if (options.time_seconds || !options.animation.empty()) warn("it has no animation; the time has no effect");
   if (!options.scene.empty()) warn("it has one scene only; asking for another has no effect");

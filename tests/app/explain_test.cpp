@@ -1,5 +1,11 @@
+#include <nlohmann/json.hpp>
+
 #include "lichtraum.hpp"
+#include "lichtraum/explanation.hpp"
 #include "support/catch.hpp"
+
+using namespace lichtraum;
+using Json = nlohmann::json;
 
 TEST_CASE("explain says what a code means, in any case and with any letter", "[app][explain]") {
   Lichtraum const lichtraum;
@@ -49,4 +55,32 @@ TEST_CASE("the code at the end of an error's line is one that explain knows", "[
   lichtraum.folder.write("a.sdf", "define shape sphere ball  0 0 -5  1  whit\n");
   std::string const said = lichtraum("check a.sdf").err;
   CHECK_THAT(said, contains_text("a.sdf:1:38: error: material 'whit' is not defined [E0412]\n"));
+}
+
+TEST_CASE("each example of what a picture shows has that finding and no other, and is right instead",
+          "[app][explain]") {
+  int examples = 0;
+  for (ExplanationGroup const& group : explanation_groups()) {
+    for (Explanation const& explanation : group.explanations) {
+      std::string_view const words = explanation.command;
+      if (explanation.example.empty() || words.find("lichtraum render ") != 0) continue;
+      std::string const code(code_text(explanation.code));
+      INFO(code);
+      Lichtraum const lichtraum;
+      auto const codes = [&](std::string_view text) {
+        lichtraum.folder.write("scene.sdf", text);
+        std::string const command(words.substr(words.find(' ') + 1));
+        auto const report = Json::parse(lichtraum(command + " -q --json").out);
+        std::vector<std::string> found;
+        for (Json const& diagnostic : report["scenes"].at(0)["diagnostics"]) {
+          if (diagnostic["severity"] != "note") found.push_back(diagnostic["code"]);
+        }
+        return found;
+      };
+      CHECK(codes(explanation.example) == std::vector<std::string>{code});
+      CHECK(codes(explanation.instead).empty());
+      ++examples;
+    }
+  }
+  CHECK(examples == 7);
 }

@@ -124,28 +124,31 @@ std::size_t Accessors::count(int accessor) const {
 std::optional<Accessors::Layout> Accessors::layout_of(int index, std::size_t components, std::string_view pointer) {
   auto const& list = document_.model.accessors;
   if (index < 0 || std::size_t(index) >= list.size()) {
-    findings_.warn(pointer, fmt::format("accessor {} is out of range ({})", index, list.size()));
+    findings_.warn(DiagnosticCode::unreadable_accessor, pointer,
+                   fmt::format("accessor {} is out of range ({})", index, list.size()));
     return std::nullopt;
   }
   tinygltf::Accessor const& accessor = list[std::size_t(index)];
   std::size_t const size = component_size(accessor.componentType);
   std::size_t const found = component_count(accessor.type);
   if (size == 0 || found == 0) {
-    findings_.warn(pointer, fmt::format("accessor {} has component type {}, which glTF does not know", index,
-                                        accessor.componentType));
+    findings_.warn(
+        DiagnosticCode::unreadable_accessor, pointer,
+        fmt::format("accessor {} has component type {}, which glTF does not know", index, accessor.componentType));
     return std::nullopt;
   }
   if (components != 0 && found != components) {
-    findings_.warn(pointer,
+    findings_.warn(DiagnosticCode::unreadable_accessor, pointer,
                    fmt::format("accessor {} has {} components where {} are expected", index, found, components));
     return std::nullopt;
   }
   if (accessor.count == 0) {
-    findings_.warn(pointer, fmt::format("accessor {} is empty", index));
+    findings_.warn(DiagnosticCode::unreadable_accessor, pointer, fmt::format("accessor {} is empty", index));
     return std::nullopt;
   }
   if (accessor.count > std::numeric_limits<std::uint32_t>::max()) {
-    findings_.warn(pointer, fmt::format("accessor {} declares {} elements", index, accessor.count));
+    findings_.warn(DiagnosticCode::unreadable_accessor, pointer,
+                   fmt::format("accessor {} declares {} elements", index, accessor.count));
     return std::nullopt;
   }
   return Layout{accessor.count, found, found * size};
@@ -158,8 +161,9 @@ void Accessors::charge(std::uint64_t bytes, std::string_view pointer) {
   charged_ += bytes;
   std::uint64_t const limit = always_allowed + per_byte * buffers_.bytes_read();
   if (charged_ > limit) {
-    findings_.fail(pointer, fmt::format("the model unfolds to more than {} bytes, from files of {} bytes", limit,
-                                        buffers_.bytes_read()));
+    findings_.fail(
+        DiagnosticCode::unfolds_too_far, pointer,
+        fmt::format("the model unfolds to more than {} bytes, from files of {} bytes", limit, buffers_.bytes_read()));
   }
 }
 
@@ -174,7 +178,7 @@ bool Accessors::read(int index, std::size_t components, std::string_view pointer
     // Zeros cost the file nothing, so they may not cost memory without limit either.
     constexpr std::size_t always_allowed = std::size_t(1) << 20;
     if (layout->count > always_allowed + buffers_.bytes_read()) {
-      findings_.warn(pointer,
+      findings_.warn(DiagnosticCode::unreadable_accessor, pointer,
                      fmt::format("accessor {} has no buffer view and declares {} zeros", index, layout->count));
       return false;
     }
@@ -183,19 +187,20 @@ bool Accessors::read(int index, std::size_t components, std::string_view pointer
   } else {
     auto const view = buffers_.view(accessor.bufferView);
     if (!view) {
-      findings_.warn(pointer,
+      findings_.warn(DiagnosticCode::unreadable_accessor, pointer,
                      fmt::format("accessor {}: nothing could be read from buffer view {}", index, accessor.bufferView));
       return false;
     }
     std::size_t const own_stride = document_.model.bufferViews[std::size_t(accessor.bufferView)].byteStride;
     std::size_t const stride = own_stride == 0 ? layout->element_bytes : own_stride;
     if (stride < layout->element_bytes) {
-      findings_.warn(pointer, fmt::format("accessor {}: elements of {} bytes lie {} bytes apart", index,
-                                          layout->element_bytes, stride));
+      findings_.warn(
+          DiagnosticCode::unreadable_accessor, pointer,
+          fmt::format("accessor {}: elements of {} bytes lie {} bytes apart", index, layout->element_bytes, stride));
       return false;
     }
     if (!lies_within(accessor.byteOffset, layout->count, stride, layout->element_bytes, view->size())) {
-      findings_.warn(pointer,
+      findings_.warn(DiagnosticCode::unreadable_accessor, pointer,
                      fmt::format("accessor {}: {} elements from byte {} on are out of range of buffer view {} "
                                  "({} bytes)",
                                  index, layout->count, accessor.byteOffset, accessor.bufferView, view->size()));
@@ -215,7 +220,8 @@ bool Accessors::apply_sparse(int index, Layout const& layout, std::string_view p
   tinygltf::Accessor const& accessor = document_.model.accessors[std::size_t(index)];
   auto const& sparse = accessor.sparse;
   auto const fail = [&](std::string const& message) {
-    findings_.warn(pointer, fmt::format("accessor {}, sparse: {}", index, message));
+    findings_.warn(DiagnosticCode::unreadable_accessor, pointer,
+                   fmt::format("accessor {}, sparse: {}", index, message));
     return false;
   };
   int const index_type = sparse.indices.componentType;
@@ -256,8 +262,9 @@ bool Accessors::apply_sparse(int index, Layout const& layout, std::string_view p
     source += layout.element_bytes;
   }
   if (out_of_range > 0) {
-    findings_.warn(pointer, fmt::format("accessor {}, sparse: {} indices are out of range ({})", index, out_of_range,
-                                        layout.count));
+    findings_.warn(
+        DiagnosticCode::unreadable_accessor, pointer,
+        fmt::format("accessor {}, sparse: {} indices are out of range ({})", index, out_of_range, layout.count));
   }
   return true;
 }
@@ -304,7 +311,7 @@ std::optional<std::vector<std::uint32_t>> Accessors::integers(int accessor, std:
     int const type = document_.model.accessors[std::size_t(accessor)].componentType;
     if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
         type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
-      findings_.warn(pointer,
+      findings_.warn(DiagnosticCode::unreadable_accessor, pointer,
                      fmt::format("accessor {} has component type {}; unsigned integers are expected", accessor, type));
       return std::nullopt;
     }

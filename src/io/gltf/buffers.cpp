@@ -56,14 +56,14 @@ void Buffers::load_buffer(int index, Entry& entry) {
   std::string const pointer = fmt::format("/buffers/{}", index);
   if (!source.uri) {
     if (index != 0 || !document_.is_glb) {
-      findings_.warn(pointer, "it has no uri");
+      findings_.warn(DiagnosticCode::unreadable_buffer, pointer, "it has no uri");
       return;
     }
     entry.bytes = document_.binary;
   } else if (is_data_uri(*source.uri)) {
     auto decoded = decode_data_uri(*source.uri);
     if (!decoded) {
-      findings_.warn(pointer + "/uri", "the data URI is malformed");
+      findings_.warn(DiagnosticCode::unreadable_buffer, pointer + "/uri", "the data URI is malformed");
       return;
     }
     entry.owned = std::move(*decoded);
@@ -72,7 +72,7 @@ void Buffers::load_buffer(int index, Entry& entry) {
     std::string reason;
     auto content = read_external_file(document_, *source.uri, reason);
     if (!content) {
-      findings_.warn(pointer + "/uri", reason);
+      findings_.warn(DiagnosticCode::unreadable_buffer, pointer + "/uri", reason);
       return;
     }
     entry.owned = std::move(*content);
@@ -81,7 +81,7 @@ void Buffers::load_buffer(int index, Entry& entry) {
   }
   entry.is_usable = true;
   if (entry.bytes.size() < source.byte_length) {
-    findings_.warn(pointer + "/byteLength",
+    findings_.warn(DiagnosticCode::unreadable_buffer, pointer + "/byteLength",
                    fmt::format("{} bytes are declared, {} are there", source.byte_length, entry.bytes.size()));
   } else {
     entry.bytes = entry.bytes.substr(0, std::size_t(source.byte_length));
@@ -95,8 +95,9 @@ std::optional<std::string_view> Buffers::slice(int buffer_index, std::uint64_t o
   if (!whole.is_usable) return std::nullopt;
   std::uint64_t const size = whole.bytes.size();
   if (offset > size || length > size - offset) {
-    findings_.warn(pointer, fmt::format("bytes {} to {} are out of range of buffer {} ({} bytes)", offset,
-                                        offset + length, buffer_index, size));
+    findings_.warn(DiagnosticCode::unreadable_buffer, pointer,
+                   fmt::format("bytes {} to {} are out of range of buffer {} ({} bytes)", offset, offset + length,
+                               buffer_index, size));
     if (offset >= size) return std::nullopt;
   }
   return whole.bytes.substr(std::size_t(offset), std::size_t(length));
@@ -122,7 +123,7 @@ void Buffers::decompress(int index, char const* extension, tinygltf::Value const
   auto const buffer_index = index_of(parameters, "buffer", buffers_.size());
   auto const length = integer_of(parameters, "byteLength");
   if (!buffer_index || !length) {
-    findings_.warn(pointer, "buffer or byteLength is missing or out of range");
+    findings_.warn(DiagnosticCode::unreadable_buffer, pointer, "buffer or byteLength is missing or out of range");
     return;
   }
   auto const compressed = slice(*buffer_index, integer_of(parameters, "byteOffset").value_or(0), *length, pointer);
@@ -130,7 +131,7 @@ void Buffers::decompress(int index, char const* extension, tinygltf::Value const
   std::string reason;
   entry.owned = decode_meshopt(parameters, *compressed, reason);
   if (!reason.empty()) {
-    findings_.warn(pointer, reason);
+    findings_.warn(DiagnosticCode::unreadable_buffer, pointer, reason);
     return;
   }
   entry.bytes = entry.owned;

@@ -55,7 +55,8 @@ SkinPose pose_skin(tinygltf::Model const& model, int skin, NodeTree const& tree,
     std::string const pointer = fmt::format("/skins/{}/inverseBindMatrices", skin);
     inverse_bind = accessors.floats(source.inverseBindMatrices, 16, pointer);
     if (inverse_bind && inverse_bind->count() < source.joints.size()) {
-      findings.warn(pointer, fmt::format("{} matrices for {} joints", inverse_bind->count(), source.joints.size()));
+      findings.warn(DiagnosticCode::faulty_skin, pointer,
+                    fmt::format("{} matrices for {} joints", inverse_bind->count(), source.joints.size()));
       inverse_bind.reset();
     }
   }

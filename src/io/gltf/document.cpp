@@ -35,7 +35,8 @@ void check_nesting(std::string_view text, Findings& findings) {
       in_string = true;
     } else if (c == '[' || c == '{') {
       if (++depth > max_nesting)
-        findings.fail_at(text, i, fmt::format("JSON nests deeper than {} levels", max_nesting));
+        findings.fail_at(DiagnosticCode::not_gltf, text, i,
+                         fmt::format("JSON nests deeper than {} levels", max_nesting));
     } else if (c == ']' || c == '}') {
       if (depth > 0) --depth;
     }
@@ -50,10 +51,10 @@ json parse_json(std::string_view text, Findings& findings) {
     // "[json.exception.parse_error.101] parse error at line 1, column 8: what": the place is told separately.
     std::string const message = error.what();
     std::size_t const colon = message.find(": ");
-    findings.fail_at(text, error.byte > 0 ? error.byte - 1 : 0,
+    findings.fail_at(DiagnosticCode::not_gltf, text, error.byte > 0 ? error.byte - 1 : 0,
                      "not JSON: " + (colon == std::string::npos ? message : message.substr(colon + 2)));
   } catch (json::exception const& error) {
-    findings.fail("", fmt::format("not JSON: {}", error.what()));
+    findings.fail(DiagnosticCode::not_gltf, "", fmt::format("not JSON: {}", error.what()));
   }
 }
 
@@ -101,7 +102,7 @@ void skip_pointer_channels(json& model, Findings& findings) {
     std::size_t const skipped = std::erase_if(channels, is_pointer);
     if (skipped == 0) continue;
     findings.warn(
-        fmt::format("/animations/{}/channels", i),
+        DiagnosticCode::unsupported_extension, fmt::format("/animations/{}/channels", i),
         fmt::format("{} channels need KHR_animation_pointer, which is not supported: they have no effect", skipped));
   }
 }
@@ -115,7 +116,7 @@ void soothe_tinygltf(json& model, Findings& findings) {
     if (stride == views[i].end()) continue;
     auto const bytes = stride->get<std::uint64_t>();
     if (bytes <= 252 && bytes % 4 == 0) continue;
-    findings.warn(fmt::format("/bufferViews/{}/byteStride", i),
+    findings.warn(DiagnosticCode::gltf_property, fmt::format("/bufferViews/{}/byteStride", i),
                   fmt::format("expected a multiple of 4 in 4..252, found {}; the view is left out", bytes));
     views[i] = {{"buffer", 0}, {"byteLength", 0}};
   }
@@ -127,7 +128,7 @@ void soothe_tinygltf(json& model, Findings& findings) {
     auto const component = accessor["componentType"].get<std::uint64_t>();
     bool const is_known = std::find(std::begin(types), std::end(types), type) != std::end(types);
     if (is_known && component >= TINYGLTF_COMPONENT_TYPE_BYTE && component <= TINYGLTF_COMPONENT_TYPE_DOUBLE) continue;
-    findings.warn(fmt::format("/accessors/{}", i),
+    findings.warn(DiagnosticCode::gltf_property, fmt::format("/accessors/{}", i),
                   fmt::format("glTF has no type '{}' of component type {}", type, component));
     accessor = {{"componentType", TINYGLTF_COMPONENT_TYPE_FLOAT}, {"count", 0}, {"type", "SCALAR"}};
   }
@@ -154,7 +155,8 @@ void soothe_lights(json& model, Findings& findings) {
     json& light = (*lights)[i];
     bool const has_type = light.is_object() && light.contains("type") && light["type"].is_string();
     if (!has_type) {
-      findings.warn(fmt::format("/extensions/KHR_lights_punctual/lights/{}/type", i), "it is missing");
+      findings.warn(DiagnosticCode::gltf_property, fmt::format("/extensions/KHR_lights_punctual/lights/{}/type", i),
+                    "it is missing");
       light = {{"type", "none"}};
     } else if (light["type"] == "spot" && (!light.contains("spot") || !light["spot"].is_object())) {
       light["spot"] = json::object();
@@ -199,12 +201,13 @@ void parse_document(Document& document, Findings& findings) {
   std::size_t const absent_view = add_absent_view(json_model);
 
   std::string const text = json_model.dump();
-  if (text.size() > std::numeric_limits<unsigned>::max()) findings.fail("", "more than 4 GB of JSON");
+  if (text.size() > std::numeric_limits<unsigned>::max())
+    findings.fail(DiagnosticCode::not_gltf, "", "more than 4 GB of JSON");
   tinygltf::TinyGLTF parser;
   std::string error, warning;
   if (!parser.LoadASCIIFromString(&document.model, &error, &warning, text.data(), unsigned(text.size()), "",
                                   tinygltf::NO_REQUIRE)) {
-    findings.fail("", error);
+    findings.fail(DiagnosticCode::not_gltf, "", error);
   }
   remove_absent_view(document.model, absent_view);
   document.model.nodes = std::move(nodes);

@@ -9,9 +9,11 @@ namespace {
 
 constexpr std::size_t max_findings = 100;
 
-Diagnostic make(Severity severity, std::string const& file, std::string_view pointer, std::string_view message) {
+Diagnostic make(Severity severity, DiagnosticCode code, std::string const& file, std::string_view pointer,
+                std::string_view message) {
   Diagnostic diagnostic;
   diagnostic.severity = severity;
+  diagnostic.code = code;
   diagnostic.location.file = file;
   diagnostic.message = pointer.empty() ? std::string(message) : fmt::format("{}: {}", pointer, message);
   return diagnostic;
@@ -19,26 +21,26 @@ Diagnostic make(Severity severity, std::string const& file, std::string_view poi
 
 }  // namespace
 
-void Findings::warn(std::string_view pointer, std::string_view message) {
+void Findings::warn(DiagnosticCode code, std::string_view pointer, std::string_view message) {
   if (is_muted_) return;
   if (diagnostics_.size() < max_findings) {
-    diagnostics_.push_back(make(Severity::warning, file_, pointer, message));
+    diagnostics_.push_back(make(Severity::warning, code, file_, pointer, message));
   } else {
     ++dropped_;
   }
 }
 
-void Findings::fail(std::string_view pointer, std::string_view message) {
+void Findings::fail(DiagnosticCode code, std::string_view pointer, std::string_view message) {
   std::vector<Diagnostic> all = take();
-  all.push_back(make(Severity::error, file_, pointer, message));
+  all.push_back(make(Severity::error, code, file_, pointer, message));
   throw SceneError(std::move(all));
 }
 
-void Findings::fail_at(std::string_view text, std::size_t offset, std::string_view message) {
+void Findings::fail_at(DiagnosticCode code, std::string_view text, std::size_t offset, std::string_view message) {
   std::string_view const before = text.substr(0, std::min(offset, text.size()));
   std::size_t const line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
   std::vector<Diagnostic> all = take();
-  all.push_back(make(Severity::error, file_, "", message));
+  all.push_back(make(Severity::error, code, file_, "", message));
   all.back().location.line = 1 + std::size_t(std::count(before.begin(), before.end(), '\n'));
   all.back().location.column = before.size() - line_begin + 1;
   throw SceneError(std::move(all));
@@ -46,7 +48,8 @@ void Findings::fail_at(std::string_view text, std::size_t offset, std::string_vi
 
 std::vector<Diagnostic> Findings::take() {
   if (dropped_ > 0) {
-    diagnostics_.push_back(make(Severity::warning, file_, "", fmt::format("and {} more findings", dropped_)));
+    diagnostics_.push_back(make(Severity::warning, DiagnosticCode::too_many_findings, file_, "",
+                                fmt::format("and {} more findings", dropped_)));
     dropped_ = 0;
   }
   return std::move(diagnostics_);

@@ -15,12 +15,12 @@ class Findings {
   explicit Findings(std::filesystem::path const& file) : file_(file.string()) {}
 
   /// Something is left out or repaired; the import goes on. After the first 100 only the number is kept.
-  void warn(std::string_view pointer, std::string_view message);
+  void warn(DiagnosticCode code, std::string_view pointer, std::string_view message);
 
   /// The model cannot be imported: throws a SceneError with this and everything found before.
-  [[noreturn]] void fail(std::string_view pointer, std::string_view message);
+  [[noreturn]] void fail(DiagnosticCode code, std::string_view pointer, std::string_view message);
   /// The same at a place in the text, counted in bytes from its begin.
-  [[noreturn]] void fail_at(std::string_view text, std::size_t offset, std::string_view message);
+  [[noreturn]] void fail_at(DiagnosticCode code, std::string_view text, std::size_t offset, std::string_view message);
 
   /// While it lives, warnings are forgotten.
   class Muted {

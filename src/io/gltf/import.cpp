@@ -25,7 +25,7 @@ void check_extensions(tinygltf::Model const& model, Findings& findings) {
   for (std::string const& name : model.extensionsRequired) {
     if (is_supported_extension(name)) continue;
     findings.warn(
-        "/extensionsRequired",
+        DiagnosticCode::unsupported_extension, "/extensionsRequired",
         fmt::format("the model needs {}, which is not supported; whatever can be read without it is shown", name));
   }
 }
@@ -98,7 +98,7 @@ struct GltfAnimation::State {
     if (seconds && animation) {
       apply_animation(document.model, *animation, *seconds, accessors, findings, pose);
     } else if (seconds) {
-      findings.warn("/animations", "there is none; the time has no effect");
+      findings.warn(DiagnosticCode::option_without_effect, "/animations", "there is none; the time has no effect");
     }
     NodeTree const tree = build_node_tree(document.model, scene_number, pose, findings);
 
@@ -110,8 +110,9 @@ struct GltfAnimation::State {
     std::string const scene_name = scene_number >= 0 ? document.model.scenes[std::size_t(scene_number)].name : "";
     graph.build(scene_name.empty() ? document.path.stem().string() : scene_name, result.scene);
     if (graph.drawn() == 0) {
-      if (graph.faulty_primitives() > 0) findings.fail("", "the model has nothing to draw");
-      findings.warn("", "the scene shows no triangles and no points");
+      if (graph.faulty_primitives() > 0)
+        findings.fail(DiagnosticCode::nothing_to_draw, "", "the model has nothing to draw");
+      findings.warn(DiagnosticCode::undrawn_primitive, "", "the scene shows no triangles and no points");
     }
 
     set_point_sizes(result.scene, options.point_size);

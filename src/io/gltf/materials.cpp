@@ -136,7 +136,9 @@ class Reader {
 
   double in_range(double value, char const* name) {
     if (value >= 0 && value <= 1) return value;
-    if (findings_) findings_->warn(pointer_, fmt::format("{} is {}, not in 0..1", name, value));
+    if (findings_)
+      findings_->warn(DiagnosticCode::faulty_gltf_material, pointer_,
+                      fmt::format("{} is {}, not in 0..1", name, value));
     return value > 1 ? 1 : 0;
   }
   static double fraction(Value const& e, char const* name, double absent) {
@@ -187,7 +189,8 @@ class Reader {
     auto const texture = index_of(info, "index", texture_count_);
     if (!texture) {
       if (findings_)
-        findings_->warn(pointer_, fmt::format("{}: its texture is out of range ({})", name, texture_count_));
+        findings_->warn(DiagnosticCode::faulty_gltf_material, pointer_,
+                        fmt::format("{}: its texture is out of range ({})", name, texture_count_));
       return {};
     }
     Value const* transform = nullptr;

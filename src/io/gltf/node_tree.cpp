@@ -53,7 +53,7 @@ class Builder {
  private:
   bool claim(int node) {
     if (is_taken_[std::size_t(node)]) {
-      findings_.warn(fmt::format("/nodes/{}", node),
+      findings_.warn(DiagnosticCode::faulty_node, fmt::format("/nodes/{}", node),
                      "it occurs twice in the node tree; only the first occurrence counts");
       return false;
     }

@@ -112,12 +112,13 @@ std::optional<Track> read_track(tinygltf::AnimationSampler const& sampler, std::
   if (!times || !values) return std::nullopt;
   std::size_t const rows = times->count() * (sampler.interpolation == "CUBICSPLINE" ? 3 : 1);
   if (components == 0 || values->values.size() != rows * components) {
-    findings.warn(pointer, fmt::format("{} values for {} key frames of {} components", values->values.size(),
-                                       times->count(), components));
+    findings.warn(
+        DiagnosticCode::faulty_animation, pointer,
+        fmt::format("{} values for {} key frames of {} components", values->values.size(), times->count(), components));
     return std::nullopt;
   }
   if (!std::is_sorted(times->values.begin(), times->values.end())) {
-    findings.warn(pointer + "/input", "the times are not increasing");
+    findings.warn(DiagnosticCode::faulty_animation, pointer + "/input", "the times are not increasing");
     return std::nullopt;
   }
   return Track(times->values, values->values, components, sampler.interpolation);
@@ -157,7 +158,8 @@ std::vector<NodePose> rest_pose(tinygltf::Model const& model, Findings& findings
         for (int row = 0; row < 4; ++row) matrix[column][row] = node.matrix[std::size_t(4 * column + row)];
       }
       if (glm::dvec4(matrix[0].w, matrix[1].w, matrix[2].w, matrix[3].w) != glm::dvec4(0, 0, 0, 1)) {
-        findings.warn(fmt::format("/nodes/{}/matrix", i), "the last row is not 0 0 0 1; treated as if it were");
+        findings.warn(DiagnosticCode::faulty_node, fmt::format("/nodes/{}/matrix", i),
+                      "the last row is not 0 0 0 1; treated as if it were");
         for (int column = 0; column < 4; ++column) matrix[column].w = column == 3 ? 1 : 0;
       }
       pose[i].matrix = matrix;
@@ -185,7 +187,7 @@ void apply_animation(tinygltf::Model const& model, int animation, double seconds
                                                                             : 0;
     if (components == 0) continue;
     if (channel.sampler < 0 || std::size_t(channel.sampler) >= source.samplers.size()) {
-      findings.warn(fmt::format("/animations/{}/channels/{}/sampler", animation, i),
+      findings.warn(DiagnosticCode::faulty_animation, fmt::format("/animations/{}/channels/{}/sampler", animation, i),
                     fmt::format("sampler {} is out of range ({})", channel.sampler, source.samplers.size()));
       continue;
     }

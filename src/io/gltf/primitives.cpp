@@ -52,11 +52,12 @@ std::optional<Primitive> Primitives::read(int mesh, std::size_t number) {
   auto const& source_primitive = document_.model.meshes[std::size_t(mesh)].primitives[number];
   Source source{source_primitive, fmt::format("/meshes/{}/primitives/{}", mesh, number)};
   if (source_primitive.mode >= TINYGLTF_MODE_LINE && source_primitive.mode <= TINYGLTF_MODE_LINE_STRIP) {
-    findings_.warn(source.pointer, "lines are not drawn");
+    findings_.warn(DiagnosticCode::undrawn_primitive, source.pointer, "lines are not drawn");
     return std::nullopt;
   }
   if (source_primitive.mode > 6) {
-    findings_.warn(source.pointer + "/mode", fmt::format("glTF has no mode {}", source_primitive.mode));
+    findings_.warn(DiagnosticCode::undrawn_primitive, source.pointer + "/mode",
+                   fmt::format("glTF has no mode {}", source_primitive.mode));
     return std::nullopt;
   }
 
@@ -90,7 +91,8 @@ bool Primitives::decompress(Source& source) {
   std::string const pointer = fmt::format("{}/extensions/{}", source.pointer, draco_extension);
   auto const view = index_of(*parameters, "bufferView", document_.model.bufferViews.size());
   if (!view || !parameters->Has("attributes") || !parameters->Get("attributes").IsObject()) {
-    findings_.warn(pointer, "bufferView or attributes are missing or out of range");
+    findings_.warn(DiagnosticCode::unreadable_accessor, pointer,
+                   "bufferView or attributes are missing or out of range");
     return source.primitive.attributes.empty();
   }
   std::map<std::string, int> ids;
@@ -103,7 +105,7 @@ bool Primitives::decompress(Source& source) {
     reason.clear();
     source.draco = decode_draco(*bytes, ids, reason);
   }
-  if (!reason.empty()) findings_.warn(pointer, reason);
+  if (!reason.empty()) findings_.warn(DiagnosticCode::unreadable_accessor, pointer, reason);
   return source.draco.has_value();
 }
 
@@ -115,7 +117,8 @@ std::vector<std::array<float, N>> Primitives::read_attribute(Source const& sourc
   if (source.draco && source.draco->attributes.contains(name)) {
     FloatElements const& elements = source.draco->attributes.at(name);
     if (elements.components != N) {
-      findings_.warn(source.place(name), fmt::format("{} components where {} are expected", elements.components, N));
+      findings_.warn(DiagnosticCode::unreadable_accessor, source.place(name),
+                     fmt::format("{} components where {} are expected", elements.components, N));
       return {};
     }
     result = to_vectors<N>(elements);
@@ -123,7 +126,8 @@ std::vector<std::array<float, N>> Primitives::read_attribute(Source const& sourc
     result = std::move(*vectors);
   }
   if (count != 0 && !result.empty() && result.size() != count) {
-    findings_.warn(source.place(name), fmt::format("{} elements for {} positions", result.size(), count));
+    findings_.warn(DiagnosticCode::unreadable_accessor, source.place(name),
+                   fmt::format("{} elements for {} positions", result.size(), count));
     if (result.size() < count) return {};
     result.resize(count);
   }
@@ -138,8 +142,9 @@ std::vector<Float4> Primitives::read_colors(Source const& source, std::size_t co
       is_draco ? source.draco->attributes.at(name) : accessors_.floats(source.accessor(name), 0, source.place(name));
   if (!elements) return {};
   if ((elements->components != 3 && elements->components != 4) || elements->count() < count) {
-    findings_.warn(source.place(name), fmt::format("{} elements of {} components for {} positions", elements->count(),
-                                                   elements->components, count));
+    findings_.warn(
+        DiagnosticCode::unreadable_accessor, source.place(name),
+        fmt::format("{} elements of {} components for {} positions", elements->count(), elements->components, count));
     return {};
   }
   std::vector<Float4> colors(count, Float4{0, 0, 0, 1});
@@ -167,7 +172,7 @@ std::optional<std::vector<std::uint32_t>> Primitives::read_indices(Source const&
 std::shared_ptr<MeshGeometry const> Primitives::read_geometry(Source& source) {
   if (!decompress(source)) return nullptr;
   if (!source.has("POSITION")) {
-    findings_.warn(source.pointer + "/attributes", "POSITION is missing");
+    findings_.warn(DiagnosticCode::undrawn_primitive, source.pointer + "/attributes", "POSITION is missing");
     return nullptr;
   }
   auto geometry = std::make_shared<MeshGeometry>();
@@ -191,14 +196,16 @@ std::shared_ptr<MeshGeometry const> Primitives::read_geometry(Source& source) {
 
   TriangleFaults const faults = remove_faulty_triangles(*geometry);
   if (faults.out_of_range > 0) {
-    findings_.warn(source.pointer + "/indices",
+    findings_.warn(DiagnosticCode::geometry_left_out, source.pointer + "/indices",
                    left_out_message(faults.out_of_range, fmt::format("an index that is out of range ({})", count)));
   }
   if (faults.non_finite > 0) {
-    findings_.warn(source.place("POSITION"), left_out_message(faults.non_finite, "a corner that is not finite"));
+    findings_.warn(DiagnosticCode::geometry_left_out, source.place("POSITION"),
+                   left_out_message(faults.non_finite, "a corner that is not finite"));
   }
   if (geometry->indices.empty()) {
-    if (faults.out_of_range + faults.non_finite == 0) findings_.warn(source.pointer, "it holds no triangle");
+    if (faults.out_of_range + faults.non_finite == 0)
+      findings_.warn(DiagnosticCode::undrawn_primitive, source.pointer, "it holds no triangle");
     return nullptr;
   }
   return geometry;
@@ -210,7 +217,8 @@ std::shared_ptr<MeshGeometry const> Primitives::read_points(Source const& source
   auto const is_finite = [](Float3 const& p) { return std::isfinite(p[0] + p[1] + p[2]); };
   auto const finite = std::count_if(geometry->positions.begin(), geometry->positions.end(), is_finite);
   if (std::size_t const lost = geometry->positions.size() - std::size_t(finite); lost > 0) {
-    findings_.warn(source.place("POSITION"), fmt::format("points that are not finite are left out: {}", lost));
+    findings_.warn(DiagnosticCode::geometry_left_out, source.place("POSITION"),
+                   fmt::format("points that are not finite are left out: {}", lost));
   }
   if (finite == 0) return nullptr;
   if (source.primitive.indices < 0) return geometry;
@@ -227,7 +235,7 @@ std::shared_ptr<MeshGeometry const> Primitives::read_points(Source const& source
     }
   }
   if (out_of_range > 0) {
-    findings_.warn(source.pointer + "/indices",
+    findings_.warn(DiagnosticCode::geometry_left_out, source.pointer + "/indices",
                    fmt::format("points left out whose index is out of range ({}): {}", is_named.size(), out_of_range));
   }
   for (std::size_t i = 0; i < is_named.size(); ++i) {
@@ -247,7 +255,8 @@ std::vector<MorphTarget> Primitives::read_targets(Source const& source, std::siz
       auto vectors = accessors_.vectors<3>(found->second, place);
       if (!vectors) return {};
       if (vectors->size() != count) {
-        findings_.warn(place, fmt::format("{} elements for {} positions", vectors->size(), count));
+        findings_.warn(DiagnosticCode::unreadable_accessor, place,
+                       fmt::format("{} elements for {} positions", vectors->size(), count));
         return {};
       }
       remove_non_finite(*vectors);
@@ -266,7 +275,7 @@ std::vector<JointSet> Primitives::read_joint_sets(Source const& source, std::siz
     std::string const name = fmt::format("JOINTS_{}", set);
     std::vector<Float4> const joints = read_attribute<4>(source, name, count);
     if (joints.size() != count || result.weights.size() != count) {
-      findings_.warn(source.place(name), "joints or weights cannot be read");
+      findings_.warn(DiagnosticCode::unreadable_accessor, source.place(name), "joints or weights cannot be read");
       break;
     }
     remove_non_finite(result.weights);

@@ -75,7 +75,8 @@ void SceneGraph::build(std::string const& name, Scene& scene) {
     if (children.empty()) continue;
     auto const transform = transform_of(pose_[i]);
     if (!transform) {
-      findings_.warn(fmt::format("/nodes/{}", *node), "its transform has no inverse (a scale of zero?): left out");
+      findings_.warn(DiagnosticCode::faulty_node, fmt::format("/nodes/{}", *node),
+                     "its transform has no inverse (a scale of zero?): left out");
       continue;
     }
     auto composite = std::make_shared<Composite>(node_names_[i], std::move(children));
@@ -163,7 +164,8 @@ SceneGraph::Children SceneGraph::deformed_shapes_of(int node, Scene& scene) {
       auto const [skin, is_new] = skins_.try_emplace(source.skin);
       if (is_new) skin->second = pose_skin(document_.model, source.skin, tree_, accessors_, findings_);
       if (primitives[i]->joint_sets.empty() || skin->second.world_from_bind.empty()) {
-        findings_.warn(fmt::format("/nodes/{}/skin", node), "the mesh has no joints and weights for it");
+        findings_.warn(DiagnosticCode::faulty_skin, fmt::format("/nodes/{}/skin", node),
+                       "the mesh has no joints and weights for it");
       } else {
         geometry = apply_skin(*geometry, primitives[i]->joint_sets, skin->second);
       }
@@ -202,7 +204,7 @@ SceneGraph::Children SceneGraph::instances_of(int node, Children const& shapes, 
   auto const rotations = read("ROTATION", 4);
   auto const scales = read("SCALE", 3);
   if (count == 0 || !is_consistent) {
-    findings_.warn(pointer, "the instances cannot be read; one is drawn");
+    findings_.warn(DiagnosticCode::faulty_node, pointer, "the instances cannot be read; one is drawn");
     return shapes;
   }
   Children instances;
@@ -230,7 +232,8 @@ SceneGraph::Children SceneGraph::instances_of(int node, Children const& shapes, 
     scene.shapes.insert(composite);
     instances.push_back(std::move(composite));
   }
-  if (left_out > 0) findings_.warn(pointer, fmt::format("{} instances have no size: left out", left_out));
+  if (left_out > 0)
+    findings_.warn(DiagnosticCode::faulty_node, pointer, fmt::format("{} instances have no size: left out", left_out));
   return instances;
 }
 

@@ -201,7 +201,7 @@ class Conformer {
     for (Step const& step : path_) {
       pointer += step.name.data() ? fmt::format("/{}", step.name) : fmt::format("/{}", step.number);
     }
-    findings_.warn(pointer, message);
+    findings_.warn(DiagnosticCode::gltf_property, pointer, message);
   }
 
   json& model_;
@@ -220,16 +220,18 @@ void check_version(json const& model, Findings& findings) {
   std::string const needed = version_of("minVersion");
   std::string const version = needed.empty() ? version_of("version") : needed;
   if (version.empty()) {
-    findings.warn("/asset/version", "it is missing; the model is read as glTF 2.0");
+    findings.warn(DiagnosticCode::gltf_property, "/asset/version", "it is missing; the model is read as glTF 2.0");
   } else if (version.substr(0, 2) != "2." && version != "2") {
-    findings.fail("/asset/version", fmt::format("this is glTF {}; only glTF 2 is supported", version));
+    findings.fail(DiagnosticCode::gltf_version, "/asset/version",
+                  fmt::format("this is glTF {}; only glTF 2 is supported", version));
   }
 }
 
 }  // namespace
 
 void conform_to_schema(json& model, Findings& findings) {
-  if (!model.is_object()) findings.fail("", fmt::format("expected a JSON object, found {}", shown(model)));
+  if (!model.is_object())
+    findings.fail(DiagnosticCode::not_gltf, "", fmt::format("expected a JSON object, found {}", shown(model)));
   check_version(model, findings);
   Conformer(model, findings).run();
 }

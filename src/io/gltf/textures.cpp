@@ -66,7 +66,8 @@ std::vector<std::shared_ptr<Texture const>> read_textures(Document const& docume
   decode_images(jobs, max_size);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (!jobs[i].reason.empty()) {
-      findings.warn(fmt::format("/images/{}", i), fmt::format("the picture is left out: {}", jobs[i].reason));
+      findings.warn(DiagnosticCode::texture_left_out, fmt::format("/images/{}", i),
+                    fmt::format("the picture is left out: {}", jobs[i].reason));
     }
   }
 

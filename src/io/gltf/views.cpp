@@ -128,7 +128,8 @@ std::vector<Camera> read_cameras(tinygltf::Model const& model, NodeTree const& t
     if (camera) {
       cameras.push_back(std::move(*camera));
     } else {
-      findings.warn(fmt::format("/cameras/{}", number), "it has no valid opening angle: left out");
+      findings.warn(DiagnosticCode::faulty_view, fmt::format("/cameras/{}", number),
+                    "it has no valid opening angle: left out");
     }
   }
   return cameras;
@@ -143,7 +144,7 @@ std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tre
     if (!extension) continue;
     auto const number = index_of(*extension, "light", model.lights.size());
     if (!number) {
-      findings.warn(fmt::format("/nodes/{}/extensions/{}/light", node, lights_extension),
+      findings.warn(DiagnosticCode::faulty_view, fmt::format("/nodes/{}/extensions/{}/light", node, lights_extension),
                     fmt::format("it is missing or out of range ({})", model.lights.size()));
       continue;
     }
@@ -153,7 +154,7 @@ std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tre
     if (!light) continue;
     if (source.type == "spot" && !light->get<SpotLight>()) {
       findings.warn(
-          fmt::format("/extensions/{}/lights/{}/spot", lights_extension, *number),
+          DiagnosticCode::faulty_view, fmt::format("/extensions/{}/lights/{}/spot", lights_extension, *number),
           "its angles are not 0 <= inner < outer <= 90 degrees, or it has no direction: it shines in all directions");
     }
     found.push_back(std::move(*light));

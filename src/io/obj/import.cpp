@@ -41,7 +41,8 @@ class Importer {
     PartGeometry geometry(file);
     for (Part const& part : file.parts) parts.push_back(named(part, geometry.of(part), model.scene));
     if (parts.empty())
-      diagnostics_.add(Severity::error, DiagnosticCode::none, {}, "the model has nothing to draw: it has no triangles");
+      diagnostics_.add(Severity::error, DiagnosticCode::nothing_to_draw, {},
+                       "the model has nothing to draw: it has no triangles");
     bool const has_failed = parts.empty();
     model.diagnostics = std::move(diagnostics_).finish(0);
     model.diagnostics.insert(model.diagnostics.end(), of_libraries_.begin(), of_libraries_.end());
@@ -73,7 +74,7 @@ class Importer {
       for (std::string const& name : names_of_libraries(mention.word)) {
         if (!known.insert(name).second) continue;
         if (known.size() > max_libraries || bytes > max_library_bytes) {
-          return diagnostics_.add(Severity::warning, DiagnosticCode::none, mention.word,
+          return diagnostics_.add(Severity::warning, DiagnosticCode::unreadable_mtl, mention.word,
                                   "too many material files: this one is left out");
         }
         std::string reason;
@@ -81,7 +82,7 @@ class Importer {
           bytes += text->size();
           read_library(name, std::move(*text));
         } else {
-          diagnostics_.add(Severity::warning, DiagnosticCode::none, mention.word, reason);
+          diagnostics_.add(Severity::warning, DiagnosticCode::unreadable_mtl, mention.word, reason);
         }
       }
     }
@@ -124,7 +125,7 @@ class Importer {
         used.push_back(&found->second);
       } else {
         diagnostics_.begin_line(mention.line);
-        diagnostics_.add(Severity::warning, DiagnosticCode::none, mention.word,
+        diagnostics_.add(Severity::warning, DiagnosticCode::missing_obj_material, mention.word,
                          fmt::format("there is no material {}", in_quotes(mention.word)));
       }
     }
@@ -171,7 +172,7 @@ class Importer {
     ImageJob const& job = jobs_[job_numbers_.at(path_of(texture, library))];
     if (!job.image) {
       libraries_[library].findings->begin_line(texture.line);
-      libraries_[library].findings->add(Severity::warning, DiagnosticCode::none, {},
+      libraries_[library].findings->add(Severity::warning, DiagnosticCode::texture_left_out, {},
                                         fmt::format("the picture is left out: {}", job.reason));
     }
     return job.image;

@@ -35,7 +35,7 @@ class MtlReader {
         property(keyword, rest, materials_.back());
       } else if (!is_lost_) {
         is_lost_ = true;
-        warn(keyword, "a property before the first newmtl is left out");
+        warn(DiagnosticCode::missing_obj_word, keyword, "a property before the first newmtl is left out");
       }
     }
     return std::move(materials_);
@@ -44,7 +44,7 @@ class MtlReader {
  private:
   void begin_material(Token keyword, std::string_view rest) {
     Token const name = trimmed(rest);
-    if (name.empty()) warn(keyword, "newmtl: expected a name");
+    if (name.empty()) warn(DiagnosticCode::missing_obj_word, keyword, "newmtl: expected a name");
     materials_.emplace_back();
     materials_.back().name = name;
   }
@@ -67,22 +67,24 @@ class MtlReader {
     if (word == "map_ke") return texture(rest, m.map_ke);
     if (word == "norm" || word == "map_kn") return texture(rest, m.norm);
     if (std::find(std::begin(unused), std::end(unused), word) != std::end(unused)) return;
-    warn(keyword, fmt::format("unknown MTL keyword {}: the line is left out", in_quotes(keyword)));
+    warn(DiagnosticCode::unknown_obj_keyword, keyword,
+         fmt::format("unknown MTL keyword {}: the line is left out", in_quotes(keyword)));
   }
 
   void number(std::string_view& rest, std::optional<double>& out) {
     Token const word = next_token(rest);
     double value = 0;
-    if (word.empty()) return warn(word, "expected a number");
+    if (word.empty()) return warn(DiagnosticCode::faulty_number, word, "expected a number");
     if (read_number(word, value, diagnostics_)) out = value;
   }
 
   /// One number stands for all three.
   void color(std::string_view rest, std::optional<Rgb>& out) {
     Token const first = next_token(rest);
-    if (first == "spectral" || first == "xyz") return warn(first, "only colours as red, green and blue are read");
+    if (first == "spectral" || first == "xyz")
+      return warn(DiagnosticCode::unread_color, first, "only colours as red, green and blue are read");
     double r = 0, g = 0, b = 0;
-    if (first.empty()) return warn(first, "expected red, green and blue");
+    if (first.empty()) return warn(DiagnosticCode::faulty_number, first, "expected red, green and blue");
     if (!read_number(first, r, diagnostics_)) return;
     Token const second = next_token(rest), third = next_token(rest);
     if (third.empty()) {
@@ -133,7 +135,7 @@ class MtlReader {
     }
     out.file = trimmed(rest);
     std::replace(out.file.begin(), out.file.end(), '\\', '/');  // written on Windows
-    if (out.file.empty()) warn(place_after(rest), "expected a file");
+    if (out.file.empty()) warn(DiagnosticCode::missing_obj_word, place_after(rest), "expected a file");
   }
 
   static bool is_option(Token word) {
@@ -158,8 +160,8 @@ class MtlReader {
     }
   }
 
-  void warn(Token at, std::string message) {
-    diagnostics_.add(Severity::warning, DiagnosticCode::none, at, std::move(message));
+  void warn(DiagnosticCode code, Token at, std::string message) {
+    diagnostics_.add(Severity::warning, code, at, std::move(message));
   }
 
   Diagnostics& diagnostics_;

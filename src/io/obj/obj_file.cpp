@@ -59,7 +59,7 @@ class ObjReader {
          {"cstype", "deg", "curv", "curv2", "surf", "bmat", "step", "con", "stech", "ctech"}) {
       if (keyword == known) return once("surf", "free-form curves and surfaces are not drawn");
     }
-    diagnostics_.add(Severity::warning, DiagnosticCode::none, keyword,
+    diagnostics_.add(Severity::warning, DiagnosticCode::unknown_obj_keyword, keyword,
                      fmt::format("unknown OBJ keyword {}: the line is left out", in_quotes(keyword)));
   }
 
@@ -75,7 +75,7 @@ class ObjReader {
     for (std::size_t i = 0; i < count; ++i) {
       Token const word = next_token(rest);
       if (word.empty()) {
-        diagnostics_.add(Severity::warning, DiagnosticCode::none, word,
+        diagnostics_.add(Severity::warning, DiagnosticCode::faulty_number, word,
                          fmt::format("expected {} numbers, found {}", count, i));
         return false;
       }
@@ -111,7 +111,8 @@ class ObjReader {
   void texcoord(std::string_view rest) {
     Float2 uv{0, 0};
     Token const u = next_token(rest), v = next_token(rest);
-    if (u.empty()) diagnostics_.add(Severity::warning, DiagnosticCode::none, u, "expected a texture coordinate");
+    if (u.empty())
+      diagnostics_.add(Severity::warning, DiagnosticCode::faulty_number, u, "expected a texture coordinate");
     bool const is_good = !u.empty() && number(u, uv[0]) && (v.empty() || number(v, uv[1]));
     file_.texcoords.push_back(is_good ? Float2{uv[0], 1 - uv[1]} : Float2{0, 0});  // OBJ counts v from below
   }
@@ -124,7 +125,7 @@ class ObjReader {
       Corner corner;
       if (!read_corner(word, corner)) {
         diagnostics_.add(
-            Severity::warning, DiagnosticCode::none, word,
+            Severity::warning, DiagnosticCode::faulty_face, word,
             fmt::format("expected vertex/texture/normal, found {}: the face is left out", in_quotes(word)));
         return;
       }
@@ -135,7 +136,7 @@ class ObjReader {
       corners_.push_back(corner);
     }
     if (corners_.size() < 3) {
-      diagnostics_.add(Severity::warning, DiagnosticCode::none, keyword,
+      diagnostics_.add(Severity::warning, DiagnosticCode::faulty_face, keyword,
                        fmt::format("a face of {} corners is left out", corners_.size()));
       return;
     }
@@ -177,7 +178,8 @@ class ObjReader {
 
   void use_material(Token keyword, std::string_view rest) {
     Token const name = trimmed(rest);
-    if (name.empty()) diagnostics_.add(Severity::warning, DiagnosticCode::none, keyword, "usemtl: expected a name");
+    if (name.empty())
+      diagnostics_.add(Severity::warning, DiagnosticCode::missing_obj_word, keyword, "usemtl: expected a name");
     material_ = name;
     part_ = nullptr;
     if (!name.empty() && known_materials_.insert(std::string(name)).second) {
@@ -194,13 +196,12 @@ class ObjReader {
   void library(Token keyword, std::string_view rest) {
     Token const names = trimmed(rest);
     if (names.empty())
-      return diagnostics_.add(Severity::warning, DiagnosticCode::none, keyword, "mtllib: expected a file");
+      return diagnostics_.add(Severity::warning, DiagnosticCode::missing_obj_word, keyword, "mtllib: expected a file");
     file_.libraries.push_back({diagnostics_.line(), names});
   }
 
-  void once(std::string_view what, std::string_view message) {
-    if (told_.insert(std::string(what)).second)
-      diagnostics_.add(Severity::warning, DiagnosticCode::none, {}, std::string(message));
+  void once(std::string_view what, std::string_view message, DiagnosticCode code = DiagnosticCode::undrawn_obj) {
+    if (told_.insert(std::string(what)).second) diagnostics_.add(Severity::warning, code, {}, std::string(message));
   }
 
   /// Files alternate between materials thousands of times; what belongs together becomes one mesh.
@@ -209,7 +210,8 @@ class ObjReader {
     std::string name = group_.empty() ? object_ : object_.empty() ? group_ : object_ + "." + group_;
     std::string key = name + '\n' + material_;
     if (!part_numbers_.contains(key) && part_numbers_.size() >= max_parts) {
-      once("parts", fmt::format("more than {} objects and groups: those that follow are joined", max_parts));
+      once("parts", fmt::format("more than {} objects and groups: those that follow are joined", max_parts),
+           DiagnosticCode::parts_joined);
       name.clear();
       key = '\n' + material_;
     }
@@ -241,7 +243,7 @@ class ObjReader {
     for (auto const& [mention, position] : mentions_) {
       if (position < file_.positions.size()) continue;
       diagnostics_.begin_line(mention.line);
-      diagnostics_.add(Severity::warning, DiagnosticCode::none, mention.word,
+      diagnostics_.add(Severity::warning, DiagnosticCode::missing_vertex, mention.word,
                        fmt::format("there is no vertex {}; the file has {}", position + 1, file_.positions.size()));
     }
     diagnostics_.begin_line({});
@@ -249,7 +251,7 @@ class ObjReader {
     if (non_finite > 0) left_out(non_finite, "a corner that is not finite");
     if (missing_attributes_ > 0) {
       diagnostics_.add(
-          Severity::warning, DiagnosticCode::none, {},
+          Severity::warning, DiagnosticCode::missing_vertex, {},
           fmt::format("{} corners name a texture coordinate or normal that is not there", missing_attributes_));
     }
   }
@@ -267,7 +269,7 @@ class ObjReader {
   }
 
   void left_out(std::size_t count, std::string_view why) {
-    diagnostics_.add(Severity::warning, DiagnosticCode::none, {}, left_out_message(count, why));
+    diagnostics_.add(Severity::warning, DiagnosticCode::geometry_left_out, {}, left_out_message(count, why));
   }
 
   static constexpr std::size_t max_mentions = 1000;

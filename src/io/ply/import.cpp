@@ -27,7 +27,8 @@ std::shared_ptr<Texture const> read_texture(std::string const& file, std::option
   auto const bytes = read_model_file(folder, options.allowed_paths, options.on_read, file, reason);
   auto image = bytes ? decode_image(*bytes, options.max_texture, reason) : std::nullopt;
   if (!image) {
-    diagnostics.add(Severity::warning, DiagnosticCode::none, {}, fmt::format("the picture is left out: {}", reason));
+    diagnostics.add(Severity::warning, DiagnosticCode::texture_left_out, {},
+                    fmt::format("the picture is left out: {}", reason));
     return nullptr;
   }
   image->name = file;
@@ -65,18 +66,18 @@ Model import(std::string_view bytes, std::string const& name, std::optional<fs::
     TriangleFaults const faults = remove_faulty_triangles(*geometry);
     auto const left_out = [&](std::size_t count, char const* why) {
       if (count > 0) {
-        diagnostics.add(Severity::warning, DiagnosticCode::none, {}, left_out_message(count, why));
+        diagnostics.add(Severity::warning, DiagnosticCode::geometry_left_out, {}, left_out_message(count, why));
       }
     };
     left_out(faults.out_of_range, "a vertex that is not there");
     left_out(faults.non_finite, "a corner that is not finite");
     if (non_finite_points > 0) {
-      diagnostics.add(Severity::warning, DiagnosticCode::none, {},
+      diagnostics.add(Severity::warning, DiagnosticCode::geometry_left_out, {},
                       fmt::format("points that are not finite are left out: {}", non_finite_points));
     }
     if (is_cloud ? geometry->positions.empty() : geometry->indices.empty()) {
       diagnostics.add(
-          Severity::error, DiagnosticCode::none, {},
+          Severity::error, DiagnosticCode::nothing_to_draw, {},
           fmt::format("the model has nothing to draw: it has no triangles{}", is_cloud ? " and no points" : ""));
     }
   }

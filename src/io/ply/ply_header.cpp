@@ -119,7 +119,7 @@ class HeaderReader {
   }
 
   bool fail(Token at, std::string message) {
-    diagnostics_.add(Severity::error, DiagnosticCode::none, at, std::move(message));
+    diagnostics_.add(Severity::error, DiagnosticCode::ply_header, at, std::move(message));
     return false;
   }
 

@@ -47,7 +47,7 @@ class AsciiSource {
   /// How many numbers there can be at most.
   std::uint64_t capacity(Type) const { return bytes_left_ / 2 + 1; }
   void warn(std::string message) {
-    diagnostics_.add(Severity::warning, DiagnosticCode::none, word_, std::move(message));
+    diagnostics_.add(Severity::warning, DiagnosticCode::ply_data, word_, std::move(message));
   }
 
  private:
@@ -111,7 +111,7 @@ class BinarySource {
   }
   std::uint64_t capacity(Type type) const { return (bytes_.size() - at_) / size_of(type); }
   void warn(std::string const& message) {
-    diagnostics_.add(Severity::warning, DiagnosticCode::none, {}, "byte " + std::to_string(at_) + ": " + message);
+    diagnostics_.add(Severity::warning, DiagnosticCode::ply_data, {}, "byte " + std::to_string(at_) + ": " + message);
   }
 
  private:

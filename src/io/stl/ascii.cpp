@@ -45,7 +45,7 @@ class Words {
   }
 
   void warn_missing(std::string_view what) const {
-    diagnostics_.add(Severity::warning, DiagnosticCode::none, is_at_end() ? place_after(last_) : word_,
+    diagnostics_.add(Severity::warning, DiagnosticCode::stl_text, is_at_end() ? place_after(last_) : word_,
                      is_at_end() ? fmt::format("the file ends where '{}' is missing", what)
                                  : fmt::format("expected '{}', found {}", what, in_quotes(word_)));
   }
@@ -100,7 +100,7 @@ std::vector<Solid> read_ascii(std::string_view text, Diagnostics& diagnostics) {
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   Words words(text, diagnostics);
   if (!words.is("solid")) {
-    diagnostics.add(Severity::error, DiagnosticCode::none, words.word(),
+    diagnostics.add(Severity::error, DiagnosticCode::not_stl, words.word(),
                     "this is not an STL file: it does not begin with 'solid'");
     return {};
   }

@@ -44,10 +44,10 @@ bool is_binary(std::string_view bytes) {
 
 std::vector<Solid> read_binary(std::string_view bytes, Diagnostics& diagnostics) {
   auto const warn = [&](std::size_t at, std::string const& what) {
-    diagnostics.add(Severity::warning, DiagnosticCode::none, {}, fmt::format("byte {}: {}", at, what));
+    diagnostics.add(Severity::warning, DiagnosticCode::stl_bytes, {}, fmt::format("byte {}: {}", at, what));
   };
   if (bytes.size() < data_at) {
-    diagnostics.add(Severity::error, DiagnosticCode::none, {},
+    diagnostics.add(Severity::error, DiagnosticCode::not_stl, {},
                     fmt::format("byte {}: the file ends in the header, which has {} bytes", bytes.size(), data_at));
     return {};
   }

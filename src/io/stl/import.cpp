@@ -33,7 +33,8 @@ Model import(std::string_view bytes, std::string const& name, ModelOptions const
   bool const has_failed = parts.empty();
   if (has_failed && diagnostics.errors() == 0) {
     diagnostics.begin_line({});
-    diagnostics.add(Severity::error, DiagnosticCode::none, {}, "the model has nothing to draw: it has no triangles");
+    diagnostics.add(Severity::error, DiagnosticCode::nothing_to_draw, {},
+                    "the model has nothing to draw: it has no triangles");
   }
   model.diagnostics = std::move(diagnostics).finish(0);
   check_static(options, name, model.diagnostics);

@@ -16,7 +16,7 @@ bool read_number(Token word, double& value, Diagnostics& diagnostics) {
   if (number.problem == NumberProblem::not_finite) what = "is not a finite number";
   if (number.problem == NumberProblem::too_large) what = "is too large";
   if (number.problem == NumberProblem::decimal_comma) what = "is not a number: the decimal separator is a point";
-  diagnostics.add(Severity::warning, DiagnosticCode::none, word, fmt::format("{} {}", in_quotes(word), what));
+  diagnostics.add(Severity::warning, DiagnosticCode::faulty_number, word, fmt::format("{} {}", in_quotes(word), what));
   return false;
 }
 

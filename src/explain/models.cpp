@@ -1,0 +1,117 @@
+#include "explain/tables.hpp"
+
+namespace lichtraum::explain {
+namespace {
+
+constexpr Explanation model_table[] = {
+    {DiagnosticCode::nothing_to_draw,
+     R"(The model has no triangles and no points that could be drawn. Either the file
+has none, or all of them were left out, for which there are warnings.
+)",
+     R"(v 0 0 0
+v 1 0 0
+v 0 1 0
+)",
+     R"(v 0 0 0
+v 1 0 0
+v 0 1 0
+f 1 2 3
+)",
+     "lichtraum check model.obj"},
+    {DiagnosticCode::geometry_left_out,
+     R"(Triangles or points are left out because a corner is not a finite number, or is
+a vertex that the model does not have. The rest is drawn. The message says how
+many; export the model again.
+)",
+     R"(ply
+format ascii 1.0
+element vertex 3
+property float x
+property float y
+property float z
+element face 2
+property list uchar int vertex_index
+end_header
+0 0 0
+1 0 0
+0 1 0
+3 0 1 2
+3 0 1 9
+)",
+     R"(ply
+format ascii 1.0
+element vertex 3
+property float x
+property float y
+property float z
+element face 2
+property list uchar int vertex_index
+end_header
+0 0 0
+1 0 0
+0 1 0
+3 0 1 2
+3 2 1 0
+)",
+     "lichtraum check model.ply"},
+    {DiagnosticCode::texture_left_out,
+     R"(A picture that the model names cannot be used: it is not there, lies outside of
+the folders that may be read, or is damaged. The surface is drawn without it.
+Pictures belong beside the model, by the names that it has for them.
+)",
+     R"({
+  "asset": {"version": "2.0"},
+  "buffers": [{"uri": "triangle.bin", "byteLength": 36}],
+  "bufferViews": [{"buffer": 0, "byteLength": 36}],
+  "accessors": [
+    {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}
+  ],
+  "images": [{"uri": "woood.png"}],
+  "textures": [{"source": 0}],
+  "materials": [
+    {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}
+  ],
+  "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+  "nodes": [{"mesh": 0}],
+  "scenes": [{"nodes": [0]}]
+}
+)",
+     R"({
+  "asset": {"version": "2.0"},
+  "buffers": [{"uri": "triangle.bin", "byteLength": 36}],
+  "bufferViews": [{"buffer": 0, "byteLength": 36}],
+  "accessors": [
+    {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}
+  ],
+  "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+  "nodes": [{"mesh": 0}],
+  "scenes": [{"nodes": [0]}]
+}
+)",
+     "lichtraum check model.gltf"},
+    {DiagnosticCode::faulty_number,
+     R"(A line of an OBJ, MTL, PLY or STL file has a word that is not a number, one that
+is too large, or too few of them. What it belongs to is left out. Exporters that
+write commas for decimal points cause this often.
+)",
+     R"(v 0 0 0
+v 1 0 0
+v 0 1 0
+f 1 2 3
+vn 0 0,5 1
+)",
+     R"(v 0 0 0
+v 1 0 0
+v 0 1 0
+f 1 2 3
+vn 0 0.5 1
+)",
+     "lichtraum check model.obj"},
+};
+static_assert(explains_all(model_table, "09"));
+
+}  // namespace
+
+std::span<Explanation const> models() { return model_table; }
+
+}  // namespace lichtraum::explain

@@ -1,0 +1,33 @@
+#include "explain/tables.hpp"
+
+namespace lichtraum::explain {
+namespace {
+
+constexpr Explanation option_table[] = {
+    {DiagnosticCode::option_without_effect,
+     R"(An option says something that does not matter here: --quality of a PNG, the time
+of a model without animation, the exposure of a picture that has no radiance. It
+is left out of account. Leave it out, or choose what it belongs to, as here a
+picture in JPEG.
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 -5  1  red
+define light diffuse lamp  5 5 5  1 1 1
+define camera eye 45
+render eye picture.png 32 24
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 -5  1  red
+define light diffuse lamp  5 5 5  1 1 1
+define camera eye 45
+render eye picture.jpg 32 24
+)",
+     "lichtraum render --quality 90 scene.sdf"},
+};
+static_assert(explains_all(option_table, "01"));
+
+}  // namespace
+
+std::span<Explanation const> options() { return option_table; }
+
+}  // namespace lichtraum::explain

@@ -11,7 +11,7 @@ namespace LICHTRAUM_API lichtraum {
 /// a warning may be an error, and with keep_going an error a warning, of the same code. Codes are stable: texts may be
 /// worded better, but a number keeps its meaning, and one that is no longer used is never given to another kind.
 ///
-///   01xx  options               06xx  shapes and transforms              10xx  glTF
+///   01xx  options and devices   06xx  shapes and transforms              10xx  glTF
 ///   02xx  files                 07xx  materials, lights and cameras      11xx  OBJ and MTL
 ///   03xx  statements of eSDF    08xx  pictures                           12xx  PLY
 ///   04xx  names                 09xx  models                             13xx  STL
@@ -19,11 +19,15 @@ namespace LICHTRAUM_API lichtraum {
 // clang-format off
 #define LICHTRAUM_DIAGNOSTIC_CODES(CODE)                                                                \
   CODE(W, 0101, option_without_effect, "an option without effect")                                      \
+  CODE(E, 0102, unusable_device, "a device that cannot be used")                                        \
   CODE(E, 0201, not_a_scene, "a file that is not a scene")                                              \
   CODE(E, 0202, file_outside, "a file outside of the folders that a scene may use")                     \
   CODE(E, 0203, unreadable_file, "a file that cannot be read")                                          \
   CODE(E, 0204, unread_format, "a model in a format that is not read")                                  \
   CODE(W, 0205, too_many_findings, "more findings than are shown")                                      \
+  CODE(E, 0206, missing_input, "an input that cannot be opened")                                        \
+  CODE(E, 0207, unwritable_output, "an output that cannot be written")                                  \
+  CODE(E, 0208, failed_transfer, "reading or writing that failed half-way")                             \
   CODE(E, 0301, unknown_statement, "an unknown statement")                                              \
   CODE(E, 0302, unknown_definition, "'define' with an unknown kind of thing")                           \
   CODE(E, 0303, wrong_count, "too few or too many arguments")                                           \
@@ -88,6 +92,7 @@ namespace LICHTRAUM_API lichtraum {
   CODE(W, 0817, noise_left, "noise that is left")                                                       \
   CODE(W, 0818, samples_left_out, "samples that are not finite")                                        \
   CODE(W, 0819, other_denoiser, "noise that is taken out in another way")                               \
+  CODE(E, 0820, undrawable_scene, "a scene that cannot be drawn as asked")                              \
   CODE(E, 0901, nothing_to_draw, "a model with nothing to draw")                                        \
   CODE(W, 0902, geometry_left_out, "parts of a model that cannot be drawn")                             \
   CODE(W, 0903, texture_left_out, "a picture of a model that cannot be used")                           \

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 
+#include "app/failure_code.hpp"
 #include "app/fault_report.hpp"
 
 namespace lichtraum::app {
@@ -92,7 +94,10 @@ void Console::show(Error const& error) const {
   } else if (error.kind() == ErrorKind::internal) {
     fault(error.what());
   } else {
-    this->error(error.what());
+    std::string_view const code = code_text(code_of(error.kind()));
+    std::string message = error.what();
+    if (!code.empty()) message.insert(std::min(message.find('\n'), message.size()), fmt::format(" [{}]", code));
+    this->error(message);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "app/failure_code.hpp"
 #include "lichtraum/error.hpp"
 
 namespace lichtraum::app {
@@ -9,7 +10,7 @@ namespace lichtraum::app {
 /// A scene's own, or one that is of no file.
 inline std::vector<Diagnostic> diagnostics_of(Error const& error) {
   if (auto const* const scene_error = dynamic_cast<SceneError const*>(&error)) return scene_error->diagnostics();
-  return {{Severity::error, DiagnosticCode::none, {}, 1, error.what(), {}, {}}};
+  return {{Severity::error, code_of(error.kind()), {}, 1, error.what(), {}, {}}};
 }
 
 }  // namespace lichtraum::app

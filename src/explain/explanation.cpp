@@ -8,7 +8,7 @@ namespace lichtraum {
 
 std::span<ExplanationGroup const> explanation_groups() {
   static std::array const groups{
-      ExplanationGroup{"Options", explain::options()},
+      ExplanationGroup{"Options and devices", explain::options()},
       ExplanationGroup{"Files", explain::files()},
       ExplanationGroup{"Statements of eSDF", explain::statements()},
       ExplanationGroup{"Names", explain::names()},

@@ -48,6 +48,24 @@ not even read, unless there is --keep-going. Mend the first ones and check
 again: one mistake, such as a missing material, often leads to many.
 )",
      "", ""},
+    {DiagnosticCode::missing_input,
+     R"(A file that the command line names does not exist, or may not be read. The
+message says why. Check its name and the folder that you are in; a name that
+begins with '-' comes after '--'.
+)",
+     "", ""},
+    {DiagnosticCode::unwritable_output,
+     R"(A picture cannot be written to its place: the folder does not exist or may not
+be written to, or a folder has the name of the file. The message says which. -o
+and --output-dir choose another place.
+)",
+     "", ""},
+    {DiagnosticCode::failed_transfer,
+     R"(Reading or writing began and could not be finished. Most often the disk is full,
+or the program that lichtraum writes to has ended. A picture that was there
+before is still whole.
+)",
+     "", ""},
 };
 static_assert(explains_all(file_table, "02"));
 

@@ -23,6 +23,12 @@ define camera eye 45
 render eye picture.jpg 32 24
 )",
      "lichtraum render --quality 90 scene.sdf"},
+    {DiagnosticCode::unusable_device,
+     R"(The device that is to draw does not exist, or fails. lichtraum devices lists
+those that there are, lichtraum doctor tests them and says what to install, and
+--device reference draws without any, slowly.
+)",
+     "", ""},
 };
 static_assert(explains_all(option_table, "01"));
 

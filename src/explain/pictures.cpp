@@ -216,6 +216,14 @@ Most often Open Image Denoise is not installed, or a part of it; the message
 says what was missing. docs/DENOISING.md says how to install it.
 )",
      "", ""},
+    {DiagnosticCode::undrawable_scene,
+     R"(The scene was read, but a picture cannot be drawn as it or the command line
+asks: the camera does not exist, the picture or the scene needs more memory than
+there is, or the picture lies outside of the folders that may be written to. It
+is also said of a picture or a film that is to be read and is damaged. The
+message says which, and what to do.
+)",
+     "", ""},
 };
 static_assert(explains_all(picture_table, "08"));
 

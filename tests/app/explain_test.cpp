@@ -84,3 +84,27 @@ TEST_CASE("each example of what a picture shows has that finding and no other, a
   }
   CHECK(examples == 7);
 }
+
+TEST_CASE("a failure that has no place in a scene has a code, a refused command line none", "[app][explain]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene);
+  lichtraum.folder.write("blind.sdf", "define material red  1 0 0  1 0 0  0 0 0  10\n");
+  struct Failure {
+    std::string words;
+    std::string end;
+  };
+  for (Failure const& failure : {Failure{"render missing.sdf", " [E0206]\n"},
+                                 {"check missing.sdf", " [E0206]\n"},
+                                 {"render a.sdf --device reference -o nowhere/a.png", " [E0207]\n"},
+                                 {"render a.sdf --device 99", "reference: [E0102]\n"},
+                                 {"render blind.sdf --device reference", " [E0820]\n"},
+                                 {"render a.sdf --nonsense", "(lichtraum render --help shows how)\n"},
+                                 {"render", "(lichtraum render --help shows how)\n"}}) {
+    INFO(failure.words);
+    std::string const err = lichtraum(failure.words).err;
+    std::string const line = err.substr(0, err.find('\n') + 1);
+    INFO(line);
+    REQUIRE(line.size() > failure.end.size());
+    CHECK(line.substr(line.size() - failure.end.size()) == failure.end);
+  }
+}

@@ -99,6 +99,7 @@ TEST_CASE("check and render give each diagnostic as an object, the same ones", "
   CHECK(check[1]["pictures"][0]["line"] == 2);
   CHECK(check[2]["exit_status"] == 66);
   CHECK(check[2]["diagnostics"][0]["file"].is_null());
+  CHECK(check[2]["diagnostics"][0]["code"] == "E0206");
   CHECK(lichtraum("check -q --json --device reference away.sdf missing.sdf").exit_code == 66);
   CHECK(lichtraum("check --json --nonsense").out.empty());
 }

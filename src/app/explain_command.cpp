@@ -51,8 +51,9 @@ std::string codes_like(std::string const& word) {
 /// Letters say no more than how bad it is: the number tells a kind, with any or none before it.
 DiagnosticCodeEntry const& find_code(std::string const& argument) {
   std::string const word = upper_case(argument);
-  std::string_view number = word;
-  if (word.starts_with('E') || word.starts_with('W')) number.remove_prefix(1);
+  std::string number = word.substr(word.starts_with('E') || word.starts_with('W') ? 1 : 0);
+  constexpr std::size_t digits = 4;
+  if (!number.empty() && number.size() < digits) number.insert(0, digits - number.size(), '0');  // E412 is E0412
   for (DiagnosticCodeEntry const& entry : diagnostic_codes) {
     if (entry.code != DiagnosticCode::none && entry.text.substr(1) == number) return entry;
   }

@@ -15,7 +15,7 @@ TEST_CASE("explain says what a code means, in any case and with any letter", "[a
   CHECK(one.out.substr(0, 38) == "E0412: a material that is not defined\n");
   CHECK_THAT(one.out, contains_text("\nFor example:\n\n    define material white") &&
                           contains_text("ball  0 0 -5  1  whit\n\nInstead:\n\n    define material white"));
-  for (char const* const same : {"e0412", "0412", "W0412", "w0412"}) {
+  for (char const* const same : {"e0412", "0412", "W0412", "w0412", "e412", "412"}) {
     CHECK(lichtraum(std::string("explain ") + same).out == one.out);
   }
   std::string const two = lichtraum("explain E0301 E0412").out;
@@ -45,7 +45,6 @@ TEST_CASE("a code that there is not is one error with near ones", "[app][explain
     CHECK(result.err == "lichtraum: error: explain: " + error + "\n");
   };
   refused("E0410", "there is no code 'E0410': did you mean E0411, E0412 or E0413?");
-  refused("412", "there is no code '412': did you mean E0412?");
   refused("E0412 material", "there is no code 'material': lichtraum explain lists all codes");
   refused("E", "there is no code 'E': lichtraum explain lists all codes");
 }

@@ -82,18 +82,6 @@ void add_sequence_options(CLI::App& parser, RenderOptions& options) {
       ->group(group);
 }
 
-void add_picture_options(CLI::App& parser, RenderOptions& options) {
-  std::string const group = "Picture";
-  add_value(parser, "--size", options.job.size, parse_size, "WxH",
-            "Pixels, such as 1280x720 (default: the scene's,\nelse 640x480)", group);
-  add_value(parser, "--region", options.job.region, parse_region, "X,Y,W,H", "Draw and write only this part", group);
-  add_viewpoint_options(parser, options, group);
-  add_value(parser, "--planes", options.job.planes, parse_planes, "LIST",
-            "What is stored of each pixel, commas between:\nradiance (default), alpha, depth, normal, albedo,\n"
-            "position, object, instance, material; .exr takes\nseveral, others show one",
-            group);
-}
-
 /// `window_arguments`: with --show, what `lichtraum view` is told besides the scene.
 bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments& window_arguments, Console& console) {
   auto const parser = make_parser("render", render_description, render_examples);
@@ -101,15 +89,7 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments&
   add_output_options(*parser, options);
   add_picture_options(*parser, options);
   add_sequence_options(*parser, options);
-  add_environment_options(*parser, options.job.reading.environment);
-  add_quality_options(*parser, options, "1, with a lens 64;\npath: 64, of models 16");
-  add_value(*parser, "--noise", options.job.noise, parse_noise, "X",
-            "Stop once the noise is below this share of the\nbrightness, such as 0.05; then --samples is the\nmost "
-            "(default: 4096)",
-            "Quality");
-  add_denoise_option(*parser, options.job.denoising);
-  add_language_options(*parser, options.job.reading);
-  add_model_options(*parser, options.job.reading.model);
+  add_drawing_options(*parser, options);
   add_input_format_option(*parser, options.input_format);
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return false;

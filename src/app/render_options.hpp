@@ -51,6 +51,11 @@ void add_denoise_option(CLI::App& parser, Denoising& denoising);
 /// --device and --traversal. `default_samples`: for the help.
 void add_quality_options(CLI::App& parser, RenderOptions& options, std::string const& default_samples);
 
+/// What part of a picture is drawn, and of each pixel: --size, --region, --planes, and the viewpoint's.
+void add_picture_options(CLI::App& parser, RenderOptions& options);
+/// What else decides a picture of `render`: light, quality, how scenes and models are read.
+void add_drawing_options(CLI::App& parser, RenderOptions& options);
+
 /// What the scenes of a parsed command line have in common. Throws Error{usage} for what cannot be read.
 void check_inputs(RenderOptions& options);
 

@@ -80,6 +80,13 @@ std::function<void(Scene&)> chooser(EnvironmentChoice choice, bool stands_in_stu
 
 }  // namespace
 
+std::function<void(Scene&)> scene_adjustment(EnvironmentChoice const& choice, bool is_model, LoadOptions const& given) {
+  LoadOptions options = given;
+  if (!options.environments) options.environments = std::make_shared<EnvironmentMaps>();
+  bool const is_by_paths = options.integrator.value_or(usual_integrator(is_model, options.device)) == Integrator::path;
+  return chooser(choice, is_model && is_by_paths, options);
+}
+
 SceneSource::SceneSource(std::string argument, std::string input_format) : name_(std::move(argument)) {
   if (name_ != "-") return;
   name_ = "<stdin>";
@@ -96,8 +103,7 @@ LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& gi
   bool const is_model = is_model_file(name_);
   bool const is_gltf = is_gltf_file(name_);
   if (!options.times_seconds.empty() && !is_gltf) throw Error(ErrorKind::usage, frames_need_gltf);
-  bool const is_by_paths = options.integrator.value_or(usual_integrator(is_model, options.device)) == Integrator::path;
-  auto const adjust = chooser(reading.environment, is_model && is_by_paths, options);
+  auto const adjust = scene_adjustment(reading.environment, is_model, options);
   if (!is_model) {
     auto const find_map = [maps = options.environments](std::string const& source) { return maps->find(source, {}); };
     EsdfOptions const esdf{reading.dialect, reading.allowed_paths, EsdfOptions().max_diagnostics,

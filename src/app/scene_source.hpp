@@ -10,6 +10,11 @@ namespace lichtraum::app {
 
 inline constexpr char const* frames_need_gltf = "--frames is for one animated glTF model";
 
+/// What gives a scene the environment that was chosen, and a model that is drawn by paths a place in the studio. Empty
+/// where nothing is to be changed.
+std::function<void(Scene&)> scene_adjustment(EnvironmentChoice const& choice, bool is_model,
+                                             LoadOptions const& options);
+
 /// A scene that the command line names: a file, or "-" for standard input. It can be loaded more than once.
 class SceneSource {
  public:

@@ -1,0 +1,37 @@
+"""What can go wrong. Each class is for one thing that a caller may do something about."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Sequence
+
+if TYPE_CHECKING:
+    from ._native import Diagnostic
+
+
+class Error(Exception):
+    """Everything that lichtraum raises on purpose, and a fault in it."""
+
+    def __init__(self, message: str, diagnostics: Sequence[Diagnostic] = ()) -> None:
+        super().__init__(message)
+        #: What was found, warnings included, each with `file`, `line`, `column`, `message`, `hint` and `severity`.
+        self.diagnostics: tuple[Diagnostic, ...] = tuple(diagnostics)
+
+
+class SceneError(Error):
+    """A scene or a model is faulty: `diagnostics` say where, why and what to do."""
+
+
+class UsageError(Error, ValueError):
+    """What was asked for makes no sense, or cannot be had of this scene."""
+
+
+class FileError(Error, OSError):
+    """A file cannot be read or written."""
+
+
+class DeviceError(Error):
+    """There is no such device, or it cannot be used."""
+
+
+class SceneWarning(UserWarning):
+    """Something in a scene was repaired or left out, or a device cannot be used."""

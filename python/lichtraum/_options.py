@@ -1,0 +1,121 @@
+"""The options of `lichtraum render`, as keywords."""
+
+from __future__ import annotations
+
+import os
+import re
+from typing import Any, Iterable, Sequence, TypedDict, Union
+
+from . import _native
+from ._errors import UsageError
+
+Path = Union[str, "os.PathLike[str]"]
+Numbers = Sequence[float]
+
+
+class RenderOptions(TypedDict, total=False):
+    """What a picture is asked for. What is left out, or None, is as the scene has it; `lichtraum render --help` says
+    more of each: its options have the same names, with dashes. A text is taken as on its command line."""
+
+    size: tuple[int, int] | str | None  #: width and height in pixels
+    region: tuple[int, int, int, int] | str | None  #: x, y, width, height: only this part
+    planes: Sequence[str] | str | None  #: "radiance", "depth", "normal", ...: see Image.planes
+    camera: str | int | None  #: name or number
+    eye: Numbers | str | None  #: x, y, z: put the camera there
+    look_at: Numbers | str | None
+    up: Numbers | str | None
+    orbit: Numbers | str | None  #: azimuth, elevation in degrees, and a distance or none
+    fov_x: float | str | None  #: degrees
+    fov_y: float | str | None
+    aperture: float | str | None  #: diameter of the lens
+    focus: float | Numbers | str | None  #: distance, or a point
+    root: str | None  #: only this shape and what is below it
+    environment: Path | None  #: a map's file, "studio" or "none"
+    environment_rotation: float | str | None  #: degrees
+    environment_brightness: float | str | None
+    integrator: str | None  #: "whitted" or "path"
+    samples: int | tuple[int, int] | str | None  #: a pixel: 16 random ones, or (4, 4), a grid
+    depth: int | str | None  #: of reflections
+    clamp: float | str | None
+    seed: int | str | None
+    background: Numbers | Sequence[Numbers] | str | None  #: r, g, b; two of these; "environment" or "none"
+    ground: bool | str | None  #: True, "matt", "glossy" or "none"
+    exposure: float | str | None  #: stops
+    tonemap: str | None
+    transfer: str | None  #: "linear" or "srgb"
+    device: str | int | None  #: only of lichtraum.render
+    traversal: str | None  #: only of lichtraum.render
+    noise: float | str | None
+    denoise: str | bool | None  #: "auto", "on", "off" or "builtin"
+    strict: bool | None
+    keep_going: bool | None
+    transform_order: str | None  #: "parent" or "local"
+    rotation: str | None  #: "right" or "left"
+    material_extras: Sequence[str] | str | None
+    allow_path: Path | Sequence[Path] | None  #: folders that a scene may read besides its own
+    scene: str | int | None  #: of a model's file
+    variant: str | int | None
+    time: float | str | None  #: seconds
+    animation: str | int | None
+    both_sides: bool | None
+    max_texture: int | str | None
+    point_size: float | str | None
+
+
+FLAGS = frozenset({"strict", "keep_going", "both_sides"})
+
+
+def _flat(value: Iterable[Any]) -> list[Any]:
+    flat: list[Any] = []
+    for each in value:
+        if isinstance(each, (str, os.PathLike)) or not hasattr(each, "__iter__"):
+            flat.append(each)
+        else:
+            flat.extend(_flat(each))
+    return flat
+
+
+def _word(value: Any) -> str:
+    if isinstance(value, os.PathLike):
+        return str(os.fspath(value))
+    if isinstance(value, (str, int)):
+        return str(value)
+    if hasattr(value, "__float__"):
+        number = float(value)
+        return str(int(number)) if hasattr(value, "__index__") else repr(number)
+    raise TypeError(f"expected a number or a text, not {value!r}")
+
+
+def _words(name: str, value: Any) -> list[str]:
+    """The words of the command line that say `name`=`value`."""
+    option = "--" + name.replace("_", "-")
+    if name in FLAGS:
+        return [option] if value else []
+    if name == "allow_path":
+        folders = [value] if isinstance(value, (str, os.PathLike)) else list(value)
+        return [f"{option}={_word(folder)}" for folder in folders]
+    if isinstance(value, bool):
+        if name == "ground":
+            return [option] if value else []
+        if name == "denoise":
+            return [option + ("=on" if value else "=off")]
+        raise TypeError(f"{name} is neither True nor False")
+    if isinstance(value, (str, os.PathLike)) or not hasattr(value, "__iter__"):
+        return [f"{option}={_word(value)}"]
+    between = "x" if name in ("size", "samples") else ","
+    return [f"{option}={between.join(_word(each) for each in _flat(value))}"]
+
+
+def parsed(options: dict[str, Any]) -> _native.Options:
+    """Raises TypeError for unknown names, UsageError for values that make no sense."""
+    words: list[str] = []
+    for name, value in options.items():
+        if name not in RenderOptions.__annotations__:
+            raise TypeError(f"there is no option {name!r}; there are: {', '.join(RenderOptions.__annotations__)}")
+        if value is not None:
+            words += _words(name, value)
+    try:
+        return _native.parse_options(words)
+    except UsageError as error:  # which names them as on the command line
+        text = re.sub(r"--([a-z][a-z-]+)", lambda match: match[1].replace("-", "_"), str(error))
+        raise UsageError(text) from None

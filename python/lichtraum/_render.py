@@ -1,0 +1,148 @@
+"""Drawing."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Union
+
+from . import _native
+from ._errors import SceneWarning
+from ._image import Image
+from ._options import Path, parsed
+from ._progress import Bar
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._native import Diagnostic
+    from ._options import RenderOptions
+
+Progress = Union[bool, Callable[[float], Any], None]
+
+
+def _warn(diagnostics: Sequence[Diagnostic]) -> None:
+    for diagnostic in diagnostics:
+        if diagnostic.severity == "warning":
+            warnings.warn(str(diagnostic).rstrip(), SceneWarning, stacklevel=4)
+
+
+class Scene:
+    """A scene or a model that was read: see `load`. It can be drawn many times."""
+
+    def __init__(self, native: _native.Scene) -> None:
+        self._native = native
+
+    @property
+    def name(self) -> str:
+        """Of its file."""
+        return self._native.name
+
+    @property
+    def cameras(self) -> list[str]:
+        """Names, the first for the one that is used unless another is asked for."""
+        return self._native.cameras
+
+    @property
+    def shapes(self) -> list[str]:
+        """Names."""
+        return self._native.shapes
+
+    @property
+    def materials(self) -> list[str]:
+        """Names."""
+        return self._native.materials
+
+    @property
+    def lights(self) -> list[str]:
+        """Names."""
+        return self._native.lights
+
+    @property
+    def diagnostics(self) -> list[Diagnostic]:
+        """Warnings and notes."""
+        return self._native.diagnostics
+
+    def __repr__(self) -> str:
+        return f"<lichtraum.Scene {self.name!r}>"
+
+
+class Renderer:
+    """Draws on one device, and keeps programs, models and hierarchies from one picture to the next.
+
+    `device`: an index, a part of its name, "cpu", "gpu" or "reference"; None: the best. Where there is no OpenCL device,
+    that is the reference tracer, which is slow; a SceneWarning says so. Raises DeviceError.
+    """
+
+    def __init__(self, device: str | int | None = None, *, traversal: Optional[str] = None) -> None:
+        self._session = _native.Session("" if device is None else str(device), traversal or "")
+        for warning in self._session.warnings:
+            warnings.warn(warning, SceneWarning, stacklevel=2)
+
+    @property
+    def device(self) -> str:
+        """Its name."""
+        return self._session.device
+
+    def render(
+        self, scene: Path | Scene, /, *, picture: int = 0, progress: Progress = None, **options: Unpack[RenderOptions]
+    ) -> Image:
+        """As `lichtraum.render`, on this device."""
+        given = dict(options)
+        for name in ("device", "traversal"):
+            if name in given:
+                raise TypeError(f"{name} is chosen when the Renderer is made")
+        return self._draw(scene, picture, progress, parsed(given))
+
+    def _draw(self, scene: Path | Scene, picture: int, progress: Progress, options: _native.Options) -> Image:
+        with Bar(progress) as bar:
+            if isinstance(scene, Scene):
+                drawn = self._session.draw_scene(scene._native, options, picture, bar.show)
+            else:
+                drawn = self._session.draw_file(os.fspath(scene), options, picture, bar.show)
+        _warn(drawn.diagnostics)
+        return Image(drawn)
+
+    def __repr__(self) -> str:
+        return f"<lichtraum.Renderer on {self.device!r}>"
+
+
+def render(
+    scene: Path | Scene, /, *, picture: int = 0, progress: Progress = None, **options: Unpack[RenderOptions]
+) -> Image:
+    """Draws a scene or a model: a file's name, or what `load` read.
+
+    `picture`: which of those that the file asks for, from 0. `progress`: False for no bar, or a function that is called
+    with a number from 0 to 1. The others are in RenderOptions, and mean what they mean to `lichtraum render`. Other
+    threads run meanwhile, and Ctrl-C stops it.
+
+    Raises SceneError, UsageError, FileError, DeviceError.
+
+    >>> image = render("scenes/hello.sdf", size=(64, 36), samples=16, progress=False)
+    >>> image.size
+    (64, 36)
+    """
+    given: dict[str, Any] = dict(options)
+    device, traversal = given.pop("device", None), given.pop("traversal", None)
+    parsed_options = parsed(given)  # before a device is looked for
+    return Renderer(device, traversal=traversal)._draw(scene, picture, progress, parsed_options)
+
+
+def load(path: Path, /, **options: Unpack[RenderOptions]) -> Scene:
+    """Reads a scene or a model, as it is at the end of its file; with `time`, at that second of its animation.
+
+    The options are those that say how files are read: `time`, `animation`, `scene`, `variant`, `max_texture`,
+    `point_size`, `strict`, `keep_going`, `transform_order`, `rotation`, `material_extras`, `allow_path`.
+    Raises SceneError, UsageError, FileError.
+
+    >>> load("scenes/hello.sdf").cameras
+    ['eye']
+    """
+    reading = {"time", "animation", "scene", "variant", "max_texture", "point_size", "both_sides", "strict"}
+    reading |= {"keep_going", "transform_order", "rotation", "material_extras", "allow_path"}
+    for name in options:
+        if name not in reading:
+            raise TypeError(f"{name!r} says nothing about reading: it is for render")
+    scene = Scene(_native.read_scene(os.fspath(path), parsed(dict(options))))
+    _warn(scene.diagnostics)
+    return scene

@@ -1,0 +1,71 @@
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
+#include <nanobind/stl/vector.h>
+
+#include "bindings.hpp"
+#include "session.hpp"
+#include "waiting.hpp"
+
+namespace nb = nanobind;
+
+namespace lichtraum::python {
+namespace {
+
+template <class Registry>
+std::vector<std::string> names_in(Registry const& registry) {
+  std::vector<std::string> names;
+  for (auto const& item : registry) {
+    if constexpr (requires { item->name(); }) {
+      names.push_back(item->name());
+    } else {
+      names.push_back(item.name());
+    }
+  }
+  return names;
+}
+
+Picture draw_file(Session& session, std::string const& path, app::RenderOptions const& options, int number,
+                  nb::object const& show) {
+  Picture picture;
+  wait_for([&](ProgressFunction const& progress) { picture = session.draw_file(path, options, number, progress); },
+           show);
+  return picture;
+}
+
+Picture draw_scene(Session& session, ReadScene& scene, app::RenderOptions const& options, int number,
+                   nb::object const& show) {
+  Picture picture;
+  wait_for([&](ProgressFunction const& progress) { picture = session.draw_scene(scene, options, number, progress); },
+           show);
+  return picture;
+}
+
+}  // namespace
+
+void bind_drawing(nb::module_& module) {
+  nb::class_<app::RenderOptions>(module, "Options", "What `lichtraum render` is told about a picture.");
+  module.def("parse_options", &parse_options, nb::arg("words"));
+  module.def("option_names", &option_names);
+
+  nb::class_<ReadScene>(module, "Scene", "A scene that was read from a file.")
+      .def_ro("name", &ReadScene::name)
+      .def_ro("is_model", &ReadScene::is_model)
+      .def_ro("diagnostics", &ReadScene::diagnostics)
+      .def_prop_ro("cameras", [](ReadScene const& read) { return names_in(read.scene.cameras); })
+      .def_prop_ro("shapes", [](ReadScene const& read) { return names_in(read.scene.shapes); })
+      .def_prop_ro("materials", [](ReadScene const& read) { return names_in(read.scene.materials); })
+      .def_prop_ro("lights", [](ReadScene const& read) { return names_in(read.scene.lights); });
+  module.def("read_scene", &read_scene, nb::arg("path"), nb::arg("options"), nb::call_guard<nb::gil_scoped_release>());
+
+  nb::class_<Session>(module, "Session", "A device, and what is kept from one picture to the next.")
+      .def(nb::init<std::string const&, std::string const&>(), nb::arg("device") = "", nb::arg("traversal") = "",
+           nb::call_guard<nb::gil_scoped_release>())
+      .def_prop_ro("device", [](Session const& session) { return session.device().name; })
+      .def_prop_ro("is_reference",
+                   [](Session const& session) { return session.device().kind == DeviceKind::reference; })
+      .def_prop_ro("warnings", &Session::warnings)
+      .def("draw_file", &draw_file, nb::arg("path"), nb::arg("options"), nb::arg("picture"), nb::arg("show").none())
+      .def("draw_scene", &draw_scene, nb::arg("scene"), nb::arg("options"), nb::arg("picture"), nb::arg("show").none());
+}
+
+}  // namespace lichtraum::python

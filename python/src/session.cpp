@@ -1,0 +1,115 @@
+#include "session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "app/renderer_choice.hpp"
+#include "app/scene_source.hpp"
+
+namespace lichtraum::python {
+namespace {
+
+/// Of files, not of standard input: "-" would be that, and any other way to its name is not.
+app::SceneSource source_of(std::string const& path) { return app::SceneSource(path == "-" ? "./-" : path); }
+
+std::optional<Traversal> traversal_of(std::string const& word) {
+  return word.empty() ? std::nullopt : app::parse_traversal(word);
+}
+
+/// Gives a scene back the lights and the environment that it had.
+class LightsAsTheyWere {
+ public:
+  explicit LightsAsTheyWere(Scene& scene) : scene_(scene), environment_(scene.environment) {
+    for (Light const& light : scene.lights) lights_.push_back(light);
+  }
+  ~LightsAsTheyWere() {
+    scene_.environment = environment_;
+    scene_.lights = {};
+    for (Light& light : lights_) scene_.lights.insert(std::move(light));
+  }
+  LightsAsTheyWere(LightsAsTheyWere const&) = delete;
+  LightsAsTheyWere& operator=(LightsAsTheyWere const&) = delete;
+
+ private:
+  Scene& scene_;
+  std::optional<EnvironmentLight> environment_;
+  std::vector<Light> lights_;
+};
+
+}  // namespace
+
+ReadScene read_scene(std::string const& path, app::RenderOptions const& options) {
+  ReadScene read;
+  app::SceneSource const source = source_of(path);
+  read.name = source.name();
+  read.is_model = is_model_file(source.name());
+  SceneReading const& reading = options.job.reading;
+  if (read.is_model) {
+    Model model = import_model(source.name(), {reading.model, reading.allowed_paths, nullptr, {}});
+    read.scene = std::move(model.scene);
+    read.diagnostics = std::move(model.diagnostics);
+  } else {
+    EsdfOptions how;
+    static_cast<EsdfDialect&>(how) = reading.dialect;
+    how.allowed_paths = reading.allowed_paths;
+    EsdfScript script = EsdfScript::from_file(source.name(), how);
+    read.diagnostics = script.diagnostics();
+    read.scene = std::move(script).take_scene();
+  }
+  return read;
+}
+
+Session::Session(std::string const& device, std::string const& traversal)
+    : renderer_(app::choose_renderer(
+          device, traversal_of(traversal), [this](std::string const& text) { warnings_.push_back(text); },
+          [](std::string const&) {})) {}
+
+app::LoadOptions Session::load_options(app::RenderOptions const& options) {
+  app::LoadOptions load;
+  load.models = models_;
+  load.environments = environments_;
+  load.device = renderer_->device().kind;
+  load.integrator = asked_integrator(options.job);
+  return load;
+}
+
+Picture Session::draw_file(std::string const& path, app::RenderOptions const& options, int number,
+                           ProgressFunction const& progress) {
+  std::lock_guard const lock(mutex_);
+  app::SceneSource const source = source_of(path);
+  app::LoadedScene loaded = source.load(options.job.reading, load_options(options));
+  Job job = source.job(options.job);
+  job.picture = number;
+  auto const count = std::max<std::size_t>(1, loaded.scene().renders.size());
+  if (number < 0 || std::size_t(number) >= count) {
+    throw Error(ErrorKind::usage,
+                fmt::format("{}: there is no picture {}: it has {}, counted from 0", path, number, count));
+  }
+  Picture picture;
+  loaded.play([&](Scene const& scene, std::size_t index) {
+    if (index != std::size_t(number)) return true;
+    picture = draw(*renderer_, scene, job, previous_, progress);
+    return false;
+  });
+  auto const& found = loaded.diagnostics();
+  picture.diagnostics.insert(picture.diagnostics.begin(), found.begin(), found.end());
+  return picture;
+}
+
+Picture Session::draw_scene(ReadScene& read, app::RenderOptions const& options, int number,
+                            ProgressFunction const& progress) {
+  std::lock_guard const lock(mutex_);
+  LightsAsTheyWere const lights(read.scene);
+  if (auto const adjust =
+          app::scene_adjustment(options.job.reading.environment, read.is_model, load_options(options))) {
+    adjust(read.scene);
+  }
+  Job job = options.job;
+  job.scene = read.name;
+  job.picture = number;
+  return draw(*renderer_, read.scene, job, previous_, progress);
+}
+
+}  // namespace lichtraum::python

@@ -1,0 +1,271 @@
+"""Pictures, drawn by the package and by the program."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lichtraum as lt
+
+ROOT = Path(__file__).parents[2]
+HELLO = ROOT / "scenes" / "hello.sdf"
+PROGRAM = os.path.join(os.path.dirname(lt.__file__), "bin", "lichtraum")
+
+SCENE = """define material red 0.3 0 0  0.9 0.1 0.1  0.6 0.6 0.6  40
+define shape sphere ball 0 0 -5 1 red
+define light diffuse sun 5 8 2  0.9 0.9 0.8
+define camera eye 60
+render eye one.png 32 24
+transform ball translate 1 0 0
+render eye two.png 40 24
+"""
+
+
+@pytest.fixture
+def renderer():
+    return lt.Renderer()
+
+
+@pytest.fixture
+def film(tmp_path):
+    path = tmp_path / "film.sdf"
+    path.write_text(SCENE)
+    return path
+
+
+OPTIONS = [
+    {},
+    {"samples": 16, "seed": 3},
+    {"samples": (2, 2), "exposure": -0.5, "tonemap": "agx", "transfer": "srgb"},
+    {"integrator": "path", "samples": 16, "denoise": "builtin", "ground": "glossy"},
+    {"orbit": (-35, 20), "fov_y": 40, "background": ((0, 0, 1), (1, 0, 0))},
+    {"background": "none", "region": (3, 2, 40, 20)},
+    {"integrator": "path", "samples": 32, "environment": "studio", "environment_rotation": -90, "denoise": False},
+    {"eye": np.array([1, 2, 8.5]), "look_at": (0, 1, 0), "aperture": 0.2, "samples": 16, "clamp": 3.5},
+    {"integrator": "path", "noise": 0.5, "denoise": "off"},
+]
+
+
+def words(options):
+    """Written out once more, so that what the package makes of keywords is not compared with itself."""
+    text = {
+        "samples": {16: "16", 32: "32", (2, 2): "2x2"},
+        "background": {((0, 0, 1), (1, 0, 0)): "0,0,1,1,0,0", "none": "none"},
+        "region": {(3, 2, 40, 20): "3,2,40,20"},
+        "orbit": {(-35, 20): "-35,20"},
+        "look_at": {(0, 1, 0): "0,1,0"},
+        "denoise": {False: "off"},
+    }
+    for name, value in options.items():
+        if name == "eye":
+            yield "--eye=1,2,8.5"
+            continue
+        yield f"--{name.replace('_', '-')}={text.get(name, {}).get(value, value)}"
+
+
+@pytest.mark.parametrize("extension", ["png", "exr"])
+@pytest.mark.parametrize("options", OPTIONS, ids=lambda options: ",".join(options) or "plain")
+def test_files_are_those_of_the_program(renderer, tmp_path, options, extension):
+    mine, other = tmp_path / f"mine.{extension}", tmp_path / f"other.{extension}"
+    renderer.render(HELLO, size=(64, 36), progress=False, **options).save(mine)
+    command = [PROGRAM, "render", str(HELLO), "--size=64x36", f"--output={other}", "--quiet", *words(options)]
+    subprocess.run(command, check=True)
+    assert mine.read_bytes() == other.read_bytes()
+
+
+@pytest.mark.parametrize("keywords, option", [({"bits": 16}, "--bits=16"), ({"format": "ppm", "ppm_ascii": True}, "--ppm-ascii")])
+def test_save_has_the_options_of_the_program(renderer, tmp_path, keywords, option):
+    name = "picture." + keywords.get("format", "png")
+    renderer.render(HELLO, size=(16, 9)).save(tmp_path / name, **keywords)
+    other = tmp_path / ("other" + name)
+    subprocess.run([PROGRAM, "render", HELLO, "--size=16x9", f"--output={other}", "--quiet", option], check=True)
+    assert (tmp_path / name).read_bytes() == other.read_bytes()
+
+
+def test_each_option_of_the_program_is_a_keyword_or_named_here():
+    help_text = subprocess.run([PROGRAM, "render", "--help"], check=True, capture_output=True, text=True).stdout
+    from lichtraum import _native
+    from lichtraum._options import RenderOptions
+
+    assert set(RenderOptions.__annotations__) == {name.replace("-", "_") for name in _native.option_names()}
+    of_save = {"output", "format", "bits", "quality", "ppm-ascii"}
+    of_programs = {"output-dir", "show", "json", "frames", "fps", "turntable", "resume", "format-in", "help", "quiet", "verbose"}
+    there = {line.split("--", 1)[1].split()[0].split("=")[0].rstrip(",") for line in help_text.splitlines() if line.strip().startswith("-") and "--" in line}
+    there = {name.split("[")[0] for name in there}
+    assert there == set(_native.option_names()) | of_save | of_programs
+
+
+def test_array_is_linear_and_shared(renderer):
+    image = renderer.render(HELLO, size=(64, 36))
+    pixels = np.asarray(image)
+    assert pixels.shape == (36, 64, 3) and pixels.dtype == np.float32 and not pixels.flags.writeable
+    assert np.shares_memory(pixels, np.asarray(image)) and np.shares_memory(pixels, np.from_dlpack(image))
+    assert np.array_equal(pixels, image.planes["radiance"])
+    brighter = renderer.render(HELLO, size=(64, 36), exposure=1, tonemap="none")
+    assert np.array_equal(np.asarray(brighter), pixels)
+    np.testing.assert_array_equal(brighter.developed, 2 * pixels)
+    del image
+    assert pixels.max() > 0.5  # the picture's memory stays
+    assert np.array(brighter, dtype=np.float64).dtype == np.float64
+
+
+def test_planes(renderer):
+    image = renderer.render(HELLO, size=(64, 36), planes=["radiance", "depth", "normal", "object"])
+    assert list(image.planes) == ["radiance", "normal", "depth", "object"]
+    depth, normal, number = (image.planes[name] for name in ("depth", "normal", "object"))
+    assert depth.shape == number.shape == (36, 64) and normal.shape == (36, 64, 3)
+    assert number.dtype == np.uint32 and depth.dtype == np.float32
+    assert np.array_equal(np.isinf(depth), number == 0)
+    np.testing.assert_allclose(np.linalg.norm(normal[number > 0], axis=-1), 1, atol=1e-5)
+    with pytest.raises(KeyError, match="albedo.*there are: radiance"):
+        image.planes["albedo"]
+    with pytest.raises(lt.UsageError, match="no radiance"):
+        np.asarray(renderer.render(HELLO, size=(8, 8), planes="depth"))
+
+
+def test_png_shows_itself(renderer):
+    assert renderer.render(HELLO, size=(8, 8))._repr_png_().startswith(b"\x89PNG\r\n\x1a\n")
+
+
+def test_scene_that_was_loaded_is_drawn_as_its_file(renderer, film):
+    scene = lt.load(HELLO)
+    for options in ({}, {"integrator": "path", "samples": 16, "environment": "studio"}, {}):
+        assert np.array_equal(renderer.render(scene, size=(48, 27), **options), renderer.render(HELLO, size=(48, 27), **options))
+    assert renderer.render(film).size == (32, 24)
+    assert renderer.render(film, picture=1).size == (40, 24)
+    assert not np.array_equal(renderer.render(film, size=(8, 8)), renderer.render(film, picture=1, size=(8, 8)))
+    assert np.array_equal(renderer.render(lt.load(film), size=(8, 8)), renderer.render(film, picture=1, size=(8, 8)))
+    with pytest.raises(lt.UsageError, match="no picture 2"):
+        renderer.render(film, picture=2)
+
+
+def test_model_that_was_loaded_is_drawn_as_its_file(renderer, tmp_path):
+    path = tmp_path / "triangle.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    model = lt.load(path)
+    for options in ({}, {"integrator": "whitted"}, {}):
+        options |= {"size": (32, 32)}
+        assert np.array_equal(renderer.render(model, **options), renderer.render(path, **options))
+    assert renderer.render(model, size=(8, 8)).job["integrator"] == "path"
+
+
+def test_model_has_an_option_that_is_called_as_the_first_argument(renderer, tmp_path):
+    path = tmp_path / "two.gltf"
+    path.write_text('{"asset": {"version": "2.0"}, "scenes": [{"nodes": []}], "nodes": []}')
+    for use in (lambda: renderer.render(path, scene=5), lambda: lt.load(path, scene=5)):
+        with pytest.raises(lt.Error, match="5"):
+            use()
+
+
+def test_errors_say_where(tmp_path):
+    path = tmp_path / "broken.sdf"
+    path.write_text("define shpe sphere\nrender eye x.png\n")
+    with pytest.raises(lt.SceneError, match="cannot define 'shpe'") as caught:
+        lt.load(path)
+    first = caught.value.diagnostics[0]
+    assert (first.file, first.line, first.column, first.severity) == (str(path), 1, 8, "error")
+    assert first.message == "cannot define 'shpe': unknown kind" and first.hint == "did you mean 'shape'?"
+    with pytest.raises(lt.SceneError):
+        lt.render(path)
+    with pytest.raises(lt.FileError, match="nowhere.sdf"):
+        lt.load(tmp_path / "nowhere.sdf")
+    with pytest.raises(lt.FileError, match="-"):
+        lt.load("-")  # a file, not standard input
+
+
+@pytest.mark.parametrize(
+    "options, message",
+    [
+        ({"size": (0, 4)}, "^size: a picture has at least 1x1"),
+        ({"integrator": "magic"}, "^integrator: expected whitted or path"),
+        ({"look_at": (1, 2)}, "^look_at: expected"),
+        ({"region": (0, 0, 9999, 1)}, "does not lie in the picture"),
+        ({"camera": "nobody"}, "nobody"),
+        ({"root": "nobody"}, "nobody"),
+    ],
+)
+def test_wrong_values(renderer, options, message):
+    with pytest.raises(lt.UsageError, match=message):
+        renderer.render(HELLO, **options)
+
+
+def test_unknown_names(renderer):
+    with pytest.raises(TypeError, match="no option 'sizes'"):
+        renderer.render(HELLO, sizes=(1, 1))
+    with pytest.raises(TypeError, match="size"):
+        lt.load(HELLO, size=(1, 1))
+    with pytest.raises(TypeError, match="seed"):
+        renderer.render(HELLO, seed=True)
+    with pytest.raises(lt.DeviceError, match="abacus"):
+        lt.Renderer("abacus")
+
+
+def test_what_a_scene_warns_of_is_a_warning(tmp_path):
+    path = tmp_path / "extras.sdf"
+    path.write_text(SCENE.replace("40\ndefine shape", "40 0.5\ndefine shape"))
+    with pytest.warns(lt.SceneWarning, match="extras.sdf:1"):
+        lt.load(path)
+
+
+def test_interrupt_stops(renderer):
+    renderer.render(HELLO, size=(64, 36), samples=16)
+
+    def interrupt():
+        time.sleep(0.5)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=interrupt)
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        renderer.render(HELLO, size=(4096, 4096), samples=4096)
+    thread.join()
+    assert renderer.render(HELLO, size=(8, 8)).size == (8, 8)
+
+
+def test_other_threads_run_and_progress_is_told(renderer):
+    shown, ran, done = [], [], threading.Event()
+
+    def work():
+        while not done.wait(0.001):
+            ran.append(len(shown))
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    renderer.render(HELLO, size=(1280, 720), samples=64, progress=shown.append)
+    done.set()
+    thread.join()
+    assert len(ran) > 10
+    assert shown == sorted(shown) and all(0 < fraction <= 1 for fraction in shown) and shown
+
+
+def test_what_progress_raises_comes_out(renderer):
+    def refuse(_):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        renderer.render(HELLO, size=(2048, 2048), samples=1024, progress=refuse)
+
+
+def test_without_opencl_the_reference_tracer_draws(tmp_path):
+    code = (
+        "import warnings, lichtraum as lt\n"
+        "with warnings.catch_warnings(record=True) as found:\n"
+        "    warnings.simplefilter('always')\n"
+        f"    image = lt.render({str(HELLO)!r}, size=(16, 9))\n"
+        "assert any('reference tracer' in str(w.message) for w in found), found\n"
+        "print(image.size, image.statistics['device'])\n"
+    )
+    environment = {**os.environ, "OCL_ICD_VENDORS": str(tmp_path), "OCL_ICD_FILENAMES": ""}
+    run = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True)
+    assert run.returncode == 0 and run.stdout.startswith("(16, 9)"), run.stderr
+
+
+def test_module_is_the_program():
+    run = subprocess.run([sys.executable, "-m", "lichtraum", "--version"], capture_output=True, text=True, check=True)
+    assert run.stdout == f"lichtraum {lt.__version__}\n"

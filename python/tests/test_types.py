@@ -1,0 +1,57 @@
+"""Types, as mypy sees them, and whether they are those of the module."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import lichtraum
+
+ROOT = Path(__file__).parents[2]
+PACKAGES = Path(lichtraum.__file__).parents[1]
+
+pytest.importorskip("mypy")
+
+GOOD = """
+import lichtraum as lt
+image: lt.Image = lt.render("a.sdf", size=(4, 3), samples=(2, 2), background=((0, 0, 0), (1, 1, 1)), progress=False)
+size: tuple[int, int] = image.size
+number: int = lt.load("a.glb", time=1.5).diagnostics[0].line
+"""
+BAD = """
+import lichtraum as lt
+lt.render("a.sdf", sizes=(4, 3))
+lt.render("a.sdf", seed=(4, 3))
+lt.load("a.sdf").nothing
+"""
+
+
+def run(tmp_path, module, *arguments):
+    command = [sys.executable, "-m", module, *map(str, arguments)]
+    environment = {**os.environ, "MYPY_CACHE_DIR": str(tmp_path / "cache")}
+    if PACKAGES.name != "site-packages":
+        environment |= {"MYPYPATH": str(PACKAGES), "PYTHONPATH": str(PACKAGES)}
+    return subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True)
+
+
+def test_package_is_typed(tmp_path):
+    checked = run(tmp_path, "mypy", "--config-file", ROOT / "pyproject.toml", "-p", "lichtraum")
+    assert checked.returncode == 0, checked.stdout
+
+
+def test_users_are_helped(tmp_path):
+    (tmp_path / "good.py").write_text(GOOD)
+    (tmp_path / "bad.py").write_text(BAD)
+    good = run(tmp_path, "mypy", "--strict", "good.py")
+    assert good.returncode == 0, good.stdout
+    bad = run(tmp_path, "mypy", "--strict", "bad.py")
+    assert [line.split(":")[1] for line in bad.stdout.splitlines() if ": error:" in line] == ["3", "4", "5"], bad.stdout
+
+
+def test_stubs_are_the_module(tmp_path):
+    (tmp_path / "mypy.ini").write_text("[mypy]\n[mypy-ipywidgets.*,IPython.*]\nignore_missing_imports = True\n")
+    allowed = ROOT / "python" / "tests" / "stubtest_allowlist.txt"
+    checked = run(tmp_path, "mypy.stubtest", "lichtraum", "--mypy-config-file", "mypy.ini", "--allowlist", allowed)
+    assert checked.returncode == 0, checked.stdout

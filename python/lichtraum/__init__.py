@@ -12,18 +12,33 @@ from ._errors import DeviceError, Error, FileError, SceneError, SceneWarning, Us
 from ._image import Image
 from ._native import Diagnostic
 from ._native import version as __version__
-from ._render import Renderer, Scene, load, render
+from ._nodes import Box, Camera, Cone, Cylinder, Group, Light, Mesh, Model, Phong, Plane, Shape, Sphere
+from ._render import LoadedScene, Renderer, load, render
+from ._scene import Scene
 
 __all__ = [
+    "Box",
+    "Camera",
+    "Cone",
+    "Cylinder",
     "DeviceError",
     "Diagnostic",
     "Error",
     "FileError",
+    "Group",
     "Image",
+    "Light",
+    "LoadedScene",
+    "Mesh",
+    "Model",
+    "Phong",
+    "Plane",
     "Renderer",
     "Scene",
     "SceneError",
     "SceneWarning",
+    "Shape",
+    "Sphere",
     "UsageError",
     "__version__",
     "load",

@@ -11,6 +11,7 @@ from ._errors import SceneWarning
 from ._image import Image
 from ._options import Path, parsed
 from ._progress import Bar
+from ._scene import Scene
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -27,7 +28,13 @@ def _warn(diagnostics: Sequence[Diagnostic]) -> None:
             warnings.warn(str(diagnostic).rstrip(), SceneWarning, stacklevel=4)
 
 
-class Scene:
+def _folders(value: Any) -> list[Any]:
+    if value is None:
+        return []
+    return [value] if isinstance(value, (str, os.PathLike)) else list(value)
+
+
+class LoadedScene:
     """A scene or a model that was read: see `load`. It can be drawn many times."""
 
     def __init__(self, native: _native.Scene) -> None:
@@ -64,7 +71,10 @@ class Scene:
         return self._native.diagnostics
 
     def __repr__(self) -> str:
-        return f"<lichtraum.Scene {self.name!r}>"
+        return f"<lichtraum.LoadedScene {self.name!r}>"
+
+
+Drawable = Union[Path, LoadedScene, Scene]
 
 
 class Renderer:
@@ -85,18 +95,22 @@ class Renderer:
         return self._session.device
 
     def render(
-        self, scene: Path | Scene, /, *, picture: int = 0, progress: Progress = None, **options: Unpack[RenderOptions]
+        self, scene: Drawable, /, *, picture: int = 0, progress: Progress = None, **options: Unpack[RenderOptions]
     ) -> Image:
         """As `lichtraum.render`, on this device."""
         given = dict(options)
         for name in ("device", "traversal"):
             if name in given:
                 raise TypeError(f"{name} is chosen when the Renderer is made")
-        return self._draw(scene, picture, progress, parsed(given))
+        return self._draw(scene, picture, progress, given)
 
-    def _draw(self, scene: Path | Scene, picture: int, progress: Progress, options: _native.Options) -> Image:
+    def _draw(self, scene: Drawable, picture: int, progress: Progress, given: dict[str, Any]) -> Image:
+        if isinstance(scene, Scene):
+            scene, folders = scene._drawable()
+            given = {**given, "allow_path": [*_folders(given.get("allow_path")), *folders]}
+        options = parsed(given)
         with Bar(progress) as bar:
-            if isinstance(scene, Scene):
+            if isinstance(scene, LoadedScene):
                 drawn = self._session.draw_scene(scene._native, options, picture, bar.show)
             else:
                 drawn = self._session.draw_file(os.fspath(scene), options, picture, bar.show)
@@ -108,9 +122,9 @@ class Renderer:
 
 
 def render(
-    scene: Path | Scene, /, *, picture: int = 0, progress: Progress = None, **options: Unpack[RenderOptions]
+    scene: Drawable, /, *, picture: int = 0, progress: Progress = None, **options: Unpack[RenderOptions]
 ) -> Image:
-    """Draws a scene or a model: a file's name, or what `load` read.
+    """Draws a scene or a model: a file's name, what `load` read, or a Scene.
 
     `picture`: which of those that the file asks for, from 0. `progress`: False for no bar, or a function that is called
     with a number from 0 to 1. The others are in RenderOptions, and mean what they mean to `lichtraum render`. Other
@@ -124,11 +138,11 @@ def render(
     """
     given: dict[str, Any] = dict(options)
     device, traversal = given.pop("device", None), given.pop("traversal", None)
-    parsed_options = parsed(given)  # before a device is looked for
-    return Renderer(device, traversal=traversal)._draw(scene, picture, progress, parsed_options)
+    parsed(given)  # mistakes are told before a device is looked for
+    return Renderer(device, traversal=traversal)._draw(scene, picture, progress, given)
 
 
-def load(path: Path, /, **options: Unpack[RenderOptions]) -> Scene:
+def load(path: Path, /, **options: Unpack[RenderOptions]) -> LoadedScene:
     """Reads a scene or a model, as it is at the end of its file; with `time`, at that second of its animation.
 
     The options are those that say how files are read: `time`, `animation`, `scene`, `variant`, `max_texture`,
@@ -143,6 +157,6 @@ def load(path: Path, /, **options: Unpack[RenderOptions]) -> Scene:
     for name in options:
         if name not in reading:
             raise TypeError(f"{name!r} says nothing about reading: it is for render")
-    scene = Scene(_native.read_scene(os.fspath(path), parsed(dict(options))))
+    scene = LoadedScene(_native.read_scene(os.fspath(path), parsed(dict(options))))
     _warn(scene.diagnostics)
     return scene

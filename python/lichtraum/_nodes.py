@@ -1,0 +1,294 @@
+"""What scenes are made of. Each can write itself as eSDF, which is also how it is drawn."""
+
+from __future__ import annotations
+
+import math
+import os
+from abc import ABC, abstractmethod
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Iterable, Optional, Sequence, Union
+
+import numpy
+from numpy.typing import ArrayLike
+
+from ._errors import UsageError
+
+if TYPE_CHECKING:
+    from ._esdf import Writer
+
+Vector = Sequence[float]
+Color = Union[float, Sequence[float]]
+
+
+def number(value: Any) -> float:
+    """Raises UsageError for what is not finite."""
+    result = float(value)
+    if not math.isfinite(result):
+        raise UsageError(f"expected a finite number, not {result}")
+    return result
+
+
+def length(value: float) -> float:
+    """Raises UsageError for what is not above 0."""
+    result = number(value)
+    if result <= 0:
+        raise UsageError(f"expected a radius above 0, not {result}")
+    return result
+
+
+def vector(value: Vector) -> tuple[float, float, float]:
+    """Raises UsageError for what is not three finite numbers."""
+    numbers = [number(each) for each in value]
+    if len(numbers) != 3:
+        raise UsageError(f"expected three numbers, not {len(numbers)}")
+    return numbers[0], numbers[1], numbers[2]
+
+
+def color(value: Color) -> tuple[float, float, float]:
+    """Three numbers, or one for all."""
+    return vector([value] * 3 if isinstance(value, (int, float)) else value)
+
+
+@dataclass(frozen=True)
+class Phong:
+    """What a surface is made of: Phong's coefficients, with a mirror's and glass's (docs/ESDF.md). Colours are linear red,
+    green and blue, or one number for all; shares are 0 to 1."""
+
+    ambient: Color = 0.8
+    diffuse: Color = 0.8
+    specular: Color = 0.0
+    exponent: float = 1.0
+    reflect: float = 0.0
+    transmit: float = 0.0
+    ior: float = 1.0
+    emission: Color = 0.0
+
+    def words(self) -> list[Any]:
+        """Of eSDF, after the name."""
+        words: list[Any] = [*color(self.ambient), *color(self.diffuse), *color(self.specular), number(self.exponent)]
+        for name, usual in (("reflect", 0), ("transmit", 0), ("ior", 1)):
+            value = number(getattr(self, name))
+            if value != usual:
+                words.append(f"{name}={value!r}")
+        return words + (["emission", *color(self.emission)] if any(color(self.emission)) else [])
+
+
+WHITE = Phong()
+
+
+class Shape(ABC):
+    """A node of a scene. It may be in several groups, or several times in one: each shows it."""
+
+    def __init__(self, material: Optional[Phong], name: Optional[str]) -> None:
+        self.material = material
+        self.name = name
+        self.transforms: list[list[Any]] = []
+
+    def translate(self, offset: Vector) -> None:
+        """Moves it, after what was done before."""
+        self.transforms.append(["translate", *vector(offset)])
+
+    def rotate(self, angle_degrees: float, axis: Vector) -> None:
+        """Turns it about an axis through the origin, anticlockwise where that points at you."""
+        if not any(vector(axis)):
+            raise UsageError("an axis has a length")
+        self.transforms.append(["rotate", number(angle_degrees), *vector(axis)])
+
+    def scale(self, factor: Color) -> None:
+        """Scales it about the origin: by one factor, or by one along each axis. None is 0."""
+        if not all(color(factor)):
+            raise UsageError("no factor is 0")
+        self.transforms.append(["scale", *color(factor)])
+
+    @property
+    @abstractmethod
+    def kind(self) -> str:
+        """As eSDF calls it."""
+
+    @abstractmethod
+    def words(self, writer: Writer) -> list[Any]:
+        """Of eSDF, between the name and the material."""
+
+
+class Sphere(Shape):
+    def __init__(self, center: Vector, radius: float, material: Phong = WHITE, *, name: Optional[str] = None) -> None:
+        super().__init__(material, name)
+        self._words = [*vector(center), length(radius)]
+
+    kind = "sphere"
+
+    def words(self, writer: Writer) -> list[Any]:
+        return self._words
+
+
+class Box(Shape):
+    """Between two opposite corners."""
+
+    def __init__(self, p1: Vector, p2: Vector, material: Phong = WHITE, *, name: Optional[str] = None) -> None:
+        super().__init__(material, name)
+        self._words = [*vector(p1), *vector(p2)]
+
+    kind = "box"
+
+    def words(self, writer: Writer) -> list[Any]:
+        return self._words
+
+
+class Cylinder(Shape):
+    """Round about the way from p1 to p2, with flat ends there."""
+
+    def __init__(
+        self, p1: Vector, p2: Vector, radius: float, material: Phong = WHITE, *, name: Optional[str] = None
+    ) -> None:
+        super().__init__(material, name)
+        self._words = [*vector(p1), *vector(p2), length(radius)]
+
+    kind = "cylinder"
+
+    def words(self, writer: Writer) -> list[Any]:
+        return self._words
+
+
+class Cone(Shape):
+    """On a disc around the base, up to the tip."""
+
+    def __init__(
+        self, base: Vector, tip: Vector, radius: float, material: Phong = WHITE, *, name: Optional[str] = None
+    ) -> None:
+        super().__init__(material, name)
+        self._words = [*vector(base), *vector(tip), length(radius)]
+
+    kind = "cone"
+
+    def words(self, writer: Writer) -> list[Any]:
+        return self._words
+
+
+class Plane(Shape):
+    """Without an end, through the point and at right angles to the normal."""
+
+    def __init__(self, point: Vector, normal: Vector, material: Phong = WHITE, *, name: Optional[str] = None) -> None:
+        super().__init__(material, name)
+        self._words = [*vector(point), *vector(normal)]
+
+    kind = "plane"
+
+    def words(self, writer: Writer) -> list[Any]:
+        return self._words
+
+
+class Mesh(Shape):
+    """Triangles: vertices (N, 3), faces (M, 3) of their numbers from 0, counter-clockwise seen from outside. Copied."""
+
+    def __init__(
+        self, vertices: ArrayLike, faces: ArrayLike, material: Phong = WHITE, *, name: Optional[str] = None
+    ) -> None:
+        super().__init__(material, name)
+        self.vertices = numpy.array(vertices, dtype="<f4")
+        corners = numpy.array(faces)
+        for what, array in (("vertices", self.vertices), ("faces", corners)):
+            if array.ndim != 2 or array.shape[1] != 3 or len(array) == 0:
+                raise UsageError(f"{what}: expected an array of N x 3, not of {' x '.join(map(str, array.shape))}")
+        if not numpy.issubdtype(corners.dtype, numpy.integer):
+            raise UsageError(f"faces: expected whole numbers, not {corners.dtype}")
+        if corners.min() < 0 or corners.max() >= len(self.vertices):
+            raise UsageError(f"faces: a vertex is a number from 0 to {len(self.vertices) - 1}")
+        if not numpy.isfinite(self.vertices).all():
+            raise UsageError("vertices: expected finite numbers")
+        self.faces = corners.astype("<i4")
+
+    @classmethod
+    def from_trimesh(cls, mesh: Any, material: Phong = WHITE, *, name: Optional[str] = None) -> Mesh:
+        """Of a trimesh.Trimesh, or of anything with `vertices` and `faces`; colours and normals are left out."""
+        return cls(mesh.vertices, mesh.faces, material, name=name)
+
+    kind = "mesh"
+
+    def words(self, writer: Writer) -> list[Any]:
+        return [writer.file_of(self)]
+
+
+class Model(Shape):
+    """A .gltf, .glb, .obj, .ply or .stl file, with its own materials unless another is given."""
+
+    def __init__(
+        self, path: str | os.PathLike[str], material: Optional[Phong] = None, *, name: Optional[str] = None
+    ) -> None:
+        super().__init__(material, name)
+        self.path = os.path.abspath(os.fspath(path))
+        if any(letter.isspace() for letter in self.path):
+            raise UsageError(f"{self.path}: eSDF cannot name a file with spaces in its path")
+
+    kind = "mesh"
+
+    def words(self, writer: Writer) -> list[Any]:
+        return [writer.path_of(self.path)]
+
+
+class Group(Shape):
+    """Shapes, and groups of them, that move as one."""
+
+    def __init__(self, children: Iterable[Shape] = (), *, name: Optional[str] = None) -> None:
+        super().__init__(None, name)
+        self.children = list(children)
+
+    def add(self, child: Shape) -> None:
+        self.children.append(child)
+
+    kind = "composite"
+
+    def words(self, writer: Writer) -> list[Any]:
+        if not self.children:
+            raise UsageError("a group has at least one shape")
+        return [writer.shape(child) for child in self.children]
+
+
+@dataclass(frozen=True)
+class Light:
+    """A lamp: see `point` and `ambient`."""
+
+    kind: str
+    values: list[Any] = field(default_factory=list)
+    name: Optional[str] = None
+
+    @classmethod
+    def point(cls, position: Vector, brightness: Color = 1.0, *, radius: float = 0.0, name: Optional[str] = None) -> Light:
+        """As bright at any distance. Only paths show a radius."""
+        size = [f"radius={number(radius)!r}"] if radius else []
+        return cls("diffuse", [*vector(position), *color(brightness), *size], name)
+
+    @classmethod
+    def ambient(cls, brightness: Color = 0.2, *, name: Optional[str] = None) -> Light:
+        """Arrives everywhere."""
+        return cls("ambient", [*color(brightness)], name)
+
+
+@dataclass(frozen=True)
+class Camera:
+    """At `eye`, looks at `target` with `up` upwards; `fov_x_degrees` wide, between 0 and 180. `size`: of pictures for
+    which no other is asked."""
+
+    fov_x_degrees: float = 45.0
+    eye: Vector = (0.0, 0.0, 0.0)
+    target: Vector = (0.0, 0.0, -1.0)
+    up: Vector = (0.0, 1.0, 0.0)
+    size: tuple[int, int] = (640, 480)
+
+    def transforms(self) -> list[list[Any]]:
+        """From the origin, where it looks along -z: it rolls, nods, turns, and goes to its place."""
+        eye, target, up = (numpy.array(vector(v)) for v in (self.eye, self.target, self.up))
+        x, y, z = target - eye
+        across = math.hypot(x, z)
+        if math.hypot(across, y) == 0:
+            raise UsageError("a camera does not look at the place where it stands")
+        yaw, pitch = math.atan2(-x, -z) if across else 0.0, math.atan2(y, across)
+        right = numpy.array([math.cos(yaw), 0.0, -math.sin(yaw)])
+        above = numpy.cross(right, (target - eye) / math.hypot(across, y))
+        sideways, upwards = float(up @ right), float(up @ above)
+        if math.hypot(sideways, upwards) < 1e-9 * math.hypot(*up) or not any(up):
+            raise UsageError("a camera does not look along what is up")
+        steps: list[list[Any]] = []
+        for angle, axis in ((math.atan2(-sideways, upwards), (0, 0, 1)), (pitch, (1, 0, 0)), (yaw, (0, 1, 0))):
+            if angle:
+                steps.append(["rotate", math.degrees(angle), *axis])
+        return steps + [["translate", *map(float, eye)]]

@@ -1,0 +1,83 @@
+"""Scenes that are made in Python."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+from typing import Iterable, Optional, Union
+
+from ._errors import FileError, UsageError
+from ._esdf import Writer
+from ._nodes import Camera, Color, Group, Light, Model, Shape
+
+Item = Union[Shape, Light]
+
+
+class Scene:
+    """Shapes and lights, a camera and a background.
+
+    >>> import lichtraum as lt
+    >>> scene = lt.Scene([lt.Sphere((0, 0, -5), 1), lt.Light.point((5, 8, 2))])
+    >>> lt.render(scene, size=(40, 30)).size
+    (40, 30)
+    """
+
+    def __init__(
+        self, items: Iterable[Item] = (), *, camera: Optional[Camera] = None, background: Optional[Color] = None
+    ) -> None:
+        self.items: list[Item] = []
+        self.camera = camera or Camera()
+        self.background = background
+        self._folder: Optional[tempfile.TemporaryDirectory[str]] = None
+        for item in items:
+            self.add(item)
+
+    def add(self, item: Item) -> None:
+        """A shape, a group of them, or a light."""
+        if not isinstance(item, (Shape, Light)):
+            raise TypeError(f"a scene holds shapes and lights, not {item!r}")
+        self.items.append(item)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the scene as eSDF (.sdf): `lichtraum render` draws the same picture of it. Meshes become .ply files beside
+        it; models stay where they are, and outside the scene's folder take --allow-path. Raises FileError, UsageError."""
+        self._write(Path(path))
+
+    def _write(self, path: Path) -> None:
+        if any(letter.isspace() or letter == "#" for letter in path.name):
+            raise UsageError(f"{path.name!r}: eSDF cannot name files with spaces or a #, such as the meshes beside it")
+        writer = Writer(path.parent, path.stem + "_mesh_")
+        temporary = path.with_name(path.name + ".partial")
+        try:
+            for item in self.items:
+                if isinstance(item, Light):
+                    writer.light(item)
+                else:
+                    writer.shape(item)
+            if self.background is not None:
+                writer.background(self.background)
+            writer.camera(self.camera, path.stem + ".png")
+            temporary.write_text(writer.text(), encoding="utf-8")
+            os.replace(temporary, path)
+        except OSError as error:
+            raise FileError(f"cannot write {str(path)!r}: {error.strerror}") from error
+
+    def _drawable(self) -> tuple[str, list[str]]:
+        """A file of the scene as it is now, and the folders of its models."""
+        if self._folder is None:
+            self._folder = tempfile.TemporaryDirectory(prefix="lichtraum-")
+        path = Path(self._folder.name) / "scene.sdf"
+        self._write(path)
+        folders: set[str] = set()
+        waiting = list(self.items)
+        while waiting:
+            item = waiting.pop()
+            if isinstance(item, Group):
+                waiting += item.children
+            elif isinstance(item, Model):
+                folders.add(os.path.dirname(os.path.realpath(item.path)))
+        return str(path), sorted(folders)
+
+    def __repr__(self) -> str:
+        return f"<lichtraum.Scene of {len(self.items)} things>"

@@ -1,0 +1,133 @@
+"""Scenes that are made in Python."""
+
+import os
+import subprocess
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import lichtraum as lt
+
+PROGRAM = os.path.join(os.path.dirname(lt.__file__), "bin", "lichtraum")
+SIZE = {"size": (64, 48), "progress": False}
+RED = lt.Phong(ambient=0.2, diffuse=(0.9, 0.1, 0.1), specular=0.5, exponent=40, reflect=0.3)
+CUBE = lt.Box((-1, -1, -1), (1, 1, 1))
+
+
+@pytest.fixture(scope="module")
+def renderer():
+    return lt.Renderer()
+
+
+def everything():
+    shared = lt.Sphere((0, 0, 0), 0.4, lt.Phong(diffuse=0.1, transmit=0.8, ior=1.5))
+    pair = lt.Group([shared, lt.Cone((1, 0, 0), (1, 1, 0), 0.3, RED)], name="pair")
+    pair.rotate(30, (0, 1, 0))
+    pair.translate((0, 0, -5))
+    again = lt.Group([pair, shared])
+    again.scale((1, 0.5, 1))
+    triangles = lt.Mesh([(-1, 0, -6), (1, 0, -6), (0, 1.5, -6)], [(0, 1, 2)], RED)
+    cylinder = lt.Cylinder((-2, -1, -6), (-2, 1, -6), 0.4)
+    floor = lt.Plane((0, -1, 0), (0, 1, 0), lt.Phong(emission=(0.1, 0, 0)))
+    items = [again, triangles, cylinder, floor, lt.Box((1, -1, -7), (2, 0, -6), RED)]
+    lights = [lt.Light.point((5, 8, 2), (0.9, 0.9, 0.8)), lt.Light.ambient(0.2)]
+    return lt.Scene(items + lights, camera=lt.Camera(50, eye=(0.5, 1, 1), target=(0, 0, -5)), background=(0.1, 0.2, 0.3))
+
+
+def test_saved_scene_is_the_same_picture(renderer, tmp_path):
+    scene = everything()
+    scene.save(tmp_path / "scene.sdf")
+    mine = renderer.render(scene, integrator="whitted", **SIZE)
+    command = [PROGRAM, "render", tmp_path / "scene.sdf", "--integrator=whitted", "--size=64x48", f"--output={tmp_path}/other.png", "-q"]
+    subprocess.run(command, check=True)
+    assert mine.encoded("png") == (tmp_path / "other.png").read_bytes()
+    assert len(np.unique(mine.developed.reshape(-1, 3), axis=0)) > 100
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["other.png", "scene.sdf", "scene_mesh_1.ply"]
+
+
+def test_mesh_is_where_its_vertices_are(renderer):
+    corners = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    faces = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
+    camera = lt.Camera(40, eye=(3, 4, 6), target=(0, 0, 0))
+    depths = [
+        renderer.render(lt.Scene([shape], camera=camera), planes="depth", **SIZE).planes["depth"]
+        for shape in (CUBE, lt.Mesh(corners, faces), lt.Mesh.from_trimesh(SimpleNamespace(vertices=corners, faces=np.array(faces))))
+    ]
+    assert 200 < np.isfinite(depths[0]).sum() < 3000
+    for depth in depths[1:]:
+        np.testing.assert_allclose(depth, depths[0], rtol=1e-5)
+
+
+@pytest.mark.parametrize("eye, target, up", [
+    ((0, 0, 9), (0, 0, 0), (0, 1, 0)),
+    ((3, 4, 6), (0, 1, 0), (0, 1, 0)),
+    ((-3, -4, -6), (1, 0, 0), (1, 2, 0.5)),
+    ((0, 9, 0), (0, 0, 0), (0, 0, -1)),
+    ((0, 9, 1), (0, -3, 0.5), (1, 0, 1)),
+])
+def test_camera_stands_as_the_program_places_one(renderer, eye, target, up):
+    """`look_at` of the options is other code, in C++."""
+    cubes = [CUBE, lt.Box((1, 1, 1), (1.5, 3, 1.2))]
+    placed = lt.Scene(cubes, camera=lt.Camera(50, eye=eye, target=target, up=up))
+    other = lt.Scene(cubes, camera=lt.Camera(50))
+    planes = [renderer.render(placed, planes="position", **SIZE), renderer.render(other, planes="position", eye=eye, look_at=target, up=up, **SIZE)]
+    mine, wanted = (image.planes["position"] for image in planes)
+    assert (wanted != 0).any()
+    close = np.isclose(mine, wanted, atol=1e-4).all(axis=-1)
+    assert close.mean() > 0.99  # all but edges
+
+
+def test_what_moves_is_drawn_where_it_is(renderer):
+    ball = lt.Sphere((0, 0, 0), 1)
+    scene = lt.Scene([ball], camera=lt.Camera(eye=(0, 0, 8)))
+    middles = []
+    for _ in range(3):
+        hit = np.isfinite(renderer.render(scene, planes="depth", **SIZE).planes["depth"])
+        middles.append(np.nonzero(hit)[1].mean())
+        ball.translate((1, 0, 0))
+    assert middles[0] == pytest.approx(31.5) and np.diff(middles) == pytest.approx(32 / np.tan(np.radians(22.5)) / 8, rel=0.1)
+
+
+def test_model_from_another_folder(renderer, tmp_path):
+    path = tmp_path / "triangle.obj"
+    path.write_text("v -1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    model = lt.Model(path)
+    model.rotate(20, (0, 1, 0))
+    scene = lt.Scene([lt.Group([model])], camera=lt.Camera(eye=(0, 0, 4)))
+    assert np.isfinite(renderer.render(scene, planes="depth", **SIZE).planes["depth"]).sum() > 50
+
+
+@pytest.mark.parametrize("make, message", [
+    (lambda: lt.Sphere((0, 0), 1), "three numbers"),
+    (lambda: lt.Sphere((0, 0, float("nan")), 1), "finite"),
+    (lambda: lt.Sphere((0, 0, 0), -1), "above 0"),
+    (lambda: lt.Mesh([(0, 0, 0)], [(0, 0, 1)]), "from 0 to 0"),
+    (lambda: lt.Mesh([(0, 0, 0)], [(0.0, 0.0, 0.0)]), "whole numbers"),
+    (lambda: lt.Mesh([0, 0, 0], [(0, 0, 0)]), "N x 3"),
+    (lambda: CUBE.rotate(3, (0, 0, 0)), "axis"),
+    (lambda: CUBE.scale(0), "factor"),
+    (lambda: lt.Camera(eye=(1, 1, 1), target=(1, 1, 1)).transforms(), "stands"),
+    (lambda: lt.Camera(eye=(0, 1, 0), target=(0, 0, 0)).transforms(), "up"),
+    (lambda: lt.Model("a b.glb"), "spaces"),
+])
+def test_what_makes_no_sense_is_refused(make, message):
+    with pytest.raises(lt.UsageError, match=message):
+        make()
+
+
+def test_faulty_scenes(renderer, tmp_path):
+    group = lt.Group([CUBE])
+    group.add(group)
+    twice = [lt.Sphere((0, 0, 0), 1, name="a"), lt.Sphere((0, 0, 0), 1, name="a")]
+    for items, message in (([group], "itself"), ([lt.Group()], "at least one"), (twice, "called 'a'"), ([lt.Sphere((0, 0, 0), 1, name="a b")], "name")):
+        with pytest.raises(lt.UsageError, match=message):
+            lt.Scene(items).save(tmp_path / "scene.sdf")
+    assert list(tmp_path.iterdir()) == []
+    with pytest.raises(TypeError):
+        lt.Scene([3])
+    with pytest.raises(lt.SceneError, match="transmit"):
+        renderer.render(lt.Scene([lt.Sphere((0, 0, 0), 1, lt.Phong(reflect=0.9, transmit=0.9))]), **SIZE)
+    with pytest.raises(lt.FileError, match="nowhere"):
+        lt.Scene([CUBE]).save(Path("/nowhere/scene.sdf"))

@@ -86,8 +86,8 @@ class Renderer:
 
     def __init__(self, device: str | int | None = None, *, traversal: Optional[str] = None) -> None:
         self._session = _native.Session("" if device is None else str(device), traversal or "")
-        for warning in self._session.warnings:
-            warnings.warn(warning, SceneWarning, stacklevel=2)
+        if self._session.warnings:
+            warnings.warn("\n".join(self._session.warnings), SceneWarning, stacklevel=3)
 
     @property
     def device(self) -> str:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -134,6 +135,17 @@ class Film {
   std::vector<float> take_sums(FilmPlane plane);
   /// Drops all other planes.
   void keep(PlaneSet const& planes);
+
+  // For who stores it.
+
+  /// A film that has those samples, all arrays of it 0. `samples` begins where a block does.
+  static Film of_samples(Region const& region, PlaneSet const& planes, SampleRange const& samples);
+  /// The bytes of all that it holds: as many arrays, of the same sizes, for every film of these planes and samples with
+  /// as many pixels. Each is height x width x a size for each pixel.
+  std::vector<std::span<std::byte>> arrays();
+  /// Puts a part of the picture in its place. Throws std::invalid_argument unless planes and samples are the same, and
+  /// its region lies within this film's.
+  void place(Film part);
 
  private:
   struct Sums {

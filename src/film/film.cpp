@@ -163,4 +163,57 @@ void Film::merge(Film const& next) {
   samples_.end = next.samples_.end;
 }
 
+Film Film::of_samples(Region const& region, PlaneSet const& planes, SampleRange const& samples) {
+  Film film(region, planes, samples.first);
+  film.samples_ = samples;
+  int const closed_blocks = std::max(0, samples.count() - 1) / block_size;
+  for (FilmPlane const plane : planes.list()) {
+    if (info_of(plane).rule != PlaneRule::mean || closed_blocks == 0) continue;
+    Sums& sums = film.sums_[std::size_t(plane)];
+    if (samples.first == 0) {
+      allocate(sums.closed, film.value_count(plane));
+    } else {
+      sums.blocks.assign(std::size_t(closed_blocks), std::vector<float>(film.value_count(plane)));
+    }
+  }
+  return film;
+}
+
+std::vector<std::span<std::byte>> Film::arrays() {
+  std::vector<std::span<std::byte>> all;
+  auto const add_array = [&](auto& values) {
+    if (!values.empty()) all.push_back(std::as_writable_bytes(std::span(values)));
+  };
+  for (FilmPlane const plane : planes_.list()) {
+    Sums& sums = sums_[std::size_t(plane)];
+    add_array(sums.closed);
+    for (auto& block : sums.blocks) add_array(block);
+    add_array(sums.open);
+    add_array(numbers_[std::size_t(plane)]);
+  }
+  return all;
+}
+
+void Film::place(Film part) {
+  auto const to = arrays(), from = part.arrays();
+  Region const& small = part.region_;
+  auto const lies_within = [](int at, int size, int whole_at, int whole_size) {
+    return at >= whole_at && at - whole_at <= whole_size - size;
+  };
+  if (part.planes_ != planes_ || part.samples_ != samples_ || to.size() != from.size() ||
+      !lies_within(small.x, small.width, region_.x, region_.width) ||
+      !lies_within(small.y, small.height, region_.y, region_.height)) {
+    throw std::invalid_argument("a part of a film has its planes and samples, and lies within it");
+  }
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    std::size_t const pixel_bytes = to[i].size() / (std::size_t(region_.width) * std::size_t(region_.height));
+    std::size_t const row_bytes = pixel_bytes * std::size_t(small.width);
+    for (int y = 0; y < small.height; ++y) {
+      std::size_t const target = pixel_index(small.x - region_.x, small.y - region_.y + y) * pixel_bytes;
+      std::copy_n(from[i].begin() + std::ptrdiff_t(row_bytes * std::size_t(y)), row_bytes,
+                  to[i].begin() + std::ptrdiff_t(target));
+    }
+  }
+}
+
 }  // namespace lichtraum

@@ -1,5 +1,6 @@
 #include "lichtraum/film.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "support/catch.hpp"
@@ -92,4 +93,37 @@ TEST_CASE("planes are shown as pictures", "[unit][film]") {
   double apart = 0;
   for (std::size_t c = 0; c < 3; ++c) apart += std::abs(double(colors[3 + c] - colors[6 + c]));
   CHECK(apart > 0.3);
+}
+
+TEST_CASE("films are put together of parts, stored and read back", "[unit][film]") {
+  PlaneSet const planes{FilmPlane::radiance, FilmPlane::depth, FilmPlane::object};
+  for (int const end : {1, 16, 17, 40}) {
+    Film whole = Film::of_samples({10, 20, 3, 2}, planes, {0, end});
+    for (Region const& region : {Region{10, 20, 2, 2}, Region{12, 20, 1, 1}, Region{12, 21, 1, 1}}) {
+      Film part(region, planes);
+      for (int sample = 0; sample < end; ++sample) {
+        if (sample > 0 && sample % Film::block_size == 0) part.close_block();
+        for (float& value : part.floats(FilmPlane::radiance)) value += float(sample);
+        part.set_end(sample + 1);
+      }
+      for (auto& value : part.numbers(FilmPlane::object)) value = std::uint32_t(region.x + region.y);
+      Film stored = Film::of_samples(region, planes, {0, end});
+      auto const from = part.arrays(), to = stored.arrays();
+      REQUIRE(from.size() == to.size());
+      for (std::size_t i = 0; i < to.size(); ++i) {
+        REQUIRE(from[i].size() == to[i].size());
+        std::copy(from[i].begin(), from[i].end(), to[i].begin());
+      }
+      whole.place(stored);
+    }
+    for (int const x : {0, 1, 2}) {
+      for (int const y : {0, 1}) {
+        CHECK(whole.value(FilmPlane::radiance, x, y, 2) == float(end - 1) / 2);
+        CHECK(whole.number(FilmPlane::object, x, y) == std::uint32_t(x < 2 ? 30 : 32 + y));
+      }
+    }
+    CHECK_THROWS_AS(whole.place(Film::of_samples({12, 20, 2, 1}, planes, {0, end})), std::invalid_argument);
+    CHECK_THROWS_AS(whole.place(Film::of_samples({10, 20, 1, 1}, planes, {0, end + 1})), std::invalid_argument);
+  }
+  CHECK(Film::of_samples({0, 0, 1, 1}, planes, {16, 40}).arrays().size() == 2);
 }

@@ -22,6 +22,8 @@ constexpr int exit_code(ErrorKind kind) {
       return 73;
     case ErrorKind::io:
       return 74;
+    case ErrorKind::try_again:
+      return 75;
     case ErrorKind::interrupted:
       return 130;
   }

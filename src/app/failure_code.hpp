@@ -21,6 +21,7 @@ constexpr DiagnosticCode code_of(ErrorKind kind) {
     case ErrorKind::usage:
     case ErrorKind::unavailable:
     case ErrorKind::internal:
+    case ErrorKind::try_again:  // of `lichtraum job`, whose messages say what is missing
     case ErrorKind::interrupted:
       return DiagnosticCode::none;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/memory.hpp"
+#include "lichtraum/turntable.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -50,7 +51,7 @@ void check_encoding(PicturePlan const& plan) {
 
 /// `command`: what the scene says about the picture.
 PicturePlan plan_picture(Scene const& scene, RenderCommand const& command, Job job, DeviceKind device,
-                         OutputNames& names, bool is_one_of_many) {
+                         OutputNames& names, bool is_one_of_many, std::optional<Resolution> const& tile) {
   PicturePlan plan;
   IntegratorChoice const choice = chosen_integrator(job, scene, device);
   bool const is_size_asked = job.size.has_value();
@@ -59,10 +60,17 @@ PicturePlan plan_picture(Scene const& scene, RenderCommand const& command, Job j
   plan.job = resolved(std::move(job), scene);
   plan.output = names.next(command.file, is_one_of_many);
   // What stores planes stores them as they were traced; other planes have no noise.
-  bool const is_developed = plan.output.format->encode && plan.job.planes.has(FilmPlane::radiance);
+  bool const may_be_developed = plan.output.format->encode || tile;
+  bool const is_developed = may_be_developed && plan.job.planes.has(FilmPlane::radiance);
   if (!is_developed) plan.job.denoising = Denoising::off;
-  check_memory(*plan.job.region, traced_planes(plan.job), plan.job.sampling->count,
+  Region drawn_at_once = *plan.job.region;
+  if (tile) {
+    drawn_at_once.width = std::min(drawn_at_once.width, tile->width);
+    drawn_at_once.height = std::min(drawn_at_once.height, tile->height);
+  }
+  check_memory(drawn_at_once, traced_planes(plan.job), plan.job.sampling->count,
                is_size_asked ? ErrorKind::usage : ErrorKind::scene, plan.job.denoising != Denoising::off);
+  if (tile) return plan;
   check_encoding(plan);
   check_planes(plan);
   if (!plan.output.is_standard_output() && !plan.output.is_film) check_writable(plan.output.path);
@@ -119,12 +127,25 @@ std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource co
     for (int turn = 0; turn < turns; ++turn) {
       if (options.turntable > 0) job.turn_degrees = 360.0 * turn / turns;
       bool const is_one_of_many = turns > 1 || times.size() > 1;
-      plans.push_back(plan_picture(scene, command, job, options.load.device, names, is_one_of_many));
+      plans.push_back(plan_picture(scene, command, job, options.load.device, names, is_one_of_many, options.tile));
       plans.back().scene_number = scene_number;
       plans.back().location = command.location;
     }
   }
   return plans;
+}
+
+RenderRequest request_for(PicturePlan const& plan, Scene const& scene, std::optional<Vec3>& turn_center) {
+  if (!plan.job.camera.empty() && !scene.cameras.contains(plan.job.camera)) {
+    throw Error(ErrorKind::usage, fmt::format("{}: the camera '{}' is defined after the picture '{}' is drawn",
+                                              plan.job.scene, plan.job.camera, plan.output.shown));
+  }
+  if (plan.job.turn_degrees && !turn_center) {
+    Job still = plan.job;
+    still.turn_degrees.reset();
+    turn_center = center_of_interest(scene, still.root, request_of(still, scene).camera);
+  }
+  return request_of(plan.job, scene, turn_center);
 }
 
 }  // namespace lichtraum::app

@@ -25,6 +25,10 @@ struct PicturePlan {
 std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource const& source,
                                        RenderOptions const& options, OutputNames& names);
 
+/// What to trace for it. `scene`: as it is in the picture. `turn_center`: found with the first picture of the scene
+/// that is turned. Throws as request_of does, and Error{usage} for a camera that is defined later.
+RenderRequest request_for(PicturePlan const& plan, Scene const& scene, std::optional<Vec3>& turn_center);
+
 /// Throws Error{`kind`} with the numbers when a picture of that size needs more memory than the machine has.
 void check_memory(Region const& region, PlaneSet const& planes, int sample_count, ErrorKind kind,
                   bool is_denoised = false);

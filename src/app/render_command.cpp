@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -50,35 +49,10 @@ void add_output_options(CLI::App& parser, RenderOptions& options) {
             "png, ppm, jpg, exr or pfm, whatever the extension", group);
   add_value(parser, "--output-dir", options.output.folder, path, "FOLDER",
             "Folder for pictures (default: the current one)", group);
-  auto const bits = [&options](std::string const& text) {
-    options.has_bits = true;
-    return parse_bits(text);
-  };
-  add_value(parser, "--bits", options.job.encoding.bits, bits, "8|16", "Bits per channel, 16 for .png and .ppm", group);
-  auto const quality = [&options](std::string const& text) {
-    options.has_quality = true;
-    return parse_quality(text);
-  };
-  add_value(parser, "--quality", options.job.encoding.jpeg_quality, quality, "1-100", "JPEG quality (default: 92)",
-            group);
-  parser.add_flag("--ppm-ascii", options.job.encoding.ppm_ascii, "Write .ppm as text")->group(group);
+  add_encoding_options(parser, options, group);
   parser.add_flag("--show", options.show, "Then open a window on the scene")->group(group);
   parser
       .add_flag("--json", options.json, "Print statistics as JSON, to standard output\n(to standard error with -o -)")
-      ->group(group);
-}
-
-void add_sequence_options(CLI::App& parser, RenderOptions& options) {
-  std::string const group = "Sequences and films";
-  add_value(parser, "--frames", options.frames, parse_frames, "A..B",
-            "Draw these frames of a model's animation: frame\nN is N / fps seconds from its start", group);
-  add_value(parser, "--fps", options.frames_per_second, parse_frame_rate, "N",
-            "Frames per second of --frames and of films\n(default: 25)", group);
-  add_value(parser, "--turntable", options.turntable, parse_turntable, "N",
-            "Draw N pictures with the camera circling what\nis in view", group);
-  parser
-      .add_flag("--resume", options.resume,
-                "Skip pictures that exist already, drawn from the\nsame scene with the same settings (.png, .exr)")
       ->group(group);
 }
 
@@ -89,6 +63,10 @@ bool parse_render(Arguments const& arguments, RenderOptions& options, Arguments&
   add_output_options(*parser, options);
   add_picture_options(*parser, options);
   add_sequence_options(*parser, options);
+  parser
+      ->add_flag("--resume", options.resume,
+                 "Skip pictures that exist already, drawn from the\nsame scene with the same settings (.png, .exr)")
+      ->group("Sequences and films");
   add_drawing_options(*parser, options);
   add_input_format_option(*parser, options.input_format);
   add_verbosity(*parser, console);
@@ -109,41 +87,6 @@ void check_show(RenderOptions const& options, std::vector<std::string> const& in
   if (options.job.region) refuse("a window shows whole pictures, not a --region");
   if (options.job.planes != PlaneSet{FilmPlane::radiance})
     refuse("a window begins with the picture, not with other --planes");
-}
-
-/// What the options say together; throws Error{usage} where they contradict each other.
-void combine(RenderOptions& options, std::vector<std::string> const& inputs, OutputNames& names) {
-  if (inputs.size() > 1 && names.has_one_name()) {
-    throw Error(ErrorKind::usage,
-                "--output names one file, and there are several scenes: write a number into the name, "
-                "such as -o picture-%04d.png, or make a film, -o film.mp4");
-  }
-  if (options.output.file == "-" && ::isatty(STDOUT_FILENO) == 1) {
-    throw Error(
-        ErrorKind::usage,
-        "--output -: standard output is a terminal, which shows no picture files: lichtraum preview shows scenes "
-        "there, > picture.png writes a file");
-  }
-  if (options.frames) {
-    if (options.job.reading.model.time_seconds) throw Error(ErrorKind::usage, "--time and --frames cannot be combined");
-    if (options.turntable > 0) throw Error(ErrorKind::usage, "--turntable and --frames cannot be combined");
-    bool const may_be_gltf = inputs.size() == 1 && (inputs.front() == "-" || is_gltf_file(inputs.front()));
-    if (!may_be_gltf) throw Error(ErrorKind::usage, frames_need_gltf);
-    for (int frame = options.frames->first; frame <= options.frames->last; ++frame) {
-      options.load.times_seconds.push_back(frame / options.frame_rate());
-    }
-    names.start_at(options.frames->first);
-  } else if (options.frames_per_second && !names.is_film()) {
-    throw Error(ErrorKind::usage, "--fps is for films (-o film.mp4) and for --frames");
-  } else if (names.is_film() && options.turntable == 0 && !options.job.reading.model.time_seconds) {
-    options.load.whole_animation_rate = options.frame_rate();
-  }
-  if (names.is_film()) {
-    if (options.resume) {
-      throw Error(ErrorKind::usage, "a film cannot be resumed: --resume goes on with pictures (-o picture-%04d.png)");
-    }
-    check_ffmpeg();
-  }
 }
 
 }  // namespace

@@ -31,6 +31,9 @@ struct RenderOptions {
   std::optional<double> frames_per_second;
   int turntable = 0;  // pictures around the scene; 0: as the camera stands
   bool resume = false;
+  /// Of plans for several machines: the largest part of a picture that is drawn at once. What format the pictures will
+  /// have is not known then. Nothing: each is drawn whole.
+  std::optional<Resolution> tile;
 
   bool show = false;  // in a window, afterwards
   bool json = false;
@@ -55,6 +58,13 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
 void add_picture_options(CLI::App& parser, RenderOptions& options);
 /// What else decides a picture of `render`: light, quality, how scenes and models are read.
 void add_drawing_options(CLI::App& parser, RenderOptions& options);
+/// --bits, --quality and --ppm-ascii.
+void add_encoding_options(CLI::App& parser, RenderOptions& options, std::string const& group);
+/// --frames, --fps and --turntable.
+void add_sequence_options(CLI::App& parser, RenderOptions& options);
+
+/// What the options say together; throws Error{usage} where they contradict each other.
+void combine(RenderOptions& options, std::vector<std::string> const& inputs, OutputNames& names);
 
 /// What the scenes of a parsed command line have in common. Throws Error{usage} for what cannot be read.
 void check_inputs(RenderOptions& options);

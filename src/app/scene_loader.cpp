@@ -5,27 +5,12 @@
 #include <chrono>
 
 #include "app/stopwatch.hpp"
-#include "lichtraum/turntable.hpp"
 
 namespace lichtraum::app {
 namespace {
 
 /// Thrown inside the loader when its results are no longer wanted.
 struct Stopped {};
-
-/// `scene`: as it is in the picture. `turn_center`: found with the first picture of the scene that is turned.
-RenderRequest make_request(Scene const& scene, PicturePlan const& plan, std::optional<Vec3>& turn_center) {
-  if (!plan.job.camera.empty() && !scene.cameras.contains(plan.job.camera)) {
-    throw Error(ErrorKind::usage, fmt::format("{}: the camera '{}' is defined after the picture '{}' is drawn",
-                                              plan.job.scene, plan.job.camera, plan.output.shown));
-  }
-  if (plan.job.turn_degrees && !turn_center) {
-    Job still = plan.job;
-    still.turn_degrees.reset();
-    turn_center = center_of_interest(scene, still.root, request_of(still, scene).camera);
-  }
-  return request_of(plan.job, scene, turn_center);
-}
 
 bool is_done_already(PicturePlan const& plan, std::string const& fingerprint) {
   ImageFormat const& format = *plan.output.format;
@@ -54,7 +39,7 @@ class Pictures {
       PicturePlan const& plan = opened_.plans[next_];
       PictureReady picture;
       picture.number = next_;
-      picture.request = make_request(scene, plan, turn_center);
+      picture.request = request_for(plan, scene, turn_center);
       picture.scene = prepared;
       picture.light = light_in(scene, picture.request.integrator);
       if (plan.output.format->encode) picture.development = development_of(plan.job, scene);

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/arguments.hpp"
+#include "app/render_options.hpp"
+#include "app/scene_source.hpp"
+#include "app/video.hpp"
+
+namespace lichtraum::app {
+
+void add_encoding_options(CLI::App& parser, RenderOptions& options, std::string const& group) {
+  auto const bits = [&options](std::string const& text) {
+    options.has_bits = true;
+    return parse_bits(text);
+  };
+  add_value(parser, "--bits", options.job.encoding.bits, bits, "8|16", "Bits per channel, 16 for .png and .ppm", group);
+  auto const quality = [&options](std::string const& text) {
+    options.has_quality = true;
+    return parse_quality(text);
+  };
+  add_value(parser, "--quality", options.job.encoding.jpeg_quality, quality, "1-100", "JPEG quality (default: 92)",
+            group);
+  parser.add_flag("--ppm-ascii", options.job.encoding.ppm_ascii, "Write .ppm as text")->group(group);
+}
+
+void add_sequence_options(CLI::App& parser, RenderOptions& options) {
+  std::string const group = "Sequences and films";
+  add_value(parser, "--frames", options.frames, parse_frames, "A..B",
+            "Draw these frames of a model's animation: frame\nN is N / fps seconds from its start", group);
+  add_value(parser, "--fps", options.frames_per_second, parse_frame_rate, "N",
+            "Frames per second of --frames and of films\n(default: 25)", group);
+  add_value(parser, "--turntable", options.turntable, parse_turntable, "N",
+            "Draw N pictures with the camera circling what\nis in view", group);
+}
+
+void combine(RenderOptions& options, std::vector<std::string> const& inputs, OutputNames& names) {
+  if (inputs.size() > 1 && names.has_one_name()) {
+    throw Error(ErrorKind::usage,
+                "--output names one file, and there are several scenes: write a number into the name, "
+                "such as -o picture-%04d.png, or make a film, -o film.mp4");
+  }
+  if (options.output.file == "-" && ::isatty(STDOUT_FILENO) == 1) {
+    throw Error(
+        ErrorKind::usage,
+        "--output -: standard output is a terminal, which shows no picture files: lichtraum preview shows scenes "
+        "there, > picture.png writes a file");
+  }
+  if (options.frames) {
+    if (options.job.reading.model.time_seconds) throw Error(ErrorKind::usage, "--time and --frames cannot be combined");
+    if (options.turntable > 0) throw Error(ErrorKind::usage, "--turntable and --frames cannot be combined");
+    bool const may_be_gltf = inputs.size() == 1 && (inputs.front() == "-" || is_gltf_file(inputs.front()));
+    if (!may_be_gltf) throw Error(ErrorKind::usage, frames_need_gltf);
+    for (int frame = options.frames->first; frame <= options.frames->last; ++frame) {
+      options.load.times_seconds.push_back(frame / options.frame_rate());
+    }
+    names.start_at(options.frames->first);
+  } else if (options.frames_per_second && !names.is_film()) {
+    throw Error(ErrorKind::usage, "--fps is for films (-o film.mp4) and for --frames");
+  } else if (names.is_film() && options.turntable == 0 && !options.job.reading.model.time_seconds) {
+    options.load.whole_animation_rate = options.frame_rate();
+  }
+  if (names.is_film()) {
+    if (options.resume) {
+      throw Error(ErrorKind::usage, "a film cannot be resumed: --resume goes on with pictures (-o picture-%04d.png)");
+    }
+    check_ffmpeg();
+  }
+}
+
+}  // namespace lichtraum::app

@@ -1,0 +1,106 @@
+#include "farm/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/content_hash.hpp"
+#include "core/read_file.hpp"
+#include "lichtraum/error.hpp"
+#include "lichtraum/image_io.hpp"
+
+namespace lichtraum::farm {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char const* plan_name = "plan.json";
+
+std::string hash_of(std::string_view bytes) {
+  ContentHasher hasher;
+  hasher.add(bytes);
+  return hasher.finish().text();
+}
+
+}  // namespace
+
+int Plan::picture_count() const {
+  int count = 0;
+  for (PlannedScene const& scene : scenes) count += scene.picture_count;
+  return count;
+}
+
+Unit Plan::unit(std::int64_t number) const {
+  Unit unit;
+  unit.number = number;
+  unit.picture = int(number / units_of_picture());
+  std::int64_t const in_picture = number % units_of_picture();
+  int const block = int(in_picture % sample_blocks());
+  std::int64_t const place = in_picture / sample_blocks();
+  int const x = int(place % columns()) * tile.width;
+  int const y = int(place / columns()) * tile.height;
+  unit.region = {region.x + x, region.y + y, std::min(tile.width, region.width - x),
+                 std::min(tile.height, region.height - y)};
+  unit.samples = {block * unit_samples, std::min(sample_count, (block + 1) * unit_samples)};
+  return unit;
+}
+
+PlanFolder::PlanFolder(fs::path folder) : folder_(std::move(folder)) {
+  fs::path const file = folder_ / plan_name;
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) {
+    throw Error(ErrorKind::no_input, fmt::format("'{}' has no {}: lichtraum job plan SCENE -o {} makes one",
+                                                 folder_.string(), plan_name, folder_.string()));
+  }
+  std::string const text = read_file(file);
+  hash_ = hash_of(text);
+  try {
+    plan_ = plan_from_json(text);
+  } catch (Error const& error) {
+    throw Error(ErrorKind::scene, fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+PlanFolder::PlanFolder(fs::path folder, Plan plan) : folder_(std::move(folder)), plan_(std::move(plan)) {
+  std::string const text = to_json(plan_);
+  hash_ = hash_of(text);
+  std::error_code failure;
+  fs::create_directories(folder_, failure);
+  if (failure) {
+    throw Error(ErrorKind::cannot_create,
+                fmt::format("cannot make the folder '{}': {}", folder_.string(), failure.message()));
+  }
+  fs::path const file = folder_ / plan_name;
+  if (fs::exists(file, failure)) {
+    if (read_file(file) == text) return;
+    throw Error(ErrorKind::cannot_create,
+                fmt::format("'{}' is another plan: choose another folder, or remove this one", file.string()));
+  }
+  write_file_atomically(file, text);
+}
+
+fs::path PlanFolder::unit_file(std::int64_t number) const {
+  return units_folder() / fmt::format("{:02x}", number % 256) / fmt::format("{}.unit", number);
+}
+
+std::string hash_of_file(fs::path const& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return {};
+  try {
+    return hash_of(read_file(path));
+  } catch (Error const&) {
+    return {};
+  }
+}
+
+void check_files(Plan const& plan) {
+  for (ReadFile const& file : plan.files) {
+    std::string const now = hash_of_file(file.path);
+    if (now == file.hash) continue;
+    std::string const what = now.empty() ? "is missing" : file.hash.empty() ? "is new" : "has changed";
+    throw Error(ErrorKind::scene,
+                fmt::format("'{}' {} since the plan was made: put it back, or make another plan", file.path, what));
+  }
+}
+
+}  // namespace lichtraum::farm

@@ -1,0 +1,231 @@
+#include "farm/unit_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <random>
+
+#include "core/content_hash.hpp"
+#include "core/descriptor.hpp"
+#include "lichtraum/error.hpp"
+
+namespace lichtraum::farm {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file is its head, the film's arrays, and a hash of both: all as the machine has numbers in memory, which on those
+// that OpenCL knows is little-endian.
+
+constexpr std::string_view magic = "lichtraum unit\n";
+constexpr std::uint32_t file_version = 1;
+constexpr std::size_t hash_digits = 32;
+
+struct Head {
+  std::array<char, 16> magic{};
+  std::uint32_t version = file_version;
+  std::uint32_t reserved = 0;
+  std::array<char, hash_digits> plan{};
+  std::array<char, hash_digits> device_class{};
+  std::uint64_t number = 0;
+  std::uint64_t rays[5]{};
+};
+static_assert(sizeof(Head) == 136);
+
+template <std::size_t size>
+void put(std::array<char, size>& to, std::string_view text) {
+  std::copy_n(text.begin(), std::min(size, text.size()), to.begin());
+}
+template <std::size_t size>
+std::string_view text_of(std::array<char, size> const& chars) {
+  return {chars.data(), strnlen(chars.data(), size)};
+}
+
+Head head_of(PlanFolder const& folder, std::int64_t number, DrawnUnit const& unit) {
+  Head head;
+  put(head.magic, magic);
+  put(head.plan, folder.hash());
+  put(head.device_class, unit.device_class);
+  head.number = std::uint64_t(number);
+  RayCounts const& rays = unit.rays;
+  std::uint64_t const counts[] = {rays.camera, rays.shadow, rays.secondary, rays.camera_hits, rays.not_finite};
+  std::copy(std::begin(counts), std::end(counts), head.rays);
+  return head;
+}
+
+/// Why the file is not that unit's; empty when it may be.
+std::string problem_of(Head const& head, PlanFolder const& folder, std::int64_t number,
+                       std::string_view allowed_class) {
+  if (text_of(head.magic) != magic || head.version != file_version) return "is no unit of this version";
+  if (text_of(head.plan) != folder.hash()) return "is of another plan";
+  if (head.number != std::uint64_t(number)) return fmt::format("is unit {}", head.number);
+  if (!allowed_class.empty() && text_of(head.device_class) != allowed_class) {
+    return fmt::format("was drawn by a device of another class, {}", text_of(head.device_class));
+  }
+  return {};
+}
+
+std::uint64_t bytes_of(Descriptor const& file) {
+  struct stat status {};
+  return ::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode) ? std::uint64_t(status.st_size) : 0;
+}
+
+bool read_exactly(Descriptor const& file, void* bytes, std::size_t count) {
+  auto* at = static_cast<char*>(bytes);
+  while (count > 0) {
+    ssize_t const got = ::read(file.number(), at, count);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    at += got;
+    count -= std::size_t(got);
+  }
+  return true;
+}
+
+[[noreturn]] void cannot_write(fs::path const& path) {
+  std::string const why = errno == ENOSPC   ? "the disk is full"
+                          : errno == EDQUOT ? "the quota is used up"
+                                            : std::strerror(errno);
+  throw Error(
+      ErrorKind::try_again,
+      fmt::format("cannot write '{}': {}; what is done stays, and 'lichtraum job work' goes on", path.string(), why));
+}
+
+/// Removed again unless it gets its name.
+class NewFile {
+ public:
+  explicit NewFile(fs::path target) : target_(std::move(target)) {
+    std::random_device random;
+    std::array<char, 65> host{};
+    ::gethostname(host.data(), host.size() - 1);
+    path_ = target_.parent_path() / fmt::format(".{}-{}-{:08x}{:08x}.tmp", host.data(), ::getpid(), random(), random());
+    file_ = Descriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (!file_.is_open()) cannot_write(target_);
+  }
+  NewFile(NewFile const&) = delete;
+  NewFile& operator=(NewFile const&) = delete;
+  ~NewFile() {
+    if (!is_named_) ::unlink(path_.c_str());
+  }
+
+  void write(void const* bytes, std::size_t count) {
+    auto const* at = static_cast<char const*>(bytes);
+    while (count > 0) {
+      ssize_t const written = ::write(file_.number(), at, count);
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) cannot_write(target_);
+      at += written;
+      count -= std::size_t(written);
+    }
+  }
+
+  /// What some file systems find out late is known before the name is there.
+  void finish() {
+    if (::fsync(file_.number()) != 0) cannot_write(target_);
+    if (file_.close() != 0) cannot_write(target_);
+    if (::rename(path_.c_str(), target_.c_str()) != 0) cannot_write(target_);
+    is_named_ = true;
+    Descriptor const folder(::open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder.is_open()) ::fsync(folder.number());
+  }
+
+ private:
+  fs::path target_;
+  fs::path path_;
+  Descriptor file_;
+  bool is_named_ = false;
+};
+
+}  // namespace
+
+void write_unit(PlanFolder const& folder, std::int64_t number, DrawnUnit& unit) {
+  fs::path const path = folder.unit_file(number);
+  std::error_code failure;
+  fs::create_directories(path.parent_path(), failure);
+  if (failure) {
+    errno = failure.value();
+    cannot_write(path);
+  }
+  NewFile file(path);
+  ContentHasher hasher;
+  auto const add = [&](void const* bytes, std::size_t count) {
+    hasher.add_bytes(bytes, count);
+    file.write(bytes, count);
+  };
+  Head const head = head_of(folder, number, unit);
+  add(&head, sizeof head);
+  for (auto const& array : unit.film.arrays()) add(array.data(), array.size());
+  std::string const hash = hasher.finish().text();
+  file.write(hash.data(), hash.size());
+  file.finish();
+}
+
+UnitReading read_unit(PlanFolder const& folder, std::int64_t number, std::string_view allowed_class) {
+  UnitReading reading;
+  Descriptor const file(::open(folder.unit_file(number).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (!file.is_open()) {
+    reading.is_missing = errno == ENOENT;
+    reading.problem = reading.is_missing ? "is missing" : std::strerror(errno);
+    return reading;
+  }
+  Unit const unit = folder.plan().unit(number);
+  std::uint64_t const wanted = unit_file_bytes(folder.plan(), unit), found = bytes_of(file);
+  if (found != wanted) {
+    reading.problem = fmt::format("has {} bytes instead of {}", found, wanted);
+    return reading;
+  }
+  Head head;
+  bool is_read = read_exactly(file, &head, sizeof head);
+  if (is_read) reading.problem = problem_of(head, folder, number, allowed_class);
+  if (!reading.problem.empty()) return reading;
+  DrawnUnit drawn{std::string(text_of(head.device_class)),
+                  {head.rays[0], head.rays[1], head.rays[2], head.rays[3], head.rays[4]},
+                  Film::of_samples(unit.region, folder.plan().planes, unit.samples)};
+  ContentHasher hasher;
+  hasher.add_bytes(&head, sizeof head);
+  for (auto const& array : drawn.film.arrays()) {
+    is_read = is_read && read_exactly(file, array.data(), array.size());
+    hasher.add_bytes(array.data(), array.size());
+  }
+  std::array<char, hash_digits> hash{};
+  is_read = is_read && read_exactly(file, hash.data(), hash.size());
+  if (!is_read) {
+    reading.problem = "cannot be read to its end";
+  } else if (text_of(hash) != hasher.finish().text()) {
+    reading.problem = "has not the bytes that were written";
+  } else {
+    reading.unit = std::move(drawn);
+  }
+  return reading;
+}
+
+bool looks_whole(PlanFolder const& folder, std::int64_t number, std::string_view allowed_class) {
+  Descriptor const file(::open(folder.unit_file(number).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  Head head;
+  return file.is_open() && bytes_of(file) == unit_file_bytes(folder.plan(), folder.plan().unit(number)) &&
+         read_exactly(file, &head, sizeof head) && problem_of(head, folder, number, allowed_class).empty();
+}
+
+std::uint64_t unit_file_bytes(Plan const& plan, Unit const& unit) {
+  std::uint64_t pixel_bytes = 0;
+  // How many sums Film::of_samples has of each value does not hang on the size.
+  for (auto const& array : Film::of_samples({0, 0, 1, 1}, plan.planes, unit.samples).arrays())
+    pixel_bytes += array.size();
+  return sizeof(Head) + hash_digits +
+         pixel_bytes * std::uint64_t(unit.region.width) * std::uint64_t(unit.region.height);
+}
+
+fs::path set_aside(PlanFolder const& folder, std::int64_t number) {
+  fs::path const path = folder.unit_file(number);
+  fs::path aside = path;
+  aside.replace_extension(".bad");
+  if (::rename(path.c_str(), aside.c_str()) != 0) cannot_write(aside);
+  return aside;
+}
+
+}  // namespace lichtraum::farm

@@ -2,7 +2,7 @@
 
 _lichtraum() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
-  local commands='render view preview thumbnail denoise check info explain devices doctor'
+  local commands='render view preview thumbnail job denoise check info explain devices doctor'
   local general='-q --quiet -v --verbose -h --help'
   local language='--strict --keep-going --transform-order --rotation --material-extras --allow-path --scene --variant --time --animation --both-sides --max-texture --point-size'
   COMPREPLY=()
@@ -77,6 +77,21 @@ _lichtraum() {
         ;;
       preview) options+=" $language --format-in --size --graphics --camera $view --root --samples --device" ;;
       thumbnail) options+=' --size --device' ;;
+      job)
+        options='-h --help'
+        case ${COMP_WORDS[2]} in
+          plan)
+            options="$general $language -o --output --tile --samples-per-unit --size --region --planes --bits --quality --ppm-ascii"
+            options+=" --camera $view --root --integrator --samples --depth --clamp --seed --ground --ground=glossy --background --exposure"
+            options+=' --tonemap --transfer --denoise --device --traversal --frames --fps --turntable --environment'
+            options+=' --environment-rotation --environment-brightness'
+            ;;
+          work) options="$general --units --device --allow-mixed" ;;
+          script) options="$general --units-per-task" ;;
+          status) options="$general --json" ;;
+          merge) options="$general -o --output --format --output-dir --fps --allow-mixed" ;;
+        esac
+        ;;
       denoise) options+=' -o --output --exposure --tonemap --transfer --denoise --prefilter --device' ;;
       check) options+=" $language --format-in --device --json" ;;
       info) options+=" $language --format-in --json" ;;
@@ -86,7 +101,19 @@ _lichtraum() {
     return
   fi
 
+  if [[ ${COMP_WORDS[1]} == job ]] && ((COMP_CWORD == 2)); then
+    mapfile -t COMPREPLY < <(compgen -W 'plan work status merge script' -- "$current")
+    return
+  fi
   case ${COMP_WORDS[1]} in
+    job)
+      if [[ ${COMP_WORDS[2]} == script ]] && ((COMP_CWORD == 3)); then
+        mapfile -t COMPREPLY < <(compgen -W 'slurm openjd opencue flamenco parallel' -- "$current")
+        return
+      fi
+      compopt -o filenames 2> /dev/null
+      mapfile -t COMPREPLY < <(compgen -f -- "$current")
+      ;;
     render | view | preview | thumbnail | check | info) # scenes, and folders on the way to them
       compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(

@@ -1,6 +1,6 @@
 # fish completion for lichtraum
 
-set -l commands render view preview thumbnail denoise check info explain devices doctor
+set -l commands render view preview thumbnail job denoise check info explain devices doctor
 set -l first "not __fish_seen_subcommand_from $commands"
 set -l any "__fish_seen_subcommand_from $commands"
 set -l scenes '__fish_seen_subcommand_from render view preview check info'
@@ -12,6 +12,7 @@ set -l traced '__fish_seen_subcommand_from render view'
 set -l view '__fish_seen_subcommand_from view'
 set -l preview '__fish_seen_subcommand_from preview'
 set -l thumbnail '__fish_seen_subcommand_from thumbnail'
+set -l job '__fish_seen_subcommand_from job'
 set -l denoise '__fish_seen_subcommand_from denoise'
 set -l json '__fish_seen_subcommand_from render check info devices'
 
@@ -21,6 +22,7 @@ complete -c lichtraum -n $first -a render -d 'Draw scenes to pictures'
 complete -c lichtraum -n $first -a view -d 'Open a window on a scene'
 complete -c lichtraum -n $first -a preview -d 'Show a scene in the terminal'
 complete -c lichtraum -n $first -a thumbnail -d 'Draw a small picture for file managers'
+complete -c lichtraum -n $first -a job -d 'Draw pictures on many machines'
 complete -c lichtraum -n $first -a denoise -d 'Take the noise out of a stored film'
 complete -c lichtraum -n $first -a check -d 'Report what is wrong in scenes'
 complete -c lichtraum -n $first -a info -d 'Describe what is in a scene'
@@ -99,6 +101,15 @@ complete -c lichtraum -n $preview -l graphics -x -a 'auto blocks kitty sixel' -d
 complete -c lichtraum -n $thumbnail -k -a '(__fish_complete_suffix .glb .obj .ply .sdf)'
 complete -c lichtraum -n $thumbnail -l size -x -a '128 256 512 1024' -d 'Pixels of its longer side'
 complete -c lichtraum -n $thumbnail -l device -x -a 'cpu gpu reference' -d 'Device to draw on'
+
+complete -c lichtraum -n $job -F -a 'plan work status merge script'
+complete -c lichtraum -n $job -s o -l output -r -F -d 'Folder of a plan, or file of a picture'
+complete -c lichtraum -n $job -l tile -x -a '512x512 1024x1024' -d 'Pixels of a unit'
+complete -c lichtraum -n $job -l samples-per-unit -x -a '64 256' -d 'Samples of a unit, a multiple of 16'
+complete -c lichtraum -n $job -l units -x -d 'Units to draw, A..B'
+complete -c lichtraum -n $job -l units-per-task -x -d 'Units of a task'
+complete -c lichtraum -n $job -l allow-mixed -d 'Take units of devices of other classes'
+complete -c lichtraum -n $job -l json -d 'Print JSON'
 
 complete -c lichtraum -n $denoise -k -a '(__fish_complete_suffix .exr)'
 complete -c lichtraum -n $denoise -s o -l output -r -F -d 'Write to this file'

@@ -23,6 +23,7 @@ int render_command(Arguments const& arguments, Console& console);
 int view_command(Arguments const& arguments, Console& console);
 int preview_command(Arguments const& arguments, Console& console);
 int thumbnail_command(Arguments const& arguments, Console& console);
+int job_command(Arguments const& arguments, Console& console);
 int denoise_command(Arguments const& arguments, Console& console);
 int check_command(Arguments const& arguments, Console& console);
 int info_command(Arguments const& arguments, Console& console);
@@ -35,6 +36,7 @@ inline constexpr Command commands[] = {
     {"view", "SCENE", "open a window on a scene", view_command},
     {"preview", "SCENE", "show a scene in the terminal", preview_command},
     {"thumbnail", "INPUT OUTPUT.png", "draw a small picture for file managers", thumbnail_command},
+    {"job", "COMMAND", "draw pictures on many machines", job_command},
     {"denoise", "FILE", "take the noise out of a stored film", denoise_command},
     {"check", "SCENE...", "report what is wrong in scenes, draw nothing", check_command},
     {"info", "FILE", "describe what is in a scene", info_command},

@@ -99,7 +99,8 @@ Diagnostic PictureFindings::explain_empty_view(PictureReady const& ready, Pictur
       warning(DiagnosticCode::empty_view, fmt::format("the camera '{}' sees nothing: {}", ready.request.camera.name(),
                                                       describe_direction(ready.request.camera, ready.scene->bounds)));
   for (Convention const& convention : other_conventions(options_.job.reading.dialect)) {
-    if (is_model_ || !shows_something(convention.dialect, ready.request, plan.scene_number)) continue;
+    if (is_model_ || options_.is_merging || !shows_something(convention.dialect, ready.request, plan.scene_number))
+      continue;
     result.hint = fmt::format("with {} it is in view", convention.arguments);
     break;
   }

@@ -34,6 +34,7 @@ struct RenderOptions {
   /// Of plans for several machines: the largest part of a picture that is drawn at once. What format the pictures will
   /// have is not known then. Nothing: each is drawn whole.
   std::optional<Resolution> tile;
+  bool is_merging = false;  // the pictures come from units: nothing else can be traced
 
   bool show = false;  // in a window, afterwards
   bool json = false;

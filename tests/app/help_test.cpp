@@ -9,8 +9,9 @@
 
 namespace {
 
-char const* const commands[] = {"render", "view", "preview", "thumbnail", "denoise",
+char const* const commands[] = {"render", "view", "preview", "thumbnail", "job",   "denoise",
                                 "check",  "info", "explain", "devices",   "doctor"};
+char const* const job_commands[] = {"plan", "work", "status", "merge", "script"};
 
 std::string read_source(std::string const& name) {
   std::ifstream file(std::string(LICHTRAUM_SOURCE_DIR "/") + name);
@@ -36,7 +37,8 @@ std::set<std::string> options_of(std::string const& help) {
 TEST_CASE("every command has a help text that fits a terminal", "[app][help]") {
   Lichtraum const lichtraum;
   for (std::string const words : {"--help", "-h", "help", "help render", "render --help", "check --help", "info -h",
-                                  "explain --help", "devices --help", "doctor --help"}) {
+                                  "explain --help", "devices --help", "doctor --help", "job --help", "job plan --help",
+                                  "job work --help", "job status --help", "job merge --help", "job script --help"}) {
     auto const result = lichtraum(words);
     INFO(words);
     CHECK(result.exit_code == 0);
@@ -59,7 +61,8 @@ TEST_CASE("the examples in the help texts are good commands", "[app][help]") {
   lichtraum.folder.write("frames/1.sdf", "define nonsense\n");
   std::size_t count = 0;
   for (std::string const command :
-       {"", "render", "view", "preview", "thumbnail", "denoise", "check", "info", "explain", "devices", "doctor"}) {
+       {"", "render", "view", "preview", "thumbnail", "denoise", "check", "info", "explain", "devices", "doctor", "job",
+        "job plan", "job work", "job status", "job merge", "job script"}) {
     std::string const help = lichtraum(command + " --help").out;
     std::string const examples = help.substr(help.find("Examples:"));
     for (std::string const& example : matches(examples, "\n  (lichtraum [^\n]*?)(?=  |\n)")) {
@@ -71,7 +74,8 @@ TEST_CASE("the examples in the help texts are good commands", "[app][help]") {
       bool const opens_a_window = command == "view";  // which is refused without a display
       bool const reads_a_scene =
           !opens_a_window && (example.find(".sdf") != std::string::npos || example.find(".glb") != std::string::npos);
-      bool const lacks_its_file = command == "denoise";
+      bool const lacks_its_file =
+          command == "denoise" || (command.starts_with("job") && example.find("job plan") == std::string::npos);
       CHECK((lacks_its_file   ? code == 66
              : reads_a_scene  ? code == 65
              : opens_a_window ? code == 69
@@ -96,6 +100,15 @@ TEST_CASE("the man page and the completions know every command and option", "[ap
     CHECK_THAT(zsh, contains_text("'" + command + ":"));
     CHECK_THAT(fish, contains_text("-a " + command));
     auto const options = options_of(lichtraum(command + " --help").out);
+    REQUIRE(options.count("--help") == 1);
+    all.insert(options.begin(), options.end());
+  }
+  for (std::string const command : job_commands) {
+    INFO(command);
+    CHECK_THAT(man, contains_text(".It Cm job " + command));
+    CHECK_THAT(fish, contains_text(command));
+    CHECK_THAT(zsh, contains_text(command));
+    auto const options = options_of(lichtraum("job " + command + " --help").out);
     REQUIRE(options.count("--help") == 1);
     all.insert(options.begin(), options.end());
   }
@@ -125,5 +138,13 @@ TEST_CASE("bash completes each command with its options, and with no others", "[
                            " --); COMP_CWORD=2; _lichtraum; printf '\\n  %s' \"${COMPREPLY[@]}\""};
     INFO(command);
     CHECK(options_of(run_process(shell).out) == options_of(lichtraum(command + " --help").out));
+  }
+  for (std::string const command : job_commands) {
+    Process shell = lichtraum.process("");
+    shell.arguments = {"bash", "-c",
+                       "source " LICHTRAUM_SOURCE_DIR "/completions/lichtraum.bash; COMP_WORDS=(lichtraum job " +
+                           command + " --); COMP_CWORD=3; _lichtraum; printf '\\n  %s' \"${COMPREPLY[@]}\""};
+    INFO(command);
+    CHECK(options_of(run_process(shell).out) == options_of(lichtraum("job " + command + " --help").out));
   }
 }

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/commands.hpp"
+#include "farm/plan.hpp"
+
+namespace lichtraum::app {
+
+/// The commands under `lichtraum job`.
+int job_plan_command(Arguments const& arguments, Console& console);
+int job_work_command(Arguments const& arguments, Console& console);
+int job_merge_command(Arguments const& arguments, Console& console);
+int job_script_command(Arguments const& arguments, Console& console);
+int job_status_command(Arguments const& arguments, Console& console);
+
+/// Throws Error{scene} unless `device` is of the plan's class.
+void check_class(farm::Plan const& plan, farm::DeviceClass const& device);
+
+/// "3 units", "1 unit".
+std::string unit_text(std::int64_t count);
+
+}  // namespace lichtraum::app

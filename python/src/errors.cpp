@@ -37,6 +37,7 @@ char const* class_for(ErrorKind kind) {
       return "DeviceError";
     case ErrorKind::unavailable:
     case ErrorKind::internal:
+    case ErrorKind::try_again:
     case ErrorKind::interrupted:
       break;
   }

@@ -64,11 +64,12 @@ _lichtraum() {
   if [[ $current == -* ]]; then
     local options=$general view='--eye --look-at --up --orbit --fov-x --fov-y --aperture --focus'
     case ${COMP_WORDS[1]} in
-      render)
+      render | check)
         options+=" $language --format-in -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"
         options+=" --camera $view --root --planes --integrator --samples --depth --clamp --seed --ground --ground=glossy --background --exposure --tonemap"
-        options+=' --transfer --noise --denoise --device --traversal --frames --fps --turntable --resume --show --environment'
+        options+=' --transfer --noise --denoise --device --traversal --frames --fps --turntable --environment'
         options+=' --environment-rotation --environment-brightness'
+        [[ ${COMP_WORDS[1]} == check ]] || options+=' --resume --show'
         ;;
       view)
         options+=" $language --watch --size --camera $view --root --integrator --samples --depth --clamp --seed --ground --ground=glossy --background"
@@ -93,7 +94,6 @@ _lichtraum() {
         esac
         ;;
       denoise) options+=' -o --output --exposure --tonemap --transfer --denoise --prefilter --device' ;;
-      check) options+=" $language --format-in --device --json" ;;
       info) options+=" $language --format-in --json" ;;
       devices) options+=' --json' ;;
     esac

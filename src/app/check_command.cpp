@@ -15,12 +15,13 @@ namespace {
 constexpr char const* check_description =
     "Reports what is wrong in scenes, and what render would write, and draws\n"
     "nothing. SCENE is an eSDF file, a model (glTF, OBJ, PLY, STL), or - for\n"
-    "standard input. The exit status is the one that render would have.";
+    "standard input. The exit status is the one that render would have with the\n"
+    "same options.";
 
 constexpr char const* check_examples =
     "  lichtraum check hello.sdf\n"
     "  lichtraum check --strict *.sdf\n"
-    "  lichtraum check model.glb\n"
+    "  lichtraum check model.glb --orbit -35,20 --size 1280x720 -o left.png\n"
     "  lichtraum check -q --json hello.sdf\n"
     "  lichtraum check -v - < hello.sdf\n";
 
@@ -59,11 +60,12 @@ std::string summary(Prediction const& prediction) {
 bool parse_check(Arguments const& arguments, RenderOptions& options, Console& console) {
   auto const parser = make_parser("check", check_description, check_examples);
   add_inputs(*parser, options.scenes, "SCENE...");
+  add_file_options(*parser, options, "Output");
   parser->add_flag("--json", options.json, "Print JSON")->group("Output");
-  add_language_options(*parser, options.job.reading);
-  add_model_options(*parser, options.job.reading.model);
+  add_picture_options(*parser, options);
+  add_sequence_options(*parser, options);
+  add_drawing_options(*parser, options);
   add_input_format_option(*parser, options.input_format);
-  add_device_option(*parser, options, "Device");
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return false;
   check_inputs(options);
@@ -77,8 +79,11 @@ int check_command(Arguments const& arguments, Console& console) {
   if (!parse_check(arguments, options, console)) return 0;
   OutputNames names(options.output);
   std::vector<std::string> const inputs = expand_patterns(options.scenes);
+  combine(options, inputs, names);
+  check_size(options);
   auto const renderer = choose_renderer(options.device, options.traversal, console);
   options.load.device = renderer->device().kind;
+  options.load.integrator = asked_integrator(options.job);
 
   int code = 0;
   std::vector<Prediction> predictions;

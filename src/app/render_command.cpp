@@ -39,17 +39,7 @@ constexpr char const* render_examples =
 
 void add_output_options(CLI::App& parser, RenderOptions& options) {
   std::string const group = "Output";
-  auto const path = [](std::string const& text) { return std::filesystem::path(parse_name(text)); };
-  auto const format = [](std::string const& text) { return &image_format_named(text); };
-  add_value(parser, "-o,--output", options.output.file, parse_name, "FILE",
-            "Write to FILE: a name with .png, .ppm, .jpg,\n.exr or .pfm; %04d numbers pictures; .mp4,\n.webm or .gif "
-            "is a film; - is standard output",
-            group);
-  add_value(parser, "--format", options.output.format, format, "NAME",
-            "png, ppm, jpg, exr or pfm, whatever the extension", group);
-  add_value(parser, "--output-dir", options.output.folder, path, "FOLDER",
-            "Folder for pictures (default: the current one)", group);
-  add_encoding_options(parser, options, group);
+  add_file_options(parser, options, group);
   parser.add_flag("--show", options.show, "Then open a window on the scene")->group(group);
   parser
       .add_flag("--json", options.json, "Print statistics as JSON, to standard output\n(to standard error with -o -)")
@@ -99,10 +89,7 @@ int render_command(Arguments const& arguments, Console& console) {
   std::vector<std::string> const inputs = expand_patterns(options.scenes);
   combine(options, inputs, names);
   if (options.show) check_show(options, inputs, names);
-  if (options.job.size) {
-    check_memory(options.job.region.value_or(whole_picture(*options.job.size)), traced_planes(options.job),
-                 options.job.sampling.value_or(Sampling()).count, ErrorKind::usage);
-  }
+  check_size(options);
 
   Stopwatch const stopwatch;
   auto const renderer = choose_renderer(options.device, options.traversal, console);

@@ -59,6 +59,8 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
 void add_picture_options(CLI::App& parser, RenderOptions& options);
 /// What else decides a picture of `render`: light, quality, how scenes and models are read.
 void add_drawing_options(CLI::App& parser, RenderOptions& options);
+/// --output, --format, --output-dir and the encoding's.
+void add_file_options(CLI::App& parser, RenderOptions& options, std::string const& group);
 /// --bits, --quality and --ppm-ascii.
 void add_encoding_options(CLI::App& parser, RenderOptions& options, std::string const& group);
 /// --frames, --fps and --turntable.
@@ -66,6 +68,9 @@ void add_sequence_options(CLI::App& parser, RenderOptions& options);
 
 /// What the options say together; throws Error{usage} where they contradict each other.
 void combine(RenderOptions& options, std::vector<std::string> const& inputs, OutputNames& names);
+
+/// Throws Error{usage} for a --size that there is no memory for.
+void check_size(RenderOptions const& options);
 
 /// What the scenes of a parsed command line have in common. Throws Error{usage} for what cannot be read.
 void check_inputs(RenderOptions& options);

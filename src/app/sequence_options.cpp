@@ -4,11 +4,26 @@
 #include <CLI/CLI.hpp>
 
 #include "app/arguments.hpp"
+#include "app/picture_plan.hpp"
 #include "app/render_options.hpp"
 #include "app/scene_source.hpp"
 #include "app/video.hpp"
 
 namespace lichtraum::app {
+
+void add_file_options(CLI::App& parser, RenderOptions& options, std::string const& group) {
+  auto const path = [](std::string const& text) { return std::filesystem::path(parse_name(text)); };
+  auto const format = [](std::string const& text) { return &image_format_named(text); };
+  add_value(parser, "-o,--output", options.output.file, parse_name, "FILE",
+            "Write to FILE: a name with .png, .ppm, .jpg,\n.exr or .pfm; %04d numbers pictures; .mp4,\n.webm or .gif "
+            "is a film; - is standard output",
+            group);
+  add_value(parser, "--format", options.output.format, format, "NAME",
+            "png, ppm, jpg, exr or pfm, whatever the extension", group);
+  add_value(parser, "--output-dir", options.output.folder, path, "FOLDER",
+            "Folder for pictures (default: the current one)", group);
+  add_encoding_options(parser, options, group);
+}
 
 void add_encoding_options(CLI::App& parser, RenderOptions& options, std::string const& group) {
   auto const bits = [&options](std::string const& text) {
@@ -67,6 +82,12 @@ void combine(RenderOptions& options, std::vector<std::string> const& inputs, Out
     }
     check_ffmpeg();
   }
+}
+
+void check_size(RenderOptions const& options) {
+  if (!options.job.size) return;
+  check_memory(options.job.region.value_or(whole_picture(*options.job.size)), traced_planes(options.job),
+               options.job.sampling.value_or(Sampling()).count, ErrorKind::usage);
 }
 
 }  // namespace lichtraum::app

@@ -79,6 +79,42 @@ TEST_CASE("check predicts render: what is written, what is said, and the exit st
   }
 }
 
+TEST_CASE("check takes render's options, and says what it would do with them", "[app][check]") {
+  struct Case {
+    std::string options;
+    int exit_code;
+    std::vector<std::string> pictures;
+  };
+  for (Case const& c : std::vector<Case>{
+           {"-o left.jpg --size 64x48 --quality 80", 0, {"left.jpg"}},
+           {"-o around-%d.ppm --turntable 3 --size 64x48", 0, {"around-1.ppm", "around-2.ppm", "around-3.ppm"}},
+           {"-o part.png --size 640x480 --region 0,0,64,48", 0, {"part.png"}},
+           {"-o planes.exr --size 64x48 --planes depth,normal", 0, {"planes.exr"}},
+           {"-o away.png --size 64x48 --eye 0,0,5 --look-at 0,0,9", 0, {"away.png"}},  // the ball is behind
+           {"--output-dir nowhere", 73, {}},
+           {"--camera none", 64, {}},
+           {"--size 100000x100000", 64, {}},
+           {"--size 8x8 --region 0,0,9,9", 64, {}},
+           {"--turntable 3 --frames 1..2", 64, {}},
+           {"--frames 1..2", 64, {}},
+           {"--fps 30", 64, {}},
+           {"-o planes.png --planes depth,normal", 64, {}},
+           {"a.sdf -o one.png", 64, {}},
+       }) {
+    Lichtraum const lichtraum;
+    lichtraum.folder.write("a.sdf", start + ball + "render eye out.png 64 48\n");
+    INFO(c.options);
+    auto const check = lichtraum("check a.sdf --device reference --integrator whitted " + c.options);
+    CHECK(lichtraum.folder.names() == std::vector<std::string>{"a.sdf"});
+    auto const render = lichtraum.render("a.sdf " + c.options);
+    CHECK(check.exit_code == c.exit_code);
+    CHECK(render.exit_code == c.exit_code);
+    CHECK(std::regex_replace(check.err, std::regex("'check"), "'render") == findings(render.err));
+    CHECK(predicted(check.out) == c.pictures);
+    CHECK(lichtraum.folder.names().size() == 1 + c.pictures.size());
+  }
+}
+
 TEST_CASE("check stays short, and goes on after a scene that cannot be drawn", "[app][check]") {
   Lichtraum const lichtraum;
   std::string many = start + ball;

@@ -53,11 +53,11 @@ RenderResult MergingRenderer::render(RenderRequest const& request, Film& film, P
   for (std::int64_t i = 0; i < each; ++i) {
     std::int64_t const number = first + i;
     farm::UnitReading reading = farm::read_unit(folder_, number, allowed_class_);
-    if (!reading.unit && reading.is_missing) {
-      lacking.add(fmt::format("unit {} is missing", number));
-    } else if (!reading.unit) {
+    if (reading.is_spoilt) {
       auto const aside = farm::set_aside(folder_, number);
       lacking.add(fmt::format("unit {} {}, and is '{}' now", number, reading.problem, aside.string()));
+    } else if (!reading.unit) {
+      lacking.add(fmt::format("unit {} {}", number, reading.problem));
     }
     if (lacking.is_empty()) {
       result.statistics.rays += reading.unit->rays;

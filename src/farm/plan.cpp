@@ -97,6 +97,12 @@ void check_files(Plan const& plan) {
   for (ReadFile const& file : plan.files) {
     std::string const now = hash_of_file(file.path);
     if (now == file.hash) continue;
+    std::error_code failure;
+    auto const found = fs::status(file.path, failure).type();
+    if (now.empty() && found != fs::file_type::not_found) {  // as when a folder of another machine is not there for now
+      throw Error(ErrorKind::try_again, fmt::format("'{}' cannot be read{}{}", file.path, failure ? ": " : "",
+                                                    failure ? failure.message() : ""));
+    }
     std::string const what = now.empty() ? "is missing" : file.hash.empty() ? "is new" : "has changed";
     throw Error(ErrorKind::scene,
                 fmt::format("'{}' {} since the plan was made: put it back, or make another plan", file.path, what));

@@ -113,7 +113,8 @@ class PlanFolder {
 /// Of a file's bytes; empty when it cannot be read.
 std::string hash_of_file(std::filesystem::path const& path);
 
-/// Throws Error{scene} that names the first file of the plan that is not as it was.
+/// Throws Error{scene} that names the first file of the plan that is not as it was, Error{try_again} for one that
+/// cannot be read.
 void check_files(Plan const& plan);
 
 }  // namespace lichtraum::farm

@@ -59,15 +59,15 @@ Head head_of(PlanFolder const& folder, std::int64_t number, DrawnUnit const& uni
 }
 
 /// Why the file is not that unit's; empty when it may be.
-std::string problem_of(Head const& head, PlanFolder const& folder, std::int64_t number,
-                       std::string_view allowed_class) {
+std::string problem_of(Head const& head, PlanFolder const& folder, std::int64_t number) {
   if (text_of(head.magic) != magic || head.version != file_version) return "is no unit of this version";
   if (text_of(head.plan) != folder.hash()) return "is of another plan";
   if (head.number != std::uint64_t(number)) return fmt::format("is unit {}", head.number);
-  if (!allowed_class.empty() && text_of(head.device_class) != allowed_class) {
-    return fmt::format("was drawn by a device of another class, {}", text_of(head.device_class));
-  }
   return {};
+}
+
+bool is_allowed(Head const& head, std::string_view allowed_class) {
+  return allowed_class.empty() || text_of(head.device_class) == allowed_class;
 }
 
 std::uint64_t bytes_of(Descriptor const& file) {
@@ -169,20 +169,28 @@ UnitReading read_unit(PlanFolder const& folder, std::int64_t number, std::string
   UnitReading reading;
   Descriptor const file(::open(folder.unit_file(number).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.is_open()) {
-    reading.is_missing = errno == ENOENT;
-    reading.problem = reading.is_missing ? "is missing" : std::strerror(errno);
+    reading.problem = errno == ENOENT ? "is missing" : fmt::format("cannot be read: {}", std::strerror(errno));
     return reading;
   }
   Unit const unit = folder.plan().unit(number);
   std::uint64_t const wanted = unit_file_bytes(folder.plan(), unit), found = bytes_of(file);
   if (found != wanted) {
+    reading.is_spoilt = true;
     reading.problem = fmt::format("has {} bytes instead of {}", found, wanted);
     return reading;
   }
   Head head;
   bool is_read = read_exactly(file, &head, sizeof head);
-  if (is_read) reading.problem = problem_of(head, folder, number, allowed_class);
-  if (!reading.problem.empty()) return reading;
+  if (is_read) reading.problem = problem_of(head, folder, number);
+  if (!reading.problem.empty()) {
+    reading.is_spoilt = true;
+    return reading;
+  }
+  if (is_read && !is_allowed(head, allowed_class)) {
+    reading.problem =
+        fmt::format("was drawn by a device of another class, {}: --allow-mixed takes it", text_of(head.device_class));
+    return reading;
+  }
   DrawnUnit drawn{std::string(text_of(head.device_class)),
                   {head.rays[0], head.rays[1], head.rays[2], head.rays[3], head.rays[4]},
                   Film::of_samples(unit.region, folder.plan().planes, unit.samples)};
@@ -197,6 +205,7 @@ UnitReading read_unit(PlanFolder const& folder, std::int64_t number, std::string
   if (!is_read) {
     reading.problem = "cannot be read to its end";
   } else if (text_of(hash) != hasher.finish().text()) {
+    reading.is_spoilt = true;
     reading.problem = "has not the bytes that were written";
   } else {
     reading.unit = std::move(drawn);
@@ -208,7 +217,8 @@ bool looks_whole(PlanFolder const& folder, std::int64_t number, std::string_view
   Descriptor const file(::open(folder.unit_file(number).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   Head head;
   return file.is_open() && bytes_of(file) == unit_file_bytes(folder.plan(), folder.plan().unit(number)) &&
-         read_exactly(file, &head, sizeof head) && problem_of(head, folder, number, allowed_class).empty();
+         read_exactly(file, &head, sizeof head) && problem_of(head, folder, number).empty() &&
+         is_allowed(head, allowed_class);
 }
 
 std::uint64_t unit_file_bytes(Plan const& plan, Unit const& unit) {

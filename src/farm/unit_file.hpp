@@ -23,8 +23,8 @@ void write_unit(PlanFolder const& folder, std::int64_t number, DrawnUnit& unit);
 /// What is known of a unit's file.
 struct UnitReading {
   std::optional<DrawnUnit> unit;
-  std::string problem;  ///< why there is none
-  bool is_missing = false;
+  std::string problem;     ///< why there is none: "is missing"
+  bool is_spoilt = false;  ///< what the file holds is of no use to anybody
 };
 
 /// Reads it and checks everything. `allowed_class`: what must have drawn it; empty: any may have.

@@ -7,6 +7,7 @@
 
 #include "app/arguments.hpp"
 #include "app/job_commands.hpp"
+#include "app/values.hpp"
 
 namespace lichtraum::app {
 namespace {

@@ -19,8 +19,9 @@ std::string sphere_at(std::string const& center) { return "define shape sphere s
 
 TEST_CASE("a camera that sees nothing: where the scene is", "[app][view]") {
   CHECK_THAT(warning(sphere_at("0 0 -5")), !contains_text("sees nothing"));
-  CHECK_THAT(warning(sphere_at("-5 0 -1.722")), contains_text("the scene is 71 degrees to the left of the view\n"));
-  CHECK_THAT(warning(sphere_at("5 0 0")), contains_text("90 degrees to the right of the view\n"));
+  CHECK_THAT(warning(sphere_at("-5 0 -1.722")),
+             contains_text("the scene is 71 degrees to the left of the view [W0816]\n"));
+  CHECK_THAT(warning(sphere_at("5 0 0")), contains_text("90 degrees to the right of the view [W0816]\n"));
   CHECK_THAT(warning(sphere_at("0 0 5")), contains_text("180 degrees") && contains_text("behind the camera"));
   CHECK_THAT(warning(sphere_at("0 5 -5")), contains_text("45 degrees above the view"));
   CHECK_THAT(warning(sphere_at("0 -5 -5")), contains_text("45 degrees below the view"));

@@ -1,6 +1,7 @@
 #ifndef LICHTRAUM_SHARED_LIGHT_H
 #define LICHTRAUM_SHARED_LIGHT_H
 
+#include "shared/geometry.h"
 #include "shared/types.h"
 
 DEVICE_NAMESPACE_BEGIN
@@ -31,6 +32,19 @@ typedef struct {
   uint material;
 } EmissiveTriangle;
 DEVICE_STRUCT_SIZE(EmissiveTriangle, 44);
+
+/* A sphere, an ellipsoid or a box that shines, once for each instance of it. They are in the order of instance, kind
+ * and index. */
+typedef struct {
+  AffineTransform unit_from_world; /* of a sphere or an ellipsoid: the ball of radius 1 around the origin */
+  float center[3];                 /* world */
+  float axes[3][3];                /* world: half a box's edges; the maps of x, y and z of the ball's frame */
+  uint instance;                   /* as in a hit */
+  uint kind;
+  uint index;
+  uint material;
+} EmissiveSolid;
+DEVICE_STRUCT_SIZE(EmissiveSolid, 112);
 
 /* Of a light tree (lights/light_tree.clh): so many children a node, each in a ball; light or lights. */
 #define LIGHT_TREE_CHILDREN 16

@@ -54,7 +54,8 @@
   ARRAY(uint, sphere_colors)    /* 1 + where in the vertex data rgba of a sphere begin, as the layout */  \
   ARRAY(uint, ellipsoid_colors) /* counts them, and of an ellipsoid; 0: none; or none */                  \
   ARRAY(float, vertex_data)                                                                               \
-  ARRAY(EmissiveTriangle, emissive_triangles)
+  ARRAY(EmissiveTriangle, emissive_triangles)                                                             \
+  ARRAY(EmissiveSolid, emissive_solids)
 
 #define TEXTURE_ARRAYS(ARRAY) \
   ARRAY(Texture, textures)    \
@@ -65,9 +66,9 @@
   ARRAY(PhongMaterial, materials)                                                                             \
   ARRAY(PbrMaterial, pbr_materials) /* as many as materials, or none */                                       \
   ARRAY(PunctualLight, lights)                                                                                \
-  ARRAY(AliasEntry, light_choices)  /* of what lights the scene: lights, environment, emissive triangles */   \
+  ARRAY(AliasEntry, light_choices)  /* of what lights the scene: lights, environment, emissive shapes */      \
   ARRAY(float, light_probabilities) /* with which each is chosen */                                           \
-  ARRAY(LightTreeNode, light_tree)  /* where many lights have a place; a choice instead of the triangles */   \
+  ARRAY(LightTreeNode, light_tree)  /* where many lights have a place; a choice instead of the shapes */      \
   ARRAY(float, emission_densities)  /* of materials: of their triangles' points to be chosen, per world area; \
                                        with a tree, from where all its lights are as important as 1 */
 
@@ -85,6 +86,8 @@ typedef struct {
   uint root_node; /* of the world's hierarchy */
   uint light_count;
   uint light_choice_count;
+  uint emissive_triangle_count;
+  uint emissive_solid_count;
   float environment_probability; /* to be chosen of the lights */
   float light_tree_probability;  /* and the tree; 0: there is none */
   uint features;                 /* SCENE_... */
@@ -100,7 +103,7 @@ typedef struct {
   float environment_poles[6];      /* rgb at the top, and at the bottom: the mean of the first row, and of the last */
   float environment_on_level[3];   /* its irradiance on a level surface, from above, over pi */
 } SceneConstants;
-DEVICE_STRUCT_SIZE(SceneConstants, 92);
+DEVICE_STRUCT_SIZE(SceneConstants, 100);
 
 /* For SceneConstants.ray_epsilon: 16 rounding units of float, several times what the device code can be off. */
 #define DEFAULT_RAY_EPSILON 9.5367431640625e-7f

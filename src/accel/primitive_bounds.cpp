@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "scene/device_conversion.hpp"
+
 namespace lichtraum {
 namespace {
 
@@ -9,11 +11,6 @@ namespace {
 constexpr double matrix_rounding = 1e-6;
 
 Vec3 vec3(float const (&v)[3]) { return {v[0], v[1], v[2]}; }
-
-Transform host_transform(device::AffineTransform const& t) {
-  auto const row = [](device::float4 const& r) { return glm::dvec4(r.x, r.y, r.z, r.w); };
-  return Transform::from_matrix(glm::transpose(Mat4(row(t.row_x), row(t.row_y), row(t.row_z), glm::dvec4(0, 0, 0, 1))));
-}
 
 DeviceBounds around(Vec3 const& center, Vec3 const& extent) {
   Vec3 const padded = extent + matrix_rounding * (extent + glm::abs(center));

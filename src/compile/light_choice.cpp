@@ -31,6 +31,14 @@ Vec3 area_vector(device::EmissiveTriangle const& triangle) {
   return 0.5 * glm::cross(edge(triangle, 0), edge(triangle, 1));
 }
 
+Vec3 axis(device::EmissiveSolid const& solid, int i) { return {solid.axes[i][0], solid.axes[i][1], solid.axes[i][2]}; }
+/// Half of its surface, which is a flat box's one side. Of an ellipsoid that is no sphere roughly.
+double half_surface(device::EmissiveSolid const& solid) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) sum += glm::length(glm::cross(axis(solid, (i + 1) % 3), axis(solid, (i + 2) % 3)));
+  return (solid.kind == PRIMITIVE_BOX ? 4 : 2 * pi / 3) * sum;
+}
+
 /// Squared: half the scene's diagonal, at which a light that has a place is thought to be.
 double usual_distance_squared(DeviceBounds const& bounds) {
   if (bounds.is_empty()) return 1;
@@ -49,6 +57,15 @@ LightLeaf leaf_of(device::EmissiveTriangle const& triangle) {
   leaf.normal = glm::normalize(area_vector(triangle));
   return leaf;
 }
+LightLeaf leaf_of(device::EmissiveSolid const& solid) {
+  Vec3 const center(solid.center[0], solid.center[1], solid.center[2]);
+  Vec3 extent(0);
+  for (int i = 0; i < 3; ++i) extent += glm::abs(axis(solid, i));
+  LightLeaf leaf;
+  leaf.bounds.add(center - extent);
+  leaf.bounds.add(center + extent);
+  return leaf;
+}
 LightLeaf leaf_of(device::PunctualLight const& light) {
   Vec3 const position(light.position[0], light.position[1], light.position[2]);
   LightLeaf leaf;
@@ -58,7 +75,7 @@ LightLeaf leaf_of(device::PunctualLight const& light) {
 }
 
 /// Where there are many lights that have a place and fall off, they become a tree, which counts as one: its weight
-/// takes the place of those of the triangles. `weights` are of lights, environment and triangles.
+/// takes the place of those of the shapes. `weights` are of lights, environment, triangles and solids.
 void plant_light_tree(ShadingTables& tables, SceneBuffers const& scene, std::vector<double>& weights,
                       double distance_squared) {
   std::vector<LightLeaf> leaves;
@@ -73,8 +90,9 @@ void plant_light_tree(ShadingTables& tables, SceneBuffers const& scene, std::vec
     if (tables.lights[i].kind == LIGHT_FALLS_OFF) add(tables.lights[i], i);
   }
   std::size_t const first_triangle = tables.lights.size() + 1;
-  for (std::size_t i = 0; i < scene.emissive_triangles.size(); ++i)
-    add(scene.emissive_triangles[i], first_triangle + i);
+  std::size_t number = first_triangle;
+  for (auto const& triangle : scene.emissive_triangles) add(triangle, number++);
+  for (auto const& solid : scene.emissive_solids) add(solid, number++);
   if (leaves.size() <= most_without_tree) return;
   double in_tree = 0;
   for (LightLeaf const& leaf : leaves) {
@@ -108,6 +126,10 @@ void set_light_choices(ShadingTables& tables, SceneBuffers const& scene) {
   for (device::EmissiveTriangle const& triangle : scene.emissive_triangles) {
     weights.push_back(emitted[triangle.material] * glm::length(area_vector(triangle)) / distance_squared);
   }
+  for (device::EmissiveSolid const& solid : scene.emissive_solids) {
+    double const weight = emitted[solid.material] * half_surface(solid) / distance_squared;
+    weights.push_back(std::isfinite(weight) ? weight : 0);
+  }
   double sum = 0;
   for (double const weight : weights) sum += weight;
   tables.light_choices.clear();
@@ -115,9 +137,11 @@ void set_light_choices(ShadingTables& tables, SceneBuffers const& scene) {
   tables.light_tree.clear();
   tables.emission_densities.assign(emitted.size(), 0.0f);
   if (!(sum > 0)) return;
-  for (device::EmissiveTriangle const& triangle : scene.emissive_triangles) {
-    tables.emission_densities[triangle.material] = float(emitted[triangle.material] / distance_squared / sum);
-  }
+  auto const set_density = [&](device::uint material) {
+    tables.emission_densities[material] = float(emitted[material] / distance_squared / sum);
+  };
+  for (auto const& triangle : scene.emissive_triangles) set_density(triangle.material);
+  for (auto const& solid : scene.emissive_solids) set_density(solid.material);
   plant_light_tree(tables, scene, weights, distance_squared);
   tables.light_choices.resize(weights.size());
   AliasTableMaker().fill(weights, tables.light_choices);

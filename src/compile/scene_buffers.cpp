@@ -9,6 +9,7 @@
 #include "accel/bvh.hpp"
 #include "accel/primitive_bounds.hpp"
 #include "accel/wide_layout.hpp"
+#include "compile/emissive_shapes.hpp"
 #include "compile/light_choice.hpp"
 #include "compile/light_table.hpp"
 #include "compile/material_table.hpp"
@@ -57,14 +58,10 @@ class Compiler {
  public:
   Compiler(TreeLayout layout, SceneBuffers const* previous) : previous_(previous) { buffers_.layout = layout; }
 
-  struct Range {
-    std::size_t first = 0;
-    std::size_t count = 0;
-  };
   /// An object's primitives are in the buffers, its hierarchy is not built yet.
   struct Pending {
     ContentHasher content;
-    std::vector<Range> ranges;  // of each kind
+    PrimitiveRanges ranges;
     std::vector<BuildPrimitive> instances;
     std::vector<BuildPrimitive> unbounded_instances;
   };
@@ -74,12 +71,12 @@ class Compiler {
     auto pending = std::make_unique<Pending>();
     pending->content.add(object.content);
     FirstOfObject const first{buffers_.triangles.size(), buffers_.spheres.size(), buffers_.ellipsoids.size()};
-    device::for_each_kind(buffers_, object, [&](auto& all, auto& more) {
-      pending->ranges.push_back({all.size(), more.size()});
+    device::for_each_kind(buffers_, object, [&]<class T>(BigVector<T>& all, BigVector<T>& more) {
+      pending->ranges[device::primitive_kind<T>] = {all.size(), more.size()};
       append(all, std::move(more));
     });
     // Leaves name primitives by where they are in all of the scene.
-    for (Range const& range : pending->ranges) pending->content.add(range.first);
+    for (PrimitiveRange const& range : pending->ranges) pending->content.add(range.first);
     pending->content.add(buffers_.vertex_data.size());
     take_attributes(std::move(object), first);
     return pending;
@@ -88,8 +85,10 @@ class Compiler {
   CompiledObject const& build(std::unique_ptr<Pending> pending) {
     ContentHash const content = pending->content.finish();
     CompiledObject const* const known = find_in_previous(content);
+    PrimitiveRanges const ranges = pending->ranges;
     CompiledObject object = known ? copy(*known) : add(std::move(*pending));
     object.content = content;
+    object.ranges = ranges;
     buffers_.unrepresentable += object.unrepresentable;
     buffers_.objects.push_back(object);
     return buffers_.objects.back();
@@ -180,7 +179,7 @@ class Compiler {
 
   /// The input of a hierarchy for a range of primitives of a kind. Returns how many are not representable.
   template <class T>
-  static std::uint64_t refer(BigVector<T> const& primitives, Range const& range, BuildPrimitive* out) {
+  static std::uint64_t refer(BigVector<T> const& primitives, PrimitiveRange const& range, BuildPrimitive* out) {
     std::atomic<std::uint64_t> left_out = 0;
     for_parallel_ranges(range.count, 1 << 14, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -198,22 +197,21 @@ class Compiler {
   /// Builds its hierarchy.
   CompiledObject add(Pending&& pending) {
     std::size_t count = pending.instances.size();
-    for (Range const& range : pending.ranges) count += range.count;
+    for (PrimitiveRange const& range : pending.ranges) count += range.count;
     BigVector<BuildPrimitive> all(count);
     std::vector<BuildPrimitive> unbounded = std::move(pending.unbounded_instances);
     BuildPrimitive* out = all.data();
     std::uint64_t left_out = 0;
-    auto range = pending.ranges.begin();
     device::for_each_kind(buffers_, [&]<class T>(BigVector<T> const& primitives) {
+      PrimitiveRange const& range = pending.ranges[device::primitive_kind<T>];
       if constexpr (device::primitive_kind<T> == PRIMITIVE_PLANE) {
-        for (std::size_t i = 0; i < range->count; ++i) {
-          unbounded.push_back({{}, {PRIMITIVE_PLANE, device::uint(range->first + i)}});
+        for (std::size_t i = 0; i < range.count; ++i) {
+          unbounded.push_back({{}, {PRIMITIVE_PLANE, device::uint(range.first + i)}});
         }
       } else {
-        left_out += refer(primitives, *range, out);
-        out += range->count;
+        left_out += refer(primitives, range, out);
+        out += range.count;
       }
-      ++range;
     });
     auto const& instances = pending.instances;
     out = std::copy(instances.begin(), instances.end(), out);
@@ -342,50 +340,6 @@ class Compiler {
   BigVector<device::uint> sphere_colors_;             // of the spheres
 };
 
-/// More are found by chance only: they would take more memory than the scene.
-constexpr std::size_t most_emissive_triangles = std::size_t(1) << 20;
-
-/// Calls f(index, corners, material) for each triangle of an object, with its index among all.
-template <class F>
-void for_each_triangle(SceneBuffers const& scene, CompiledObject const& object, F const& f) {
-  if (scene.layout == TreeLayout::binary) {
-    for (auto const& reference : std::span(scene.references).subspan(object.first_leaf, object.leaf_count)) {
-      if (reference.kind != PRIMITIVE_TRIANGLE) continue;
-      auto const& [vertices, tag] = scene.triangles[reference.index];
-      f(
-          reference.index, [&v = vertices](int corner) { return Vec3(v[corner][0], v[corner][1], v[corner][2]); },
-          tag.material);
-    }
-    return;
-  }
-  std::size_t const end = BLOCK_LANES * (std::size_t(object.first_leaf) + object.leaf_count);
-  for (std::size_t i = BLOCK_LANES * std::size_t(object.first_leaf); i < end; ++i) {
-    auto const& v = scene.triangle_blocks[i / BLOCK_LANES].vertices;
-    std::size_t const lane = i % BLOCK_LANES;
-    if (!(v[0][0][lane] == v[0][0][lane])) continue;  // there is none
-    f(
-        device::uint(i), [&](int corner) { return Vec3(v[corner][0][lane], v[corner][1][lane], v[corner][2][lane]); },
-        scene.triangle_tags[i].material);
-  }
-}
-
-/// Adds the object's triangles that shine.
-void add_emissive_triangles(SceneBuffers& scene, CompiledObject const& object, std::vector<bool> const& shine,
-                            Transform const& world_from_object) {
-  for_each_triangle(scene, object, [&](device::uint index, auto const& corner, device::uint material) {
-    if (!shine[material] || scene.emissive_triangles.size() > most_emissive_triangles) return;
-    Vec3 const a = world_from_object.point(corner(0));
-    device::EmissiveTriangle emissive{};
-    store(a, emissive.corner);
-    for (int edge = 0; edge < 2; ++edge) {
-      store(world_from_object.point(corner(edge + 1)) - a, emissive.edges[edge]);
-    }
-    emissive.triangle = index;
-    emissive.material = material;
-    scene.emissive_triangles.push_back(emissive);
-  });
-}
-
 }  // namespace
 
 SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, TreeLayout layout,
@@ -423,14 +377,7 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tre
   shading.lights = make_light_table({lights.begin(), lights.end()}, buffers.world_bounds);
   shading.features |= table.features | features_of(shading.lights);
   set_environment(shading, environment, previous ? &previous->shading : nullptr);
-  std::vector<bool> const shine = emissive_materials(shading);
-  if (std::ranges::find(shine, true) != shine.end()) {
-    add_emissive_triangles(buffers, built, shine, Transform());
-    for (FlatInstance const& instance : scene.instances) {
-      add_emissive_triangles(buffers, objects[instance.object], shine, instance.world_from_object);
-    }
-    if (buffers.emissive_triangles.size() > most_emissive_triangles) buffers.emissive_triangles = {};
-  }
+  find_emissive_shapes(buffers, objects, built, scene.instances);
   set_light_choices(shading, buffers);
   buffers.unrepresentable += scene.unrepresentable;
   return std::move(buffers);
@@ -440,6 +387,8 @@ device::SceneConstants scene_constants(SceneBuffers const& scene, ShadingTables 
   device::SceneConstants constants{};
   constants.root_node = scene.root_node;
   constants.light_count = device::uint(shading.lights.size());
+  constants.emissive_triangle_count = device::uint(scene.emissive_triangles.size());
+  constants.emissive_solid_count = device::uint(scene.emissive_solids.size());
   constants.features = shading.features;
   constants.ray_epsilon = DEFAULT_RAY_EPSILON;
   constants.light_choice_count = device::uint(shading.light_choices.size());

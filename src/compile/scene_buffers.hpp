@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -15,6 +16,13 @@
 
 namespace lichtraum {
 
+struct PrimitiveRange {
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+/// By PRIMITIVE_...; that of instances is empty.
+using PrimitiveRanges = std::array<PrimitiveRange, PRIMITIVE_PLANE + 1>;
+
 /// One object's part of the arrays, so that a later scene in which it is the same can have it.
 struct CompiledObject {
   ContentHash content;         ///< of its primitives, and where they begin in the arrays of their kinds
@@ -24,6 +32,7 @@ struct CompiledObject {
   device::uint leaf_count = 0;
   device::uint first_sphere_block = 0;  ///< where its `sphere_blocks` begin
   device::uint sphere_block_count = 0;
+  PrimitiveRanges ranges;             ///< where its primitives are, before the layout orders triangles and spheres
   DeviceBounds bounds;                ///< of what has an end
   bool is_unbounded = false;          ///< something has none
   std::size_t stack_size = 0;         ///< that a traversal of it needs; for the wide layout

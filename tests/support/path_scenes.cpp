@@ -266,6 +266,37 @@ define background 0.1 0.2 0.3
   return {"many lamps", std::move(scene), 4};
 }
 
+/// Lamps that are found by their directions: a stretched ball and a block, twice each and turned, a ball that touches
+/// what it lights and a flat panel; all within a ball that shines as well.
+PathScene round_and_square_lamps() {
+  Scene scene = scene_of(std::string(things) + R"(
+define material dim 0 0 0  0.3 0.3 0.3  0 0 0 1
+define shape box floor -3 -1.2 -4  3 -1 3 floor
+define shape sphere glossy 0 -0.4 0.6 0.6 b
+define shape sphere touching -1.9 -0.5 0.6 0.5 d
+define shape box panel -0.6 2.4 -1  1.2 2.4 1 d
+define shape sphere egg 0 0 0 0.5 c
+transform egg scale 0.6 1.6 1
+transform egg rotate 30 0 0 1
+transform egg translate -1.4 0.9 -0.6
+define shape box block -0.3 -0.5 -0.2  0.3 0.5 0.6 c
+transform block rotate 35 1 0 1
+define shape composite pair egg block
+define shape composite here pair
+define shape composite there pair
+transform there scale 0.9 1.1 -0.8
+transform there rotate 100 0 1 0
+transform there translate 1.9 0.3 -0.8
+define shape sphere around 0 0 0 12 dim
+define shape composite root floor glossy touching panel here there around
+)");
+  set_material(scene, "b", PhongModel{.kd = {0.2, 0.3, 0.4}, .ks = Rgb(0.5), .m = 20});
+  let_shine(scene, "c", {1.5, 2, 2.5});
+  let_shine(scene, "d", {3, 2.4, 1.8});
+  let_shine(scene, "dim", {0.2, 0.25, 0.3});
+  return {"round and square lamps", std::move(scene), 4};
+}
+
 /// What stands, lies and hangs over a ground, with lamps and lights of its own; one of these is under a veil.
 Scene still_life() {
   Scene scene = scene_of(std::string(things) + R"(
@@ -331,6 +362,7 @@ std::vector<PathScene> path_scenes() {
   scenes.push_back(smooth());
   scenes.push_back(sheets());
   scenes.push_back(many_lamps());
+  scenes.push_back(round_and_square_lamps());
   scenes.push_back(textures());
   scenes.push_back(on_ground_in_the_open());
   scenes.push_back(on_ground_seen_through());

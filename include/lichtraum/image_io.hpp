@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +28,27 @@ struct ImageEncoding : ValueEncoding {
   std::string fingerprint;
 };
 
+/// Where an encoder writes to.
+class ByteSink {
+ public:
+  virtual ~ByteSink() = default;
+  /// Where the last write ended, or the last seek asked for; at first at the beginning.
+  virtual void write(std::string_view bytes) = 0;
+  /// May go back, or beyond the end.
+  virtual void seek(std::uint64_t position) = 0;
+};
+
+/// Makes a picture's file of some rows at a time, from the top.
+template <class Picture>
+class RowEncoder {
+ public:
+  virtual ~RowEncoder() = default;
+  /// The next rows, as wide as the picture, and with all that it has of each pixel.
+  virtual void add(Picture const& rows) = 0;
+  /// After the last row. What was written is no file of the format before.
+  virtual void finish() = 0;
+};
+
 /// One row of the table of picture formats.
 struct ImageFormat {
   std::string_view name;                     ///< "png"
@@ -39,6 +62,12 @@ struct ImageFormat {
   /// transfer do not apply. Null for the others.
   std::string (*encode_film)(Film const& film, ImageEncoding const& encoding);
   std::size_t max_planes;
+  /// The same files by and by, for pictures that memory cannot hold. Null where the format or its library takes whole
+  /// pictures only. `sink` must outlive the encoder.
+  std::unique_ptr<RowEncoder<Image>> (*begin)(Resolution const& size, bool has_alpha, ImageEncoding const& encoding,
+                                              ByteSink& sink);
+  std::unique_ptr<RowEncoder<Film>> (*begin_film)(Resolution const& size, PlaneSet const& planes,
+                                                  ImageEncoding const& encoding, ByteSink& sink);
   /// The fingerprint in a whole picture; empty when there is none, or the file is of another format, or
   /// truncated. Null for formats without.
   std::string (*read_fingerprint)(std::filesystem::path const& path);
@@ -62,5 +91,31 @@ void check_writable(std::filesystem::path const& path);
 /// `path` exists and is not a regular file (/dev/stdout, a pipe) it is written directly.
 /// Throws Error{cannot_create} or Error{io} and leaves the old file as it was.
 void write_file_atomically(std::filesystem::path const& path, std::string_view bytes);
+
+/// The same of a file that is written by and by; not for streams. Removed again unless it is finished.
+class NewFile final : public ByteSink {
+ public:
+  /// Throws Error{cannot_create}.
+  explicit NewFile(std::filesystem::path path);
+  ~NewFile() override;
+  NewFile(NewFile const&) = delete;
+  NewFile& operator=(NewFile const&) = delete;
+
+  /// Both throw Error{io}.
+  void write(std::string_view bytes) override;
+  void seek(std::uint64_t position) override;
+  /// Takes the place of `path`, or of another in the same folder. Throws Error{io}, also when a write had failed.
+  void finish() { finish_as(path_); }
+  void finish_as(std::filesystem::path const& path);
+
+ private:
+  void note(int code);
+
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;
+  int descriptor_ = -1;
+  int code_ = 0;  // of what failed first
+  bool is_finished_ = false;
+};
 
 }  // namespace lichtraum

@@ -88,6 +88,12 @@ struct RenderStatistics {
   RayCounts rays;
   double program_ms = 0;  ///< getting the device's program: from the library, a cache, or compiled
   double trace_ms = 0;    ///< tracing alone
+  RenderStatistics& operator+=(RenderStatistics const& other) {
+    rays += other.rays;
+    program_ms += other.program_ms;
+    trace_ms += other.trace_ms;
+    return *this;
+  }
 };
 
 struct SceneStatistics {

@@ -80,7 +80,6 @@ int check_command(Arguments const& arguments, Console& console) {
   OutputNames names(options.output);
   std::vector<std::string> const inputs = expand_patterns(options.scenes);
   combine(options, inputs, names);
-  check_size(options);
   auto const renderer = choose_renderer(options.device, options.traversal, console);
   options.load.device = renderer->device().kind;
   options.load.integrator = asked_integrator(options.job);

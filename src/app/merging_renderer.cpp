@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "app/job_commands.hpp"
@@ -42,39 +43,56 @@ MergingRenderer::MergingRenderer(farm::PlanFolder const& folder, std::string all
   device_.name = folder.plan().device.name;
 }
 
-RenderResult MergingRenderer::render(RenderRequest const& request, Film& film, ProgressFunction const& progress) {
-  farm::Plan const& plan = folder_.plan();
-  std::int64_t const each = plan.units_of_picture(), first = next_picture_++ * each;
+RayCounts MergingRenderer::check(std::int64_t first_unit, ProgressFunction const& progress) const {
+  std::int64_t const count = folder_.plan().units_of_picture();
   Stopwatch const stopwatch;
-  RenderResult result;
+  RayCounts rays;
   LackingUnits lacking;
-  film = Film::of_samples(plan.region, request.planes, {0, plan.sample_count});
-  Film part;
-  for (std::int64_t i = 0; i < each; ++i) {
-    std::int64_t const number = first + i;
-    farm::UnitReading reading = farm::read_unit(folder_, number, allowed_class_);
-    if (reading.is_spoilt) {
+  for (std::int64_t i = 0; i < count; ++i) {
+    std::int64_t const number = first_unit + i;
+    farm::UnitCheck const unit = farm::check_unit(folder_, number, allowed_class_);
+    if (unit.is_spoilt) {
       auto const aside = farm::set_aside(folder_, number);
-      lacking.add(fmt::format("unit {} {}, and is '{}' now", number, reading.problem, aside.string()));
-    } else if (!reading.unit) {
-      lacking.add(fmt::format("unit {} {}", number, reading.problem));
+      lacking.add(fmt::format("unit {} {}, and is '{}' now", number, unit.problem, aside.string()));
+    } else if (!unit.problem.empty()) {
+      lacking.add(fmt::format("unit {} {}", number, unit.problem));
     }
-    if (lacking.is_empty()) {
-      result.statistics.rays += reading.unit->rays;
-      reading.unit->film.keep(request.planes);
-      if (plan.unit(number).samples.first == 0) {
-        part = std::move(reading.unit->film);
-      } else {
-        part.merge(reading.unit->film);
-      }
-      if (part.samples().end == plan.sample_count) film.place(std::move(part));
-    }
-    RenderProgress const now{double(i + 1) / double(each), result.statistics.rays.total(), stopwatch.seconds()};
+    rays += unit.rays;
+    RenderProgress const now{0.5 * double(i + 1) / double(count), rays.total(), stopwatch.seconds()};
     if (progress && !progress(now)) throw Error(ErrorKind::interrupted, "interrupted: nothing was written");
   }
-  if (lacking.is_empty()) return result;
+  if (lacking.is_empty()) return rays;
   throw Error(ErrorKind::try_again, fmt::format("{}: {}: 'lichtraum job work {}' draws them", folder_.path().string(),
                                                 lacking.text(), folder_.path().string()));
+}
+
+RenderResult MergingRenderer::render(RenderRequest const& request, Film& film, ProgressFunction const& progress) {
+  farm::Plan const& plan = folder_.plan();
+  Region const& wanted = request.region;
+  bool const is_next = wanted.y == plan.region.y;
+  picture_ += is_next;
+  std::int64_t const each = plan.units_of_picture(), first = picture_ * each;
+  RenderResult result;
+  if (is_next) result.statistics.rays = check(first, progress);
+  film = Film::of_samples(wanted, request.planes, {0, plan.sample_count});
+  Film part;
+  for (std::int64_t number = first; number < first + each; ++number) {
+    farm::Unit const unit = plan.unit(number);
+    int const top = std::max(unit.region.y, wanted.y);
+    int const bottom = std::min(unit.region.y + unit.region.height, wanted.y + wanted.height);
+    if (top >= bottom) continue;
+    Film rows = farm::read_rows(folder_, number, top - unit.region.y, bottom - top);
+    rows.keep(request.planes);
+    if (unit.samples.first == 0) {
+      part = std::move(rows);
+    } else {
+      part.merge(rows);
+    }
+    if (part.samples().end == plan.sample_count) film.place(std::move(part));
+    RenderProgress const now{0.5 + 0.5 * double(number - first + 1) / double(each), 0, 0};
+    if (progress && !progress(now)) throw Error(ErrorKind::interrupted, "interrupted: nothing was written");
+  }
+  return result;
 }
 
 }  // namespace lichtraum::app

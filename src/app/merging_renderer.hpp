@@ -10,7 +10,7 @@
 namespace lichtraum::app {
 
 /// Takes pictures out of a plan's units instead of tracing them: the first one that is rendered is the plan's first,
-/// and so on. All else is done by another renderer.
+/// and so on; each at once, or in bands as wide as it is, from its top. All else is done by another renderer.
 class MergingRenderer final : public Renderer {
  public:
   /// `allowed_class`: what must have drawn the units; empty: any may have.
@@ -37,12 +37,15 @@ class MergingRenderer final : public Renderer {
   std::vector<float> filter_noise(NoisyPicture const& picture) override { return other_->filter_noise(picture); }
 
  private:
+  /// All units of a picture; how many rays they took.
+  RayCounts check(std::int64_t first_unit, ProgressFunction const& progress) const;
+
   farm::PlanFolder const& folder_;
   std::string allowed_class_;
   std::unique_ptr<Renderer> other_;
   Console const& console_;
   DeviceInfo device_;
-  int next_picture_ = 0;
+  int picture_ = -1;
 };
 
 }  // namespace lichtraum::app

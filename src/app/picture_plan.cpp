@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/picture_bands.hpp"
 #include "core/memory.hpp"
 #include "lichtraum/turntable.hpp"
 
@@ -63,7 +64,7 @@ PicturePlan plan_picture(Scene const& scene, RenderCommand const& command, Job j
   bool const may_be_developed = plan.output.format->encode || tile;
   bool const is_developed = may_be_developed && plan.job.planes.has(FilmPlane::radiance);
   if (!is_developed) plan.job.denoising = Denoising::off;
-  Region drawn_at_once = *plan.job.region;
+  Region drawn_at_once = tile ? *plan.job.region : bands_of(plan, plan.job.denoising != Denoising::off).front();
   if (tile) {
     drawn_at_once.width = std::min(drawn_at_once.width, tile->width);
     drawn_at_once.height = std::min(drawn_at_once.height, tile->height);

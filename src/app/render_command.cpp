@@ -89,7 +89,6 @@ int render_command(Arguments const& arguments, Console& console) {
   std::vector<std::string> const inputs = expand_patterns(options.scenes);
   combine(options, inputs, names);
   if (options.show) check_show(options, inputs, names);
-  check_size(options);
 
   Stopwatch const stopwatch;
   auto const renderer = choose_renderer(options.device, options.traversal, console);

@@ -69,9 +69,6 @@ void add_sequence_options(CLI::App& parser, RenderOptions& options);
 /// What the options say together; throws Error{usage} where they contradict each other.
 void combine(RenderOptions& options, std::vector<std::string> const& inputs, OutputNames& names);
 
-/// Throws Error{usage} for a --size that there is no memory for.
-void check_size(RenderOptions const& options);
-
 /// What the scenes of a parsed command line have in common. Throws Error{usage} for what cannot be read.
 void check_inputs(RenderOptions& options);
 

@@ -11,6 +11,7 @@
 #include "app/diagnostics_of.hpp"
 #include "app/exit_code.hpp"
 #include "app/interruption.hpp"
+#include "app/picture_bands.hpp"
 #include "app/picture_findings.hpp"
 #include "app/picture_writer.hpp"
 #include "app/plan_findings.hpp"
@@ -152,11 +153,10 @@ class Sequence {
     show(picture_findings_.of_scene(ready));
 
     if (!graceful_) graceful_.emplace();
+    auto const bands = bands_of(picture.plan, !ready.denoiser.empty());
+    if (bands.size() > 1) return draw_in_bands(ready, std::move(picture), bands);
     Film film;
-    auto const progress = [&](RenderProgress const& now) {
-      bar_.update(title(picture.plan), {fraction_of_all(now.fraction), rays_ + now.rays, run_.seconds()});
-      return !interrupted();
-    };
+    auto const progress = progress_of(picture.plan, 0, 1);
     RenderResult result;
     if (auto const limit = picture.plan.job.noise) {
       auto const limited = render_to_noise(renderer_, ready.request, *limit, film, progress);
@@ -174,11 +174,7 @@ class Sequence {
     Sight const sight(result.statistics.rays, film);
     if (result.complete && !ready.denoiser.empty()) film = denoised(film, ready, picture);
     finish_writing();
-    if (result.statistics.rays.not_finite > 0) {
-      warn(DiagnosticCode::samples_left_out,
-           fmt::format("{}: {} samples are left out: their radiance is not a finite number", picture.plan.output.shown,
-                       result.statistics.rays.not_finite));
-    }
+    warn_of_samples_left_out(picture);
     writing_ = std::async(std::launch::async,
                           [this, picture, drawn = develop(std::move(film), picture.plan, ready.development)]() mutable {
                             writer_.write(drawn, picture);
@@ -191,13 +187,68 @@ class Sequence {
                                               ? "interrupted: nothing was written"
                                               : fmt::format("interrupted: what is done is in '{}'", written_to));
     }
-    auto const found = picture_findings_.of_picture(ready, picture.plan, sight);
+    end_picture(ready, picture.plan, sight);
+  }
+
+  /// What bands must not be is cut short: their file begins before it is known that they are whole.
+  void draw_in_bands(PictureReady const& ready, PictureReport picture, std::vector<Region> const& bands) {
+    finish_writing();
+    picture.plan.fingerprint = ready.fingerprint;
+    BandWriter writer(picture.plan, ready.request.planes);
+    RenderRequest request = ready.request;
+    bool is_black = true;
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+      request.region = bands[i];
+      Film film;
+      auto const result = renderer_.render(request, film, progress_of(picture.plan, i, bands.size()));
+      if (!result.complete) {
+        throw Error(ErrorKind::interrupted,
+                    "interrupted: nothing was written ('lichtraum job' draws large pictures in parts that stay)");
+      }
+      rays_ += result.statistics.rays.total();
+      picture.render += result.statistics;
+      picture.samples = film.samples().count();
+      is_black = is_black && Sight(RayCounts(), film).is_black;
+      Stopwatch const stopwatch;
+      writer.add(develop(std::move(film), picture.plan, ready.development));
+      picture.write_ms += stopwatch.milliseconds();
+    }
+    writer.finish();
+    picture.is_complete = true;
+    picture.written_to = picture.plan.output.shown;
+    warn_of_samples_left_out(picture);
+    report(picture);
+    Sight sight;
+    sight.is_empty = picture.render.rays.camera > 0 && picture.render.rays.camera_hits == 0;
+    sight.is_black = is_black && !sight.is_empty;
+    end_picture(ready, picture.plan, sight);
+  }
+
+  /// Of part `part` of `parts` of the current picture.
+  ProgressFunction progress_of(PicturePlan const& plan, std::size_t part, std::size_t parts) {
+    return [this, &plan, part, parts](RenderProgress const& now) {
+      double const fraction = (double(part) + now.fraction) / double(parts);
+      bar_.update(title(plan), {fraction_of_all(fraction), rays_ + now.rays, run_.seconds()});
+      return !interrupted();
+    };
+  }
+
+  void end_picture(PictureReady const& ready, PicturePlan const& plan, Sight const& sight) {
+    auto const found = picture_findings_.of_picture(ready, plan, sight);
     if (!found.empty()) finish_writing();
     show(found);
     if (interrupted()) {
       finish_writing();
       throw Error(ErrorKind::interrupted, "interrupted");
     }
+  }
+
+  void warn_of_samples_left_out(PictureReport const& picture) {
+    std::uint64_t const count = picture.render.rays.not_finite;
+    if (count == 0) return;
+    warn(DiagnosticCode::samples_left_out,
+         fmt::format("{}: {} samples are left out: their radiance is not a finite number", picture.plan.output.shown,
+                     count));
   }
 
   /// Beside the line that shows progress, and in the report.
@@ -256,6 +307,12 @@ class Sequence {
   std::string finish_writing() {
     if (!writing_.valid()) return {};
     PictureReport const picture = writing_.get();
+    report(picture);
+    return picture.written_to;
+  }
+
+  /// That was written.
+  void report(PictureReport const& picture) {
     if (picture.is_complete && !is_film_) {
       bar_.clear();
       console_.info(summary(picture));
@@ -265,7 +322,6 @@ class Sequence {
       console_.detail(details(picture));
     }
     report_.scenes.back().pictures.push_back(picture);
-    return picture.written_to;
   }
 
   void end_film() {

@@ -84,10 +84,4 @@ void combine(RenderOptions& options, std::vector<std::string> const& inputs, Out
   }
 }
 
-void check_size(RenderOptions const& options) {
-  if (!options.job.size) return;
-  check_memory(options.job.region.value_or(whole_picture(*options.job.size)), traced_planes(options.job),
-               options.job.sampling.value_or(Sampling()).count, ErrorKind::usage);
-}
-
 }  // namespace lichtraum::app

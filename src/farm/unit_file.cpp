@@ -5,10 +5,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <random>
+#include <vector>
 
 #include "core/content_hash.hpp"
 #include "core/descriptor.hpp"
@@ -73,6 +75,10 @@ bool is_allowed(Head const& head, std::string_view allowed_class) {
 std::uint64_t bytes_of(Descriptor const& file) {
   struct stat status {};
   return ::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode) ? std::uint64_t(status.st_size) : 0;
+}
+
+Descriptor open_unit(PlanFolder const& folder, std::int64_t number) {
+  return Descriptor(::open(folder.unit_file(number).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
 }
 
 bool read_exactly(Descriptor const& file, void* bytes, std::size_t count) {
@@ -165,56 +171,74 @@ void write_unit(PlanFolder const& folder, std::int64_t number, DrawnUnit& unit) 
   file.finish();
 }
 
-UnitReading read_unit(PlanFolder const& folder, std::int64_t number, std::string_view allowed_class) {
-  UnitReading reading;
-  Descriptor const file(::open(folder.unit_file(number).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+UnitCheck check_unit(PlanFolder const& folder, std::int64_t number, std::string_view allowed_class) {
+  UnitCheck check;
+  Descriptor const file(open_unit(folder, number));
   if (!file.is_open()) {
-    reading.problem = errno == ENOENT ? "is missing" : fmt::format("cannot be read: {}", std::strerror(errno));
-    return reading;
+    check.problem = errno == ENOENT ? "is missing" : fmt::format("cannot be read: {}", std::strerror(errno));
+    return check;
   }
-  Unit const unit = folder.plan().unit(number);
-  std::uint64_t const wanted = unit_file_bytes(folder.plan(), unit), found = bytes_of(file);
+  std::uint64_t const wanted = unit_file_bytes(folder.plan(), folder.plan().unit(number)), found = bytes_of(file);
   if (found != wanted) {
-    reading.is_spoilt = true;
-    reading.problem = fmt::format("has {} bytes instead of {}", found, wanted);
-    return reading;
+    check.is_spoilt = true;
+    check.problem = fmt::format("has {} bytes instead of {}", found, wanted);
+    return check;
   }
   Head head;
   bool is_read = read_exactly(file, &head, sizeof head);
-  if (is_read) reading.problem = problem_of(head, folder, number);
-  if (!reading.problem.empty()) {
-    reading.is_spoilt = true;
-    return reading;
+  if (is_read) check.problem = problem_of(head, folder, number);
+  if (!check.problem.empty()) {
+    check.is_spoilt = true;
+    return check;
   }
   if (is_read && !is_allowed(head, allowed_class)) {
-    reading.problem =
+    check.problem =
         fmt::format("was drawn by a device of another class, {}: --allow-mixed takes it", text_of(head.device_class));
-    return reading;
+    return check;
   }
-  DrawnUnit drawn{std::string(text_of(head.device_class)),
-                  {head.rays[0], head.rays[1], head.rays[2], head.rays[3], head.rays[4]},
-                  Film::of_samples(unit.region, folder.plan().planes, unit.samples)};
   ContentHasher hasher;
   hasher.add_bytes(&head, sizeof head);
-  for (auto const& array : drawn.film.arrays()) {
-    is_read = is_read && read_exactly(file, array.data(), array.size());
-    hasher.add_bytes(array.data(), array.size());
+  std::vector<char> some(std::size_t(1) << 20);
+  for (std::uint64_t left = wanted - sizeof head - hash_digits; is_read && left > 0;) {
+    std::size_t const count = std::size_t(std::min<std::uint64_t>(left, some.size()));
+    is_read = read_exactly(file, some.data(), count);
+    hasher.add_bytes(some.data(), count);
+    left -= count;
   }
   std::array<char, hash_digits> hash{};
   is_read = is_read && read_exactly(file, hash.data(), hash.size());
   if (!is_read) {
-    reading.problem = "cannot be read to its end";
+    check.problem = "cannot be read to its end";
   } else if (text_of(hash) != hasher.finish().text()) {
-    reading.is_spoilt = true;
-    reading.problem = "has not the bytes that were written";
+    check.is_spoilt = true;
+    check.problem = "has not the bytes that were written";
   } else {
-    reading.unit = std::move(drawn);
+    check.rays = {head.rays[0], head.rays[1], head.rays[2], head.rays[3], head.rays[4]};
   }
-  return reading;
+  return check;
+}
+
+Film read_rows(PlanFolder const& folder, std::int64_t number, int first, int count) {
+  Unit const unit = folder.plan().unit(number);
+  Region const rows{unit.region.x, unit.region.y + first, unit.region.width, count};
+  Film film = Film::of_samples(rows, folder.plan().planes, unit.samples);
+  Descriptor const file(open_unit(folder, number));
+  bool is_read = file.is_open();
+  std::uint64_t array_begin = sizeof(Head);
+  for (auto const& array : film.arrays()) {
+    std::uint64_t const row_bytes = array.size() / std::size_t(count);
+    std::uint64_t const begin = array_begin + row_bytes * std::uint64_t(first);
+    is_read = is_read && ::lseek(file.number(), off_t(begin), SEEK_SET) >= 0 &&
+              read_exactly(file, array.data(), array.size());
+    array_begin += row_bytes * std::uint64_t(unit.region.height);
+  }
+  if (is_read) return film;
+  throw Error(ErrorKind::try_again,
+              fmt::format("cannot read '{}' any more: was it changed?", folder.unit_file(number).string()));
 }
 
 bool looks_whole(PlanFolder const& folder, std::int64_t number, std::string_view allowed_class) {
-  Descriptor const file(::open(folder.unit_file(number).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  Descriptor const file(open_unit(folder, number));
   Head head;
   return file.is_open() && bytes_of(file) == unit_file_bytes(folder.plan(), folder.plan().unit(number)) &&
          read_exactly(file, &head, sizeof head) && problem_of(head, folder, number).empty() &&

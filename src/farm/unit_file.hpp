@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,14 +20,18 @@ struct DrawnUnit {
 void write_unit(PlanFolder const& folder, std::int64_t number, DrawnUnit& unit);
 
 /// What is known of a unit's file.
-struct UnitReading {
-  std::optional<DrawnUnit> unit;
-  std::string problem;     ///< why there is none: "is missing"
+struct UnitCheck {
+  std::string problem;     ///< why it cannot be used: "is missing"; empty: it can
   bool is_spoilt = false;  ///< what the file holds is of no use to anybody
+  RayCounts rays;          ///< of one that can be used
 };
 
-/// Reads it and checks everything. `allowed_class`: what must have drawn it; empty: any may have.
-UnitReading read_unit(PlanFolder const& folder, std::int64_t number, std::string_view allowed_class);
+/// Reads all of it. `allowed_class`: what must have drawn it; empty: any may have.
+UnitCheck check_unit(PlanFolder const& folder, std::int64_t number, std::string_view allowed_class);
+
+/// The rows [first, first + count) of a unit that was checked, counted from its top. Throws Error{try_again} when they
+/// cannot be read any more.
+Film read_rows(PlanFolder const& folder, std::int64_t number, int first, int count);
 
 /// Whether it has the unit's size and begins as that does: what stands in the file is not read. `allowed_class` as
 /// above.

@@ -443,3 +443,40 @@ TEST_CASE("scripts for queues draw all units, and no others", "[app][job]") {
   unknown.arguments.insert(unknown.arguments.end(), {"deadline", (odd / "shared").string()});
   CHECK_THAT(run_process(unknown).err, contains_text("there are slurm, openjd"));
 }
+
+TEST_CASE("large pictures are drawn and put together in bands, to the same bytes", "[app][job][long]") {
+  Farm const farm;
+  // More than 2^24 pixels, and an odd number of rows. Nobody can go back in a pipe, so what goes there is drawn at
+  // once.
+  std::string const what = "ball.sdf --size 4999x3361 --samples 1 ";
+  for (std::string const format : {"png", "exr"}) {
+    INFO(format);
+    REQUIRE(farm.render(what + "-q -o bands." + format).exit_code == 0);
+    auto const whole = farm.render(what + "-q -o - --format " + format);
+    REQUIRE(whole.exit_code == 0);
+    CHECK((farm.folder.read("bands." + format) == whole.out));  // in brackets: nobody wants to see them
+  }
+  REQUIRE(farm.plan(what).exit_code == 0);
+  REQUIRE(farm.work("-q").exit_code == 0);
+  for (std::string const format : {"png", "exr"}) {
+    INFO(format);
+    REQUIRE(farm.merge("-q -o merged." + format).exit_code == 0);
+    CHECK((farm.folder.read("merged." + format) == farm.folder.read("bands." + format)));
+  }
+  fs::resize_file(farm.unit(7), 100);
+  auto const spoilt = farm.merge("-q -o spoilt.png");
+  CHECK(spoilt.exit_code == 75);
+  CHECK(spoilt.err.find("unit 7 has 100 bytes instead of") != std::string::npos);
+  CHECK(!fs::exists(farm.folder / "spoilt.png"));
+}
+
+TEST_CASE("a large picture that is interrupted leaves nothing", "[app][job]") {
+  Farm const farm;
+  auto const before = farm.folder.names();
+  Process drawing = farm.process("render ball.sdf -o large.png --size 60000x60000 --device reference");
+  drawing.signals = {{SIGINT, 1.5}};
+  auto const end = run_process(drawing);
+  CHECK(end.exit_code == 130);
+  CHECK(end.err.find("nothing was written") != std::string::npos);
+  CHECK(farm.folder.names() == before);
+}

@@ -216,3 +216,106 @@ TEST_CASE("formats are found by extension in any case, and by name", "[unit][ima
     CHECK(error.kind() == ErrorKind::usage);
   }
 }
+
+namespace {
+
+class BytesInMemory final : public ByteSink {
+ public:
+  void write(std::string_view bytes) override {
+    if (bytes_.size() < position_ + bytes.size()) bytes_.resize(position_ + bytes.size());
+    bytes_.replace(position_, bytes.size(), bytes);
+    position_ += bytes.size();
+  }
+  void seek(std::uint64_t position) override { position_ = position; }
+  std::string const& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+  std::size_t position_ = 0;
+};
+
+/// Rows of a picture; `first` counts from its top.
+Image rows_of(Image const& image, int first, int count) {
+  std::size_t const width = std::size_t(image.width());
+  auto const part = [&](std::vector<float> const& values, std::size_t channels) {
+    auto const begin = values.begin() + std::ptrdiff_t(channels * width * std::size_t(first));
+    return std::vector<float>(begin, begin + std::ptrdiff_t(channels * width * std::size_t(count)));
+  };
+  Image rows({image.width(), count}, part(image.data(), 3));
+  if (!image.alpha().empty()) rows.alpha() = part(image.alpha(), 1);
+  return rows;
+}
+
+constexpr int band_heights[] = {1, 5, 16, 1};  // of 23 rows; OpenEXR packs 16
+
+template <class Rows, class Encoder>
+void add_in_bands(Encoder& encoder, Rows const& rows) {
+  int first = 0;
+  for (int const height : band_heights) {
+    encoder.add(rows(first, height));
+    first += height;
+  }
+  encoder.finish();
+}
+
+}  // namespace
+
+TEST_CASE("a picture that is encoded in bands has the bytes of the whole", "[unit][image]") {
+  Image image = sample_image();
+  for (bool const has_alpha : {false, true}) {
+    if (has_alpha) image.alpha().assign(37 * 23, 0.25f);
+    for (char const* const name : {"png", "ppm"}) {
+      for (int const bits : {8, 16}) {
+        for (bool const is_text : {false, true}) {
+          ImageEncoding encoding = with_bits(bits);
+          encoding.ppm_ascii = is_text;
+          encoding.fingerprint = "0123456789abcdef";
+          ImageFormat const& format = image_format_named(name);
+          BytesInMemory sink;
+          auto const encoder = format.begin(image.size(), has_alpha, encoding, sink);
+          add_in_bands(*encoder, [&](int first, int height) { return rows_of(image, first, height); });
+          INFO(name << ", " << bits << " bits, alpha " << has_alpha);
+          CHECK(sink.bytes() == format.encode(image, encoding));
+        }
+      }
+    }
+  }
+  CHECK(!image_format_named("jpg").begin);
+}
+
+TEST_CASE("planes that are encoded in bands have the bytes of the whole", "[unit][image]") {
+  PlaneSet const all{FilmPlane::radiance, FilmPlane::alpha, FilmPlane::depth, FilmPlane::object};
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> value(0, 9);
+  Film film = Film::of_samples({0, 0, 37, 23}, all, {0, 3});
+  for (FilmPlane const plane : all.list()) {
+    for (float& v : film.floats(plane)) v = value(random);
+    for (std::uint32_t& v : film.numbers(plane)) v = std::uint32_t(random() % 1000);
+  }
+  auto const rows_of_film = [&](int first, int height) {
+    Film rows = Film::of_samples({0, first, 37, height}, film.planes(), {0, 3});
+    auto const to = rows.arrays(), from = film.arrays();
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      std::size_t const row = from[i].size() / 23;
+      std::copy_n(from[i].begin() + std::ptrdiff_t(row * std::size_t(first)), to[i].size(), to[i].begin());
+    }
+    return rows;
+  };
+  auto const check = [&](char const* name) {
+    ImageFormat const& format = image_format_named(name);
+    ImageEncoding encoding;
+    encoding.fingerprint = "0123456789abcdef";
+    BytesInMemory sink;
+    auto const encoder = format.begin_film(film.size(), film.planes(), encoding, sink);
+    add_in_bands(*encoder, rows_of_film);
+    INFO(name);
+    CHECK(sink.bytes() == format.encode_film(film, encoding));
+  };
+  check("exr");
+  for (FilmPlane const plane : {FilmPlane::object, FilmPlane::depth, FilmPlane::radiance}) {
+    Film const whole = film;
+    film.keep({plane});
+    check("pfm");
+    film = whole;
+  }
+}

@@ -173,3 +173,59 @@ TEST_CASE("pipes are written directly and stay pipes", "[unit][file]") {
   CHECK(received == bytes);
   CHECK(fs::is_fifo(pipe));
 }
+
+TEST_CASE("a file that is written by and by is there when it is whole", "[unit][file]") {
+  TemporaryFolder const folder;
+  folder.write("picture.png", "old");
+  {
+    NewFile file(folder / "picture.png");
+    file.write("abc");
+    file.write("defg");
+    file.seek(1);
+    file.write("XY");
+    CHECK(folder.read("picture.png") == "old");
+    CHECK(folder.names().size() == 2);
+    file.finish();
+    CHECK(folder.read("picture.png") == "aXYdefg");
+  }
+  CHECK(folder.names() == std::vector<std::string>{"picture.png"});
+  {
+    NewFile file(folder / "picture.png");
+    file.write("not whole");
+  }
+  CHECK(folder.read("picture.png") == "aXYdefg");
+  CHECK(folder.names() == std::vector<std::string>{"picture.png"});
+  {
+    NewFile file(folder / "picture.png");
+    file.write("other");
+    file.finish_as(folder / "other.png");
+  }
+  CHECK(folder.read("picture.png") == "aXYdefg");
+  CHECK(folder.read("other.png") == "other");
+  CHECK_THROWS_AS(NewFile(folder / "missing" / "picture.png"), Error);
+}
+
+TEST_CASE("a write that failed is not forgotten where it cannot be reported", "[unit][file]") {
+  TemporaryFolder const folder;
+  folder.write("old.exr", "old");
+  int const status = in_child([&] {
+    ::signal(SIGXFSZ, SIG_IGN);
+    rlimit const limit{1000, 1000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    NewFile file(folder / "old.exr");
+    try {
+      file.write(std::string(5000, 'x'));
+      return 1;
+    } catch (Error const&) {  // as OpenEXR's destructor does
+    }
+    try {
+      file.finish();
+      return 2;
+    } catch (Error const& error) {
+      return error.kind() == ErrorKind::io ? 0 : 3;
+    }
+  });
+  CHECK(status == 0);
+  CHECK(folder.read("old.exr") == "old");
+  CHECK(folder.names() == std::vector<std::string>{"old.exr"});
+}

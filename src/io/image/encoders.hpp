@@ -1,11 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "lichtraum/image_io.hpp"
 
-/// One function a format: the whole file as bytes. The same picture gives the same bytes, always: nothing here writes
-/// a time, a name or a version. Throws Error{internal} when the format's library fails.
+/// Functions of each format: the whole file as bytes, and the file by and by (see ImageFormat). The same picture gives
+/// the same bytes, always: nothing here writes a time, a name or a version. Throws Error{internal} when the format's
+/// library fails.
 
 namespace lichtraum {
 
@@ -21,6 +24,32 @@ std::string encode_exr(Film const& film, ImageEncoding const& encoding);
 /// PF, or Pf for a plane of one channel, 32-bit float, little endian (http://www.pauldebevec.com/Research/HDR/PFM/).
 /// Numbers are exact up to 2^24.
 std::string encode_pfm(Film const& film, ImageEncoding const& encoding);
+
+std::unique_ptr<RowEncoder<Image>> begin_ppm(Resolution const& size, bool has_alpha, ImageEncoding const& encoding,
+                                             ByteSink& sink);
+std::unique_ptr<RowEncoder<Image>> begin_png(Resolution const& size, bool has_alpha, ImageEncoding const& encoding,
+                                             ByteSink& sink);
+std::unique_ptr<RowEncoder<Film>> begin_exr(Resolution const& size, PlaneSet const& planes,
+                                            ImageEncoding const& encoding, ByteSink& sink);
+std::unique_ptr<RowEncoder<Film>> begin_pfm(Resolution const& size, PlaneSet const& planes,
+                                            ImageEncoding const& encoding, ByteSink& sink);
+
+/// A file in memory.
+class MemorySink final : public ByteSink {
+ public:
+  void write(std::string_view bytes) override {
+    std::size_t const end = position_ + bytes.size();
+    if (end > bytes_.size()) bytes_.resize(end);
+    bytes.copy(bytes_.data() + position_, bytes.size());
+    position_ = end;
+  }
+  void seek(std::uint64_t position) override { position_ = position; }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+  std::size_t position_ = 0;
+};
 
 std::string read_png_fingerprint(std::filesystem::path const& path);
 std::string read_exr_fingerprint(std::filesystem::path const& path);

@@ -30,11 +30,11 @@ std::string known_names() {
 std::span<ImageFormat const> image_formats() {
   constexpr int any = std::numeric_limits<int>::max();
   static std::array<ImageFormat, 5> const formats{{
-      {"png", {".png"}, 16, any, true, encode_png, nullptr, 1, read_png_fingerprint},
-      {"ppm", {".ppm"}, 16, any, false, encode_ppm, nullptr, 1, nullptr},
-      {"jpg", {".jpg", ".jpeg"}, 8, 65500, false, encode_jpeg, nullptr, 1, nullptr},
-      {"exr", {".exr"}, 32, any, true, nullptr, encode_exr, plane_count, read_exr_fingerprint},
-      {"pfm", {".pfm"}, 32, any, false, nullptr, encode_pfm, 1, nullptr},
+      {"png", {".png"}, 16, any, true, encode_png, nullptr, 1, begin_png, nullptr, read_png_fingerprint},
+      {"ppm", {".ppm"}, 16, any, false, encode_ppm, nullptr, 1, begin_ppm, nullptr, nullptr},
+      {"jpg", {".jpg", ".jpeg"}, 8, 65500, false, encode_jpeg, nullptr, 1, nullptr, nullptr, nullptr},
+      {"exr", {".exr"}, 32, any, true, nullptr, encode_exr, plane_count, nullptr, begin_exr, read_exr_fingerprint},
+      {"pfm", {".pfm"}, 32, any, false, nullptr, encode_pfm, 1, nullptr, begin_pfm, nullptr},
   }};
   return formats;
 }

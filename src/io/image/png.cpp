@@ -30,15 +30,14 @@ void choose_fast_compression(png_structp png) {
 }
 
 struct Writer {
-  std::string bytes;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, [](png_structp, char const*) {});
   png_infop info = png_create_info_struct(png);
 
-  Writer() {
+  explicit Writer(ByteSink& sink) {
     png_set_write_fn(
-        png, &bytes,
+        png, &sink,
         [](png_structp p, png_bytep data, std::size_t size) {
-          static_cast<std::string*>(png_get_io_ptr(p))->append(reinterpret_cast<char const*>(data), size);
+          static_cast<ByteSink*>(png_get_io_ptr(p))->write({reinterpret_cast<char const*>(data), size});
         },
         [](png_structp) {});
   }
@@ -83,6 +82,43 @@ bool ends_well(std::istream& file) {
   return file.read(tail.data(), std::streamsize(tail.size())) && tail == end_chunk;
 }
 
+class PngRows final : public RowEncoder<Image> {
+ public:
+  PngRows(Resolution const& size, bool has_alpha, ImageEncoding const& encoding, ByteSink& sink)
+      : writer_(sink), bits_(encoding.bits), channels_(has_alpha ? 4 : 3) {
+    choose_fast_compression(writer_.png);
+    png_set_user_limits(writer_.png, 0x7fffffff, 0x7fffffff);  // libpng's own limit is a million
+    png_set_IHDR(writer_.png, writer_.info, png_uint_32(size.width), png_uint_32(size.height), bits_,
+                 has_alpha ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    add_fingerprint(writer_, encoding.fingerprint);
+    png_write_info(writer_.png, writer_.info);
+  }
+
+  void add(Image const& rows) override {
+    std::size_t const count = channels_ * std::size_t(rows.width());
+    std::vector<float> with_alpha(channels_ == 4 ? count : 0);
+    std::vector<unsigned char> row(count * (bits_ == 16 ? 2 : 1));
+    for (int y = 0; y < rows.height(); ++y) {
+      float const* values = rows.pixel(0, y);
+      if (channels_ == 4) {
+        float const* const alpha = rows.alpha().data() + std::size_t(y) * std::size_t(rows.width());
+        for (std::size_t i = 0; i < count; ++i) with_alpha[i] = i % 4 == 3 ? alpha[i / 4] : values[i / 4 * 3 + i % 4];
+        values = with_alpha.data();
+      }
+      bits_ == 16 ? quantize_16(values, count, row.data()) : quantize_8(values, count, row.data());
+      png_write_row(writer_.png, row.data());
+    }
+  }
+
+  void finish() override { png_write_end(writer_.png, writer_.info); }
+
+ private:
+  Writer writer_;
+  int bits_;
+  std::size_t channels_;
+};
+
 }  // namespace
 
 std::string read_png_fingerprint(std::filesystem::path const& path) {
@@ -103,33 +139,17 @@ std::string read_png_fingerprint(std::filesystem::path const& path) {
   return {};
 }
 
+std::unique_ptr<RowEncoder<Image>> begin_png(Resolution const& size, bool has_alpha, ImageEncoding const& encoding,
+                                             ByteSink& sink) {
+  return std::make_unique<PngRows>(size, has_alpha, encoding, sink);
+}
+
 std::string encode_png(Image const& image, ImageEncoding const& encoding) {
-  Writer writer;
-  choose_fast_compression(writer.png);
-  auto const width = static_cast<png_uint_32>(image.width());
-  auto const height = static_cast<png_uint_32>(image.height());
-  png_set_user_limits(writer.png, 0x7fffffff, 0x7fffffff);  // libpng's own limit is a million
-  png_set_IHDR(writer.png, writer.info, width, height, encoding.bits,
-               image.alpha().empty() ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  add_fingerprint(writer, encoding.fingerprint);
-  png_write_info(writer.png, writer.info);
-  std::size_t const channels = image.alpha().empty() ? 3 : 4;
-  std::size_t const count = channels * std::size_t(image.width());
-  std::vector<float> with_alpha(channels == 4 ? count : 0);
-  std::vector<unsigned char> row(count * (encoding.bits == 16 ? 2 : 1));
-  for (int y = 0; y < image.height(); ++y) {
-    float const* values = image.pixel(0, y);
-    if (channels == 4) {
-      float const* const alpha = image.alpha().data() + std::size_t(y) * std::size_t(image.width());
-      for (std::size_t i = 0; i < count; ++i) with_alpha[i] = i % 4 == 3 ? alpha[i / 4] : values[i / 4 * 3 + i % 4];
-      values = with_alpha.data();
-    }
-    encoding.bits == 16 ? quantize_16(values, count, row.data()) : quantize_8(values, count, row.data());
-    png_write_row(writer.png, row.data());
-  }
-  png_write_end(writer.png, writer.info);
-  return std::move(writer.bytes);
+  MemorySink sink;
+  PngRows rows(image.size(), !image.alpha().empty(), encoding, sink);
+  rows.add(image);
+  rows.finish();
+  return sink.take();
 }
 
 }  // namespace lichtraum

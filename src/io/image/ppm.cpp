@@ -6,32 +6,55 @@
 namespace lichtraum {
 namespace {
 
-std::string encode_text(Image const& image, int bits) {
-  std::string text = fmt::format("P3\n{} {}\n{}\n", image.width(), image.height(), bits == 16 ? 65535 : 255);
-  auto out = std::back_inserter(text);
-  for (int y = 0; y < image.height(); ++y) {
-    // One pixel a line: the format asks for lines of at most 70 characters.
-    for (int x = 0; x < image.width(); ++x) {
-      float const* p = image.pixel(x, y);
-      auto const value = [&](int c) { return bits == 16 ? quantize<65535>(p[c]) : quantize<255>(p[c]); };
-      fmt::format_to(out, "{} {} {}\n", value(0), value(1), value(2));
-    }
+class PpmRows final : public RowEncoder<Image> {
+ public:
+  PpmRows(Resolution const& size, ImageEncoding const& encoding, ByteSink& sink)
+      : sink_(sink), is_text_(encoding.ppm_ascii), is_wide_(encoding.bits == 16) {
+    sink_.write(
+        fmt::format("{}\n{} {}\n{}\n", is_text_ ? "P3" : "P6", size.width, size.height, is_wide_ ? 65535 : 255));
   }
-  return text;
-}
+
+  void add(Image const& rows) override { is_text_ ? add_text(rows) : add_bytes(rows); }
+  void finish() override {}
+
+ private:
+  void add_text(Image const& rows) {
+    std::string text;
+    auto out = std::back_inserter(text);
+    for (int y = 0; y < rows.height(); ++y) {
+      // One pixel a line: the format asks for lines of at most 70 characters.
+      for (int x = 0; x < rows.width(); ++x) {
+        float const* p = rows.pixel(x, y);
+        auto const value = [&](int c) { return is_wide_ ? quantize<65535>(p[c]) : quantize<255>(p[c]); };
+        fmt::format_to(out, "{} {} {}\n", value(0), value(1), value(2));
+      }
+    }
+    sink_.write(text);
+  }
+  void add_bytes(Image const& rows) {
+    std::size_t const count = rows.data().size();
+    std::string bytes(count * (is_wide_ ? 2 : 1), '\0');
+    auto* const pixels = reinterpret_cast<unsigned char*>(bytes.data());
+    is_wide_ ? quantize_16(rows.data().data(), count, pixels) : quantize_8(rows.data().data(), count, pixels);
+    sink_.write(bytes);
+  }
+
+  ByteSink& sink_;
+  bool is_text_;
+  bool is_wide_;
+};
 
 }  // namespace
 
+std::unique_ptr<RowEncoder<Image>> begin_ppm(Resolution const& size, bool /*has_alpha*/, ImageEncoding const& encoding,
+                                             ByteSink& sink) {
+  return std::make_unique<PpmRows>(size, encoding, sink);
+}
+
 std::string encode_ppm(Image const& image, ImageEncoding const& encoding) {
-  if (encoding.ppm_ascii) return encode_text(image, encoding.bits);
-  bool const wide = encoding.bits == 16;
-  std::string bytes = fmt::format("P6\n{} {}\n{}\n", image.width(), image.height(), wide ? 65535 : 255);
-  std::size_t const header = bytes.size();
-  std::size_t const count = image.data().size();
-  bytes.resize(header + count * (wide ? 2 : 1));
-  auto* const pixels = reinterpret_cast<unsigned char*>(bytes.data()) + header;
-  wide ? quantize_16(image.data().data(), count, pixels) : quantize_8(image.data().data(), count, pixels);
-  return bytes;
+  MemorySink sink;
+  PpmRows(image.size(), encoding, sink).add(image);
+  return sink.take();
 }
 
 }  // namespace lichtraum

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/descriptor.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/image_io.hpp"
 
@@ -27,79 +28,16 @@ std::string reason(int code) {
   return std::strerror(code);
 }
 
-class File {
- public:
-  explicit File(int descriptor) : descriptor_(descriptor) {}
-  File(File&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-  File& operator=(File&&) = delete;
-  ~File() {
-    if (descriptor_ >= 0) ::close(descriptor_);
+/// Returns errno, 0 when all is written.
+int write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    ssize_t const written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
   }
-
-  bool is_open() const { return descriptor_ >= 0; }
-  int descriptor() const { return descriptor_; }
-
-  /// Returns errno, 0 when all went well. Some file systems report a full disk only here.
-  int close() { return ::close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno; }
-
-  /// Returns errno, 0 when all is written.
-  int write(std::string_view bytes) {
-    while (!bytes.empty()) {
-      ssize_t const written = ::write(descriptor_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) return errno;
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return 0;
-  }
-
- private:
-  int descriptor_;
-};
-
-/// A new file in the same folder as its target: renaming is only atomic within one file system.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(fs::path const& target) : file_(-1) {
-    fs::path const folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    for (int attempt = 0;; ++attempt) {
-      // Short, so that a target whose name is as long as names may be can be written too.
-      path_ = folder / fmt::format(".lichtraum-{}-{}.tmp", ::getpid(), attempt);
-      int const descriptor = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (descriptor >= 0) {
-        file_.emplace(descriptor);
-        return;
-      }
-      if (errno == EEXIST || errno == EINTR) continue;  // left over by a killed process that had this number
-      int const code = errno;
-      if (code == ENOENT) {
-        fail(ErrorKind::cannot_create, target,
-             fmt::format("there is no folder '{}' (mkdir -p makes it)", folder.string()));
-      }
-      if (code == ENOTDIR) {
-        fail(ErrorKind::cannot_create, target, fmt::format("'{}' is not a folder", folder.string()));
-      }
-      fail(ErrorKind::cannot_create, target, fmt::format("in the folder '{}': {}", folder.string(), reason(code)));
-    }
-  }
-  TemporaryFile(TemporaryFile const&) = delete;
-  TemporaryFile& operator=(TemporaryFile const&) = delete;
-  ~TemporaryFile() {
-    if (!renamed_) ::unlink(path_.c_str());
-  }
-
-  File& file() { return *file_; }
-  int rename_to(fs::path const& target) {
-    if (::rename(path_.c_str(), target.c_str()) != 0) return errno;
-    renamed_ = true;
-    return 0;
-  }
-
- private:
-  fs::path path_;
-  std::optional<File> file_;
-  bool renamed_ = false;
-};
+  return 0;
+}
 
 /// Where a write through symbolic links ends up, the last of them dangling or not.
 fs::path follow_links(fs::path const& path) {
@@ -148,33 +86,68 @@ Target examine(fs::path const& path) {
 }
 
 void write_stream(int descriptor, fs::path const& path, std::string_view bytes) {
-  File file(descriptor);
+  Descriptor file(descriptor);
   if (!file.is_open()) fail(ErrorKind::cannot_create, path, reason(errno));
-  int const write_error = file.write(bytes);
-  int const close_error = file.close();
-  if (int const code = write_error ? write_error : close_error) fail(ErrorKind::io, path, reason(code));
+  int code = write_all(file.number(), bytes);
+  if (file.close() != 0 && code == 0) code = errno;
+  if (code != 0) fail(ErrorKind::io, path, reason(code));
 }
 
 }  // namespace
 
 void check_writable(fs::path const& path) {
   if (standard_stream(path)) return;
-  Target const target = examine(path);
-  if (!target.is_stream()) TemporaryFile{target.path};
+  if (!examine(path).is_stream()) NewFile{path};
 }
 
 void write_file_atomically(fs::path const& path, std::string_view bytes) {
   if (auto const stream = standard_stream(path)) return write_stream(::dup(*stream), path, bytes);
-  Target const target = examine(path);
-  if (target.is_stream()) return write_stream(::open(path.c_str(), O_WRONLY | O_CLOEXEC), path, bytes);
+  if (examine(path).is_stream()) return write_stream(::open(path.c_str(), O_WRONLY | O_CLOEXEC), path, bytes);
+  NewFile file(path);
+  file.write(bytes);
+  file.finish();
+}
 
-  TemporaryFile temporary(target.path);
-  if (target.old) ::fchmod(temporary.file().descriptor(), target.old->st_mode & 07777);
-  // No fsync: the rename is atomic without it, and a picture can be rendered again after a power cut.
-  int code = temporary.file().write(bytes);
-  if (int const close_error = temporary.file().close(); code == 0) code = close_error;
-  if (code != 0) fail(ErrorKind::io, path, reason(code));
-  if (int const rename_error = temporary.rename_to(target.path)) fail(ErrorKind::io, path, reason(rename_error));
+NewFile::NewFile(fs::path path) : path_(std::move(path)) {
+  Target const target = examine(path_);
+  // In the same folder as its target: renaming is only atomic within one file system.
+  fs::path const folder = target.path.has_parent_path() ? target.path.parent_path() : fs::path(".");
+  for (int attempt = 0; descriptor_ < 0; ++attempt) {
+    // Short, so that a target whose name is as long as names may be can be written too.
+    temporary_ = folder / fmt::format(".lichtraum-{}-{}.tmp", ::getpid(), attempt);
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ >= 0 || errno == EEXIST || errno == EINTR) continue;  // or left by a killed process of this number
+    int const code = errno;
+    std::string const why = code == ENOENT ? fmt::format("there is no folder '{}' (mkdir -p makes it)", folder.string())
+                            : code == ENOTDIR ? fmt::format("'{}' is not a folder", folder.string())
+                                              : fmt::format("in the folder '{}': {}", folder.string(), reason(code));
+    fail(ErrorKind::cannot_create, target.path, why);
+  }
+  if (target.old) ::fchmod(descriptor_, target.old->st_mode & 07777);
+}
+
+NewFile::~NewFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!is_finished_) ::unlink(temporary_.c_str());
+}
+
+/// Remembered, as some encoders write from destructors, which cannot throw.
+void NewFile::note(int code) {
+  if (code_ == 0) code_ = code;
+  if (code_ != 0) fail(ErrorKind::io, path_, reason(code_));
+}
+
+void NewFile::write(std::string_view bytes) { note(write_all(descriptor_, bytes)); }
+
+void NewFile::seek(std::uint64_t position) { note(::lseek(descriptor_, off_t(position), SEEK_SET) < 0 ? errno : 0); }
+
+// No fsync: the rename is atomic without it, and a picture can be rendered again after a power cut.
+void NewFile::finish_as(fs::path const& path) {
+  fs::path const target = examine(path).path;
+  // Some file systems report a full disk only here.
+  note(::close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno);
+  note(::rename(temporary_.c_str(), target.c_str()) == 0 ? 0 : errno);
+  is_finished_ = true;
 }
 
 }  // namespace lichtraum

@@ -1,11 +1,11 @@
 # Debian packages, made by tools/package: lichtraum (the programs), liblichtraum0 (the shared library) and liblichtraum-dev.
-# docs/PACKAGING.md tells what they hold.
+# docs/PACKAGING.md tells what they hold. tools/package adds what only Debian asks for.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGE_VENDOR "")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "ray tracer for scene graphs, on OpenCL")
-set(CPACK_PACKAGE_CONTACT "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+set(CPACK_PACKAGE_CONTACT "\$ENV{DEBFULLNAME} <\$ENV{DEBEMAIL}>")  # of whoever calls cpack
 set(CPACK_COMPONENTS_ALL application desktop library development)
 foreach(component application desktop)
   string(TOUPPER ${component} name)
@@ -47,23 +47,4 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
   "For programs that use the library: headers, the static library, and what
 CMake and pkg-config find them by.")
-
-# What Debian asks of each package.
-find_program(GZIP gzip REQUIRED)
-string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
-foreach(pair application:lichtraum library:${library_package} development:liblichtraum-dev)
-  string(REPLACE ":" ";" pair ${pair})
-  list(GET pair 0 component)
-  list(GET pair 1 package)
-  set(folder ${PROJECT_BINARY_DIR}/packaging/${package})
-  configure_file(packaging/changelog.in ${folder}/changelog @ONLY)
-  execute_process(COMMAND ${GZIP} -9nkf ${folder}/changelog COMMAND_ERROR_IS_FATAL ANY)
-  install(FILES ${folder}/changelog.gz packaging/copyright DESTINATION share/doc/${package} COMPONENT ${component})
-endforeach()
-foreach(page lichtraum lichtraum-view)
-  configure_file(docs/${page}.1 ${PROJECT_BINARY_DIR}/packaging/${page}.1 COPYONLY)
-  execute_process(COMMAND ${GZIP} -9nkf ${PROJECT_BINARY_DIR}/packaging/${page}.1 COMMAND_ERROR_IS_FATAL ANY)
-  install(FILES ${PROJECT_BINARY_DIR}/packaging/${page}.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
-    COMPONENT application)
-endforeach()
 include(CPack)

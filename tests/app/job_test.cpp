@@ -428,6 +428,11 @@ TEST_CASE("scripts for queues draw all units, and no others", "[app][job]") {
   CHECK(run(slurm, {{"SLURM_ARRAY_TASK_ID", "3"}}) == words("21..24"));
   CHECK(run(slurm, {{"SLURM_ARRAY_TASK_ID", "1"}, {"SLURM_ARRAY_JOB_ID", "5"}, {"STATUS", "75"}}) ==
         words("7..13") + "scontrol requeue 5_1\n");
+  std::map<std::string, std::string> task{{"SLURM_ARRAY_TASK_ID", "1"}, {"SLURM_ARRAY_JOB_ID", "5"}, {"STATUS", "137"}};
+  CHECK(run(slurm, task) == words("7..13") + "scontrol requeue 5_1\n");  // the worker was killed
+  task["SLURM_RESTART_COUNT"] = "5";
+  CHECK(run(slurm, task) == words("7..13"));
+  CHECK(run(slurm, {{"SLURM_ARRAY_TASK_ID", "1"}, {"STATUS", "65"}}) == words("7..13"));
   CHECK(run(script("parallel"), {}) == words("0..6") + words("7..13") + words("14..20") + words("21..24"));
 
   auto const openjd = Json::parse(script("openjd"));

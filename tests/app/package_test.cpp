@@ -157,7 +157,7 @@ TEST_CASE("a project that contains lichtraum builds its libraries and nothing el
 }
 
 TEST_CASE("Debian packages hold a program and a library that draw the same", "[app][long][package]") {
-  for (char const* const needed : {"dpkg-deb", "dpkg-shlibdeps", "cpack"}) {
+  for (char const* const needed : {"dpkg-deb", "dpkg-shlibdeps", "file", "cpack"}) {
     if (!is_installed(needed)) SKIP_TEST(std::string(needed) + " is not installed");
   }
   TemporaryFolder const folder;

@@ -233,7 +233,8 @@ SceneGraph::Children SceneGraph::instances_of(int node, Children const& shapes, 
     instances.push_back(std::move(composite));
   }
   if (left_out > 0)
-    findings_.warn(DiagnosticCode::faulty_node, pointer, fmt::format("{} instances have no size: left out", left_out));
+    findings_.warn(DiagnosticCode::faulty_node, pointer,
+                   fmt::format("{} of {} instances have no size: left out", left_out, count));
   return instances;
 }
 

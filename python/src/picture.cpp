@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/picture_plan.hpp"
-#include "lichtraum/noise_limit.hpp"
+#include "app/traced_picture.hpp"
 
 namespace lichtraum::python {
 namespace {
@@ -20,30 +20,19 @@ Job decided(Job job, Scene const& scene, DeviceKind device) {
   return job;
 }
 
-Diagnostic warning(DiagnosticCode code, std::string message) {
-  return {Severity::warning, code, {}, 1, std::move(message), {}, {}};
+void warn(Picture& picture, DiagnosticCode code, std::string message) {
+  if (message.empty()) return;
+  picture.diagnostics.push_back({Severity::warning, code, {}, 1, std::move(message), {}, {}});
 }
 
 void trace(Renderer& renderer, Picture& picture, ProgressFunction const& progress) {
-  if (auto const limit = picture.job.noise) {
-    auto const limited = render_to_noise(renderer, picture.request, *limit, picture.film, progress);
-    picture.is_complete = limited.render.complete;
-    picture.statistics = limited.render.statistics;
-    if (picture.is_complete && limited.noise && *limited.noise > *limit) {
-      picture.diagnostics.push_back(
-          warning(DiagnosticCode::noise_left, fmt::format("after {} samples the noise is {:.2g}, not {}: more samples",
-                                                          picture.film.samples().count(), *limited.noise, *limit)));
-    }
-  } else {
-    RenderResult const result = renderer.render(picture.request, picture.film, progress);
-    picture.is_complete = result.complete;
-    picture.statistics = result.statistics;
-  }
-  if (auto const count = picture.statistics.rays.not_finite; count > 0) {
-    picture.diagnostics.push_back(
-        warning(DiagnosticCode::samples_left_out,
-                fmt::format("{} samples are left out: their radiance is not a finite number", count)));
-  }
+  auto const limit = picture.job.noise;
+  auto const [result, noise] = app::trace_picture(renderer, picture.request, limit, picture.film, progress);
+  picture.is_complete = result.complete;
+  picture.statistics = result.statistics;
+  if (std::string const left = app::noise_left(picture.film, limit, noise); picture.is_complete && !left.empty())
+    warn(picture, DiagnosticCode::noise_left, left + ": more samples");
+  warn(picture, DiagnosticCode::samples_left_out, app::samples_left_out(picture.statistics));
 }
 
 /// With the noise taken out, if that is asked for.
@@ -51,11 +40,9 @@ Film quiet(Renderer& renderer, Picture& picture) {
   Denoising const denoising = picture.job.denoising;
   if (denoising == Denoising::off) return picture.film;
   Denoiser denoiser([&renderer](NoisyPicture const& noisy) { return renderer.filter_noise(noisy); });
-  NoiseBesides const besides{picture.request.camera.lens().aperture > 0, has_shadows_in_alpha(picture.request)};
-  Film film = denoiser.denoised(picture.film, denoising, besides);
+  Film film = app::without_noise(denoiser, picture.film, denoising, picture.request);
   picture.denoiser = denoiser.name(denoising);
-  if (std::string note = denoiser.take_note(); !note.empty())
-    picture.diagnostics.push_back(warning(DiagnosticCode::other_denoiser, std::move(note)));
+  warn(picture, DiagnosticCode::other_denoiser, denoiser.take_note());
   return film;
 }
 
@@ -74,13 +61,9 @@ Picture draw(Renderer& renderer, Scene const& scene, Job job, std::shared_ptr<Pr
   renderer.set_scene(prepared);
   trace(renderer, picture, progress);
   if (!picture.is_complete) return picture;
-  if (picture.job.planes.has(FilmPlane::radiance)) {
-    Film film = quiet(renderer, picture);
-    picture.radiance = film.values(FilmPlane::radiance);
-    picture.developed = renderer.develop(std::move(film), picture.development);
-  } else {
-    picture.developed = show_plane(picture.film, picture.job.planes.list().front());
-  }
+  Film film = quiet(renderer, picture);
+  if (film.planes().has(FilmPlane::radiance)) picture.radiance = film.values(FilmPlane::radiance);
+  picture.developed = app::shown_picture(renderer, std::move(film), picture.development);
   picture.film.keep(shown_planes(picture.job));
   for (FilmPlane const plane : picture.film.planes().list()) {
     if (!info_of(plane).is_number) picture.planes[plane] = picture.film.values(plane);

@@ -18,7 +18,7 @@
 #include "app/progress_bar.hpp"
 #include "app/scene_loader.hpp"
 #include "app/stopwatch.hpp"
-#include "lichtraum/noise_limit.hpp"
+#include "app/traced_picture.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -156,6 +156,7 @@ class Sequence {
     auto const bands = bands_of(picture.plan, !ready.denoiser.empty());
     if (bands.size() > 1) return draw_in_bands(ready, std::move(picture), bands);
     Film film;
+<<<<<<< HEAD
     auto const progress = progress_of(picture.plan, 0, 1);
     RenderResult result;
     if (auto const limit = picture.plan.job.noise) {
@@ -165,8 +166,17 @@ class Sequence {
     } else {
       result = renderer_.render(ready.request, film, progress);
     }
+=======
+    auto const progress = [&](RenderProgress const& now) {
+      bar_.update(title(picture.plan), {fraction_of_all(now.fraction), rays_ + now.rays, run_.seconds()});
+      return !interrupted();
+    };
+    auto const limit = picture.plan.job.noise;
+    auto const [result, noise] = trace_picture(renderer_, ready.request, limit, film, progress);
+    picture.noise = noise;
+>>>>>>> 4e741a6 (Share the steps from a request to a picture with Python)
     picture.samples = film.samples().count();
-    if (result.complete) warn_of_noise(picture);
+    if (result.complete) warn_of_noise(picture, noise_left(film, limit, noise));
     rays_ += result.statistics.rays.total();
     picture.is_complete = result.complete;
     picture.render = result.statistics;
@@ -174,7 +184,13 @@ class Sequence {
     Sight const sight(result.statistics.rays, film);
     if (result.complete && !ready.denoiser.empty()) film = denoised(film, ready, picture);
     finish_writing();
+<<<<<<< HEAD
     warn_of_samples_left_out(picture);
+=======
+    if (auto const left_out = samples_left_out(result.statistics); !left_out.empty()) {
+      warn(DiagnosticCode::samples_left_out, fmt::format("{}: {}", picture.plan.output.shown, left_out));
+    }
+>>>>>>> 4e741a6 (Share the steps from a request to a picture with Python)
     writing_ = std::async(std::launch::async,
                           [this, picture, drawn = develop(std::move(film), picture.plan, ready.development)]() mutable {
                             writer_.write(drawn, picture);
@@ -264,22 +280,16 @@ class Sequence {
   }
 
   /// Of a film, once.
-  void warn_of_noise(PictureReport const& picture) {
-    auto const limit = picture.plan.job.noise;
-    if (!limit || !picture.noise || *picture.noise <= *limit) return;
-    if (is_film_ && std::exchange(has_warned_of_noise_, true)) return;
+  void warn_of_noise(PictureReport const& picture, std::string const& left) {
+    if (left.empty() || (is_film_ && std::exchange(has_warned_of_noise_, true))) return;
     warn(DiagnosticCode::noise_left,
-         fmt::format("{}: after {} samples the noise is {:.2g}, not {}: a larger --samples allows more",
-                     picture.plan.output.shown, picture.samples, *picture.noise, *limit));
+         fmt::format("{}: {}: a larger --samples allows more", picture.plan.output.shown, left));
   }
 
   Film denoised(Film const& film, PictureReady const& ready, PictureReport& picture) {
     Denoising const denoising = picture.plan.job.denoising;
     Stopwatch const stopwatch;
-    RenderRequest const& request = ready.request;
-    // A lens blurs albedo and normals, too.
-    Film result =
-        denoiser_.denoised(film, denoising, {request.camera.lens().aperture > 0, has_shadows_in_alpha(request)});
+    Film result = without_noise(denoiser_, film, denoising, ready.request);
     picture.denoise_ms = stopwatch.milliseconds();
     picture.denoiser = denoiser_.name(denoising);
     if (picture.denoiser != ready.denoiser) picture.plan.fingerprint.clear();  // it failed with this picture
@@ -291,8 +301,7 @@ class Sequence {
 
   Drawn develop(Film film, PicturePlan const& plan, Development const& development) {
     if (plan.output.format->encode_film) return film;
-    if (film.planes().has(FilmPlane::radiance)) return renderer_.develop(std::move(film), development);
-    return show_plane(film, film.planes().list().front());
+    return shown_picture(renderer_, std::move(film), development);
   }
 
   std::string title(PicturePlan const& plan) const {

@@ -156,25 +156,9 @@ class Sequence {
     auto const bands = bands_of(picture.plan, !ready.denoiser.empty());
     if (bands.size() > 1) return draw_in_bands(ready, std::move(picture), bands);
     Film film;
-<<<<<<< HEAD
-    auto const progress = progress_of(picture.plan, 0, 1);
-    RenderResult result;
-    if (auto const limit = picture.plan.job.noise) {
-      auto const limited = render_to_noise(renderer_, ready.request, *limit, film, progress);
-      result = limited.render;
-      picture.noise = limited.noise;
-    } else {
-      result = renderer_.render(ready.request, film, progress);
-    }
-=======
-    auto const progress = [&](RenderProgress const& now) {
-      bar_.update(title(picture.plan), {fraction_of_all(now.fraction), rays_ + now.rays, run_.seconds()});
-      return !interrupted();
-    };
     auto const limit = picture.plan.job.noise;
-    auto const [result, noise] = trace_picture(renderer_, ready.request, limit, film, progress);
+    auto const [result, noise] = trace_picture(renderer_, ready.request, limit, film, progress_of(picture.plan, 0, 1));
     picture.noise = noise;
->>>>>>> 4e741a6 (Share the steps from a request to a picture with Python)
     picture.samples = film.samples().count();
     if (result.complete) warn_of_noise(picture, noise_left(film, limit, noise));
     rays_ += result.statistics.rays.total();
@@ -184,13 +168,7 @@ class Sequence {
     Sight const sight(result.statistics.rays, film);
     if (result.complete && !ready.denoiser.empty()) film = denoised(film, ready, picture);
     finish_writing();
-<<<<<<< HEAD
     warn_of_samples_left_out(picture);
-=======
-    if (auto const left_out = samples_left_out(result.statistics); !left_out.empty()) {
-      warn(DiagnosticCode::samples_left_out, fmt::format("{}: {}", picture.plan.output.shown, left_out));
-    }
->>>>>>> 4e741a6 (Share the steps from a request to a picture with Python)
     writing_ = std::async(std::launch::async,
                           [this, picture, drawn = develop(std::move(film), picture.plan, ready.development)]() mutable {
                             writer_.write(drawn, picture);
@@ -260,11 +238,9 @@ class Sequence {
   }
 
   void warn_of_samples_left_out(PictureReport const& picture) {
-    std::uint64_t const count = picture.render.rays.not_finite;
-    if (count == 0) return;
-    warn(DiagnosticCode::samples_left_out,
-         fmt::format("{}: {} samples are left out: their radiance is not a finite number", picture.plan.output.shown,
-                     count));
+    auto const left_out = samples_left_out(picture.render);
+    if (left_out.empty()) return;
+    warn(DiagnosticCode::samples_left_out, fmt::format("{}: {}", picture.plan.output.shown, left_out));
   }
 
   /// Beside the line that shows progress, and in the report.

@@ -12,6 +12,7 @@ from ._image import Image
 from ._options import Path, parsed
 from ._progress import Bar
 from ._scene import Scene
+from ._waiting import wait_for
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -85,7 +86,8 @@ class Renderer:
     """
 
     def __init__(self, device: str | int | None = None, *, traversal: Optional[str] = None) -> None:
-        self._session = _native.Session("" if device is None else str(device), traversal or "")
+        wanted = "" if device is None else str(device)
+        self._session = wait_for(lambda _: _native.Session(wanted, traversal or ""))
         if self._session.warnings:
             warnings.warn("\n".join(self._session.warnings), SceneWarning, stacklevel=3)
 
@@ -109,11 +111,15 @@ class Renderer:
             scene, folders = scene._drawable()
             given = {**given, "allow_path": [*_folders(given.get("allow_path")), *folders]}
         options = parsed(given)
-        with Bar(progress) as bar:
+        session = self._session
+
+        def work(control: _native.Control) -> _native.Picture:
             if isinstance(scene, LoadedScene):
-                drawn = self._session.draw_scene(scene._native, options, picture, bar.show)
-            else:
-                drawn = self._session.draw_file(os.fspath(scene), options, picture, bar.show)
+                return session.draw_scene(scene._native, options, picture, control)
+            return session.draw_file(os.fspath(scene), options, picture, control)
+
+        with Bar(progress) as bar:
+            drawn = wait_for(work, bar.show)
         _warn(drawn.diagnostics)
         return Image(drawn)
 
@@ -157,6 +163,7 @@ def load(path: Path, /, **options: Unpack[RenderOptions]) -> LoadedScene:
     for name in options:
         if name not in reading:
             raise TypeError(f"{name!r} says nothing about reading: it is for render")
-    scene = LoadedScene(_native.read_scene(os.fspath(path), parsed(dict(options))))
+    how = parsed(dict(options))
+    scene = LoadedScene(wait_for(lambda _: _native.read_scene(os.fspath(path), how)))
     _warn(scene.diagnostics)
     return scene

@@ -3,8 +3,8 @@
 #include <nanobind/stl/vector.h>
 
 #include "bindings.hpp"
+#include "control.hpp"
 #include "session.hpp"
-#include "waiting.hpp"
 
 namespace nb = nanobind;
 
@@ -24,22 +24,6 @@ std::vector<std::string> names_in(Registry const& registry) {
   return names;
 }
 
-Picture draw_file(Session& session, std::string const& path, app::RenderOptions const& options, int number,
-                  nb::object const& show) {
-  Picture picture;
-  wait_for([&](ProgressFunction const& progress) { picture = session.draw_file(path, options, number, progress); },
-           show);
-  return picture;
-}
-
-Picture draw_scene(Session& session, ReadScene& scene, app::RenderOptions const& options, int number,
-                   nb::object const& show) {
-  Picture picture;
-  wait_for([&](ProgressFunction const& progress) { picture = session.draw_scene(scene, options, number, progress); },
-           show);
-  return picture;
-}
-
 }  // namespace
 
 void bind_drawing(nb::module_& module) {
@@ -57,6 +41,11 @@ void bind_drawing(nb::module_& module) {
       .def_prop_ro("lights", [](ReadScene const& read) { return names_in(read.scene.lights); });
   module.def("read_scene", &read_scene, nb::arg("path"), nb::arg("options"), nb::call_guard<nb::gil_scoped_release>());
 
+  nb::class_<Control>(module, "Control", "Stops a thread that draws, and tells how far it is.")
+      .def(nb::init<>())
+      .def("stop", &Control::stop)
+      .def_prop_ro("fraction", &Control::fraction);
+
   nb::class_<Session>(module, "Session", "A device, and what is kept from one picture to the next.")
       .def(nb::init<std::string const&, std::string const&>(), nb::arg("device") = "", nb::arg("traversal") = "",
            nb::call_guard<nb::gil_scoped_release>())
@@ -64,8 +53,10 @@ void bind_drawing(nb::module_& module) {
       .def_prop_ro("is_reference",
                    [](Session const& session) { return session.device().kind == DeviceKind::reference; })
       .def_prop_ro("warnings", &Session::warnings)
-      .def("draw_file", &draw_file, nb::arg("path"), nb::arg("options"), nb::arg("picture"), nb::arg("show").none())
-      .def("draw_scene", &draw_scene, nb::arg("scene"), nb::arg("options"), nb::arg("picture"), nb::arg("show").none());
+      .def("draw_file", &Session::draw_file, nb::arg("path"), nb::arg("options"), nb::arg("picture"),
+           nb::arg("control"), nb::call_guard<nb::gil_scoped_release>())
+      .def("draw_scene", &Session::draw_scene, nb::arg("scene"), nb::arg("options"), nb::arg("picture"),
+           nb::arg("control"), nb::call_guard<nb::gil_scoped_release>());
 }
 
 }  // namespace lichtraum::python

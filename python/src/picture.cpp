@@ -49,7 +49,7 @@ Film quiet(Renderer& renderer, Picture& picture) {
 }  // namespace
 
 Picture draw(Renderer& renderer, Scene const& scene, Job job, std::shared_ptr<PreparedScene const>& previous,
-             ProgressFunction const& progress) {
+             Control& control) {
   Picture picture;
   picture.device = renderer.device();
   picture.job = decided(std::move(job), scene, renderer.device().kind);
@@ -59,7 +59,8 @@ Picture draw(Renderer& renderer, Scene const& scene, Job job, std::shared_ptr<Pr
   picture.development = development_of(picture.job, scene);
   picture.scene.fingerprint = prepared->fingerprint;
   renderer.set_scene(prepared);
-  trace(renderer, picture, progress);
+  if (control.stops()) picture.is_complete = false;
+  if (picture.is_complete) trace(renderer, picture, control.progress());
   if (!picture.is_complete) return picture;
   Film film = quiet(renderer, picture);
   if (film.planes().has(FilmPlane::radiance)) picture.radiance = film.values(FilmPlane::radiance);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "control.hpp"
 #include "lichtraum/job.hpp"
 
 namespace lichtraum::python {
@@ -35,8 +36,8 @@ struct Picture {
 };
 
 /// Draws `job` of `scene` as `lichtraum render` does. `previous`: a scene that the renderer prepared, or null; then the
-/// one that was drawn.
+/// one that was drawn. When it is told to stop, the picture is not complete.
 Picture draw(Renderer& renderer, Scene const& scene, Job job, std::shared_ptr<PreparedScene const>& previous,
-             ProgressFunction const& progress);
+             Control& control);
 
 }  // namespace lichtraum::python

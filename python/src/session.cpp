@@ -75,8 +75,7 @@ app::LoadOptions Session::load_options(app::RenderOptions const& options) {
   return load;
 }
 
-Picture Session::draw_file(std::string const& path, app::RenderOptions const& options, int number,
-                           ProgressFunction const& progress) {
+Picture Session::draw_file(std::string const& path, app::RenderOptions const& options, int number, Control& control) {
   std::lock_guard const lock(mutex_);
   app::SceneSource const source = source_of(path);
   app::LoadedScene loaded = source.load(options.job.reading, load_options(options));
@@ -90,7 +89,7 @@ Picture Session::draw_file(std::string const& path, app::RenderOptions const& op
   Picture picture;
   loaded.play([&](Scene const& scene, std::size_t index) {
     if (index != std::size_t(number)) return true;
-    picture = draw(*renderer_, scene, job, previous_, progress);
+    picture = draw(*renderer_, scene, job, previous_, control);
     return false;
   });
   auto const& found = loaded.diagnostics();
@@ -98,8 +97,7 @@ Picture Session::draw_file(std::string const& path, app::RenderOptions const& op
   return picture;
 }
 
-Picture Session::draw_scene(ReadScene& read, app::RenderOptions const& options, int number,
-                            ProgressFunction const& progress) {
+Picture Session::draw_scene(ReadScene& read, app::RenderOptions const& options, int number, Control& control) {
   std::lock_guard const lock(mutex_);
   LightsAsTheyWere const lights(read.scene);
   if (auto const adjust =
@@ -109,7 +107,7 @@ Picture Session::draw_scene(ReadScene& read, app::RenderOptions const& options, 
   Job job = options.job;
   job.scene = read.name;
   job.picture = number;
-  return draw(*renderer_, read.scene, job, previous_, progress);
+  return draw(*renderer_, read.scene, job, previous_, control);
 }
 
 }  // namespace lichtraum::python

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "control.hpp"
 #include "options.hpp"
 #include "picture.hpp"
 
@@ -32,10 +33,9 @@ class Session {
   std::vector<std::string> const& warnings() const { return warnings_; }
 
   /// The file's picture number `number`, from 0, as `lichtraum render` draws it.
-  Picture draw_file(std::string const& path, app::RenderOptions const& options, int number,
-                    ProgressFunction const& progress);
+  Picture draw_file(std::string const& path, app::RenderOptions const& options, int number, Control& control);
   /// `scene` is as before when this returns.
-  Picture draw_scene(ReadScene& scene, app::RenderOptions const& options, int number, ProgressFunction const& progress);
+  Picture draw_scene(ReadScene& scene, app::RenderOptions const& options, int number, Control& control);
 
  private:
   app::LoadOptions load_options(app::RenderOptions const& options);

@@ -228,6 +228,52 @@ def test_interrupt_stops(renderer):
     assert renderer.render(HELLO, size=(8, 8)).size == (8, 8)
 
 
+@pytest.fixture
+def stuck(tmp_path):
+    """A file that whoever opens it waits for until the test ends, or for ten seconds."""
+    path = tmp_path / "stuck.sdf"
+    os.mkfifo(path)
+    ended, released = threading.Event(), threading.Event()
+
+    def let_go():
+        ended.wait(10)
+        released.set()
+        while any(thread.name == "lichtraum" for thread in threading.enumerate()):
+            try:
+                os.close(os.open(path, os.O_WRONLY | os.O_NONBLOCK))
+            except OSError:  # nobody waits for it at the moment
+                time.sleep(0.01)
+
+    thread = threading.Thread(target=let_go)
+    thread.start()
+    yield path, released
+    ended.set()
+    thread.join()
+
+
+def interrupt_in(seconds):
+    threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGINT)).start()
+
+
+@pytest.mark.parametrize("use", [lt.load, lambda path: lt.Renderer().render(path)], ids=["load", "render"])
+def test_interrupt_while_a_file_is_read(stuck, use):
+    path, released = stuck
+    interrupt_in(0.5)
+    with pytest.raises(KeyboardInterrupt):
+        use(path)
+    assert not released.is_set()  # it did not wait for the file
+
+
+def test_interrupt_while_noise_is_taken_out(renderer, stuck, monkeypatch):
+    path, released = stuck
+    monkeypatch.setenv("LICHTRAUM_OIDN", str(path))
+    renderer.render(HELLO, size=(64, 36), samples=16, denoise="off")
+    interrupt_in(2)  # long after tracing
+    with pytest.raises(KeyboardInterrupt):
+        renderer.render(HELLO, size=(64, 36), samples=16, denoise="on")
+    assert not released.is_set()
+
+
 def test_other_threads_run_and_progress_is_told(renderer):
     shown, ran, done = [], [], threading.Event()
 

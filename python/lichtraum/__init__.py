@@ -10,10 +10,12 @@ The options are those of the program `lichtraum render`, and the pictures are th
 
 from ._errors import DeviceError, Error, FileError, SceneError, SceneWarning, UsageError
 from ._image import Image
+from ._loaded import LoadedScene, LoadedShape
+from ._materials import Pbr, Phong
 from ._native import Diagnostic
 from ._native import version as __version__
-from ._nodes import Box, Camera, Cone, Cylinder, Group, Light, Mesh, Model, Phong, Plane, Shape, Sphere
-from ._render import LoadedScene, Renderer, load, render
+from ._nodes import Box, Camera, Cone, Cylinder, Group, Light, Mesh, Model, Plane, Shape, Sphere
+from ._render import Renderer, load, render
 from ._scene import Scene
 
 __all__ = [
@@ -29,8 +31,10 @@ __all__ = [
     "Image",
     "Light",
     "LoadedScene",
+    "LoadedShape",
     "Mesh",
     "Model",
+    "Pbr",
     "Phong",
     "Plane",
     "Renderer",

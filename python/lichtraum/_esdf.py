@@ -3,27 +3,39 @@
 from __future__ import annotations
 
 import os
+import shutil
 from pathlib import Path
 from typing import Any
 
 import numpy
 
 from ._errors import UsageError
-from ._nodes import Camera, Color, Light, Mesh, Phong, Shape, color
+from ._materials import WHITE, Material, Phong
+from ._nodes import Camera, Light, Mesh, Shape
+from ._values import Color, color
 
 
 def _text(word: Any) -> str:
     return word if isinstance(word, str) else repr(float(word))
 
 
-class Writer:
-    """Collects the statements of one scene. `folder`: where its file will be, and the files of its meshes."""
+def _has_space(path: str) -> bool:
+    return any(letter.isspace() or letter == "#" for letter in path)
 
-    def __init__(self, folder: Path, prefix: str) -> None:
+
+class Writer:
+    """Collects the statements of one scene. `folder`: where its file will be, and the files of its meshes. What eSDF
+    cannot say is a UsageError, or, of a scene that is only drawn, in `materials` and `lights`."""
+
+    def __init__(self, folder: Path, prefix: str, *, only_drawn: bool = False) -> None:
+        self._only_drawn = only_drawn
+        self.materials: dict[str, Material] = {}
+        self.lights: dict[str, Light] = {}
+        self._links: dict[str, str] = {}
         self._folder = folder
         self._prefix = prefix
         self._lines: list[str] = []
-        self._materials: dict[Phong, str] = {}
+        self._materials: dict[Material, str] = {}
         self._shapes: dict[int, str] = {}
         self._open: set[int] = set()
         self._names: set[str] = set()
@@ -47,10 +59,19 @@ class Writer:
         self._names.add(wanted)
         return wanted
 
-    def _material(self, material: Phong) -> str:
+    def _refuse(self, what: str) -> None:
+        if not self._only_drawn:
+            raise UsageError(f"eSDF has no {what}: such a scene can be drawn, but not saved")
+
+    def _material(self, material: Material) -> str:
         if material not in self._materials:
-            self._materials[material] = f"material_{len(self._materials) + 1}"
-            self._line("define", "material", self._materials[material], *material.words())
+            name = self._materials[material] = f"material_{len(self._materials) + 1}"
+            if isinstance(material, Phong):
+                words = material.words()
+            else:
+                self._refuse("material like Pbr")
+                self.materials[name], words = material, WHITE.words()
+            self._line("define", "material", name, *words)
         return self._materials[material]
 
     def shape(self, shape: Shape) -> str:
@@ -69,7 +90,13 @@ class Writer:
         return self._shapes[id(shape)]
 
     def light(self, light: Light) -> None:
-        self._line("define", "light", light.kind, self._name(light.name, "light"), *light.values)
+        name = self._name(light.name, "light")
+        words = light.words(name)
+        if words is not None:
+            self._line(*words)
+        else:
+            self._refuse(f"{light.kind} lamp")
+            self.lights[name] = light
 
     def background(self, value: Color) -> None:
         self._line("define", "background", *color(value))
@@ -93,8 +120,31 @@ class Writer:
         return self._meshes[id(mesh)]
 
     def path_of(self, path: str) -> str:
-        """As seen from the scene's file."""
-        return os.path.relpath(path, self._folder.resolve())
+        """As seen from the scene's file. Of one that eSDF cannot name, a link's."""
+        relative = os.path.relpath(path, self._folder.resolve())
+        if not _has_space(relative):
+            return relative
+        if not self._only_drawn:
+            raise UsageError(f"{relative}: eSDF cannot name a file with spaces or a # in its path")
+        if path not in self._links:
+            self._links[path] = self._link(path)
+        return self._links[path]
+
+    def _link(self, path: str) -> str:
+        """Its whole folder, as what else the model reads is beside it."""
+        folder, file = os.path.split(path)
+        links = self._folder / f"model_{len(self._links) + 1}"
+        shutil.rmtree(links, ignore_errors=True)
+        links.mkdir()
+        for other in os.listdir(folder):
+            os.symlink(os.path.join(folder, other), links / other)
+        plain = "model" + os.path.splitext(file)[1]
+        if _has_space(plain):
+            raise UsageError(f"{path}: there is no such kind of model")
+        if _has_space(file):
+            (links / plain).unlink(missing_ok=True)
+            os.symlink(path, links / plain)
+        return f"{links.name}/{plain if _has_space(file) else file}"
 
     def text(self) -> str:
         return "\n".join(self._lines) + "\n"

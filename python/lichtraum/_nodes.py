@@ -6,99 +6,37 @@ import math
 import os
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Iterable, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Iterable, Optional
 
 import numpy
 from numpy.typing import ArrayLike
 
 from ._errors import UsageError
+from ._materials import WHITE, Fields, Material
+from ._values import Color, Vector, color, length, number, rotation, scaling, translation, vector
 
 if TYPE_CHECKING:
     from ._esdf import Writer
 
-Vector = Sequence[float]
-Color = Union[float, Sequence[float]]
-
-
-def number(value: Any) -> float:
-    """Raises UsageError for what is not finite."""
-    result = float(value)
-    if not math.isfinite(result):
-        raise UsageError(f"expected a finite number, not {result}")
-    return result
-
-
-def length(value: float) -> float:
-    """Raises UsageError for what is not above 0."""
-    result = number(value)
-    if result <= 0:
-        raise UsageError(f"expected a radius above 0, not {result}")
-    return result
-
-
-def vector(value: Vector) -> tuple[float, float, float]:
-    """Raises UsageError for what is not three finite numbers."""
-    numbers = [number(each) for each in value]
-    if len(numbers) != 3:
-        raise UsageError(f"expected three numbers, not {len(numbers)}")
-    return numbers[0], numbers[1], numbers[2]
-
-
-def color(value: Color) -> tuple[float, float, float]:
-    """Three numbers, or one for all."""
-    return vector([value] * 3 if isinstance(value, (int, float)) else value)
-
-
-@dataclass(frozen=True)
-class Phong:
-    """What a surface is made of: Phong's coefficients, with a mirror's and glass's (docs/ESDF.md). Colours are linear red,
-    green and blue, or one number for all; shares are 0 to 1."""
-
-    ambient: Color = 0.8
-    diffuse: Color = 0.8
-    specular: Color = 0.0
-    exponent: float = 1.0
-    reflect: float = 0.0
-    transmit: float = 0.0
-    ior: float = 1.0
-    emission: Color = 0.0
-
-    def words(self) -> list[Any]:
-        """Of eSDF, after the name."""
-        words: list[Any] = [*color(self.ambient), *color(self.diffuse), *color(self.specular), number(self.exponent)]
-        for name, usual in (("reflect", 0), ("transmit", 0), ("ior", 1)):
-            value = number(getattr(self, name))
-            if value != usual:
-                words.append(f"{name}={value!r}")
-        return words + (["emission", *color(self.emission)] if any(color(self.emission)) else [])
-
-
-WHITE = Phong()
-
-
 class Shape(ABC):
     """A node of a scene. It may be in several groups, or several times in one: each shows it."""
 
-    def __init__(self, material: Optional[Phong], name: Optional[str]) -> None:
+    def __init__(self, material: Optional[Material], name: Optional[str]) -> None:
         self.material = material
         self.name = name
         self.transforms: list[list[Any]] = []
 
     def translate(self, offset: Vector) -> None:
         """Moves it, after what was done before."""
-        self.transforms.append(["translate", *vector(offset)])
+        self.transforms.append(translation(offset))
 
     def rotate(self, angle_degrees: float, axis: Vector) -> None:
         """Turns it about an axis through the origin, anticlockwise where that points at you."""
-        if not any(vector(axis)):
-            raise UsageError("an axis has a length")
-        self.transforms.append(["rotate", number(angle_degrees), *vector(axis)])
+        self.transforms.append(rotation(angle_degrees, axis))
 
     def scale(self, factor: Color) -> None:
         """Scales it about the origin: by one factor, or by one along each axis. None is 0."""
-        if not all(color(factor)):
-            raise UsageError("no factor is 0")
-        self.transforms.append(["scale", *color(factor)])
+        self.transforms.append(scaling(factor))
 
     @property
     @abstractmethod
@@ -111,7 +49,7 @@ class Shape(ABC):
 
 
 class Sphere(Shape):
-    def __init__(self, center: Vector, radius: float, material: Phong = WHITE, *, name: Optional[str] = None) -> None:
+    def __init__(self, center: Vector, radius: float, material: Material = WHITE, *, name: Optional[str] = None) -> None:
         super().__init__(material, name)
         self._words = [*vector(center), length(radius)]
 
@@ -124,7 +62,7 @@ class Sphere(Shape):
 class Box(Shape):
     """Between two opposite corners."""
 
-    def __init__(self, p1: Vector, p2: Vector, material: Phong = WHITE, *, name: Optional[str] = None) -> None:
+    def __init__(self, p1: Vector, p2: Vector, material: Material = WHITE, *, name: Optional[str] = None) -> None:
         super().__init__(material, name)
         self._words = [*vector(p1), *vector(p2)]
 
@@ -138,7 +76,7 @@ class Cylinder(Shape):
     """Round about the way from p1 to p2, with flat ends there."""
 
     def __init__(
-        self, p1: Vector, p2: Vector, radius: float, material: Phong = WHITE, *, name: Optional[str] = None
+        self, p1: Vector, p2: Vector, radius: float, material: Material = WHITE, *, name: Optional[str] = None
     ) -> None:
         super().__init__(material, name)
         self._words = [*vector(p1), *vector(p2), length(radius)]
@@ -153,7 +91,7 @@ class Cone(Shape):
     """On a disc around the base, up to the tip."""
 
     def __init__(
-        self, base: Vector, tip: Vector, radius: float, material: Phong = WHITE, *, name: Optional[str] = None
+        self, base: Vector, tip: Vector, radius: float, material: Material = WHITE, *, name: Optional[str] = None
     ) -> None:
         super().__init__(material, name)
         self._words = [*vector(base), *vector(tip), length(radius)]
@@ -167,7 +105,7 @@ class Cone(Shape):
 class Plane(Shape):
     """Without an end, through the point and at right angles to the normal."""
 
-    def __init__(self, point: Vector, normal: Vector, material: Phong = WHITE, *, name: Optional[str] = None) -> None:
+    def __init__(self, point: Vector, normal: Vector, material: Material = WHITE, *, name: Optional[str] = None) -> None:
         super().__init__(material, name)
         self._words = [*vector(point), *vector(normal)]
 
@@ -181,7 +119,7 @@ class Mesh(Shape):
     """Triangles: vertices (N, 3), faces (M, 3) of their numbers from 0, counter-clockwise seen from outside. Copied."""
 
     def __init__(
-        self, vertices: ArrayLike, faces: ArrayLike, material: Phong = WHITE, *, name: Optional[str] = None
+        self, vertices: ArrayLike, faces: ArrayLike, material: Material = WHITE, *, name: Optional[str] = None
     ) -> None:
         super().__init__(material, name)
         self.vertices = numpy.array(vertices, dtype="<f4")
@@ -198,7 +136,7 @@ class Mesh(Shape):
         self.faces = corners.astype("<i4")
 
     @classmethod
-    def from_trimesh(cls, mesh: Any, material: Phong = WHITE, *, name: Optional[str] = None) -> Mesh:
+    def from_trimesh(cls, mesh: Any, material: Material = WHITE, *, name: Optional[str] = None) -> Mesh:
         """Of a trimesh.Trimesh, or of anything with `vertices` and `faces`; colours and normals are left out."""
         return cls(mesh.vertices, mesh.faces, material, name=name)
 
@@ -212,12 +150,10 @@ class Model(Shape):
     """A .gltf, .glb, .obj, .ply or .stl file, with its own materials unless another is given."""
 
     def __init__(
-        self, path: str | os.PathLike[str], material: Optional[Phong] = None, *, name: Optional[str] = None
+        self, path: str | os.PathLike[str], material: Optional[Material] = None, *, name: Optional[str] = None
     ) -> None:
         super().__init__(material, name)
         self.path = os.path.abspath(os.fspath(path))
-        if any(letter.isspace() for letter in self.path):
-            raise UsageError(f"{self.path}: eSDF cannot name a file with spaces in its path")
 
     kind = "mesh"
 
@@ -245,22 +181,68 @@ class Group(Shape):
 
 @dataclass(frozen=True)
 class Light:
-    """A lamp: see `point` and `ambient`."""
+    """A lamp: see `point`, `spot`, `directional`, `ambient`."""
 
     kind: str
-    values: list[Any] = field(default_factory=list)
+    fields: Fields = field(default_factory=dict)
     name: Optional[str] = None
 
     @classmethod
     def point(cls, position: Vector, brightness: Color = 1.0, *, radius: float = 0.0, name: Optional[str] = None) -> Light:
         """As bright at any distance. Only paths show a radius."""
-        size = [f"radius={number(radius)!r}"] if radius else []
-        return cls("diffuse", [*vector(position), *color(brightness), *size], name)
+        fields = {"position": [*vector(position)], "radius": [number(radius, least=0)]}
+        return cls("point", {**fields, "brightness": [*color(brightness)]}, name)
 
     @classmethod
     def ambient(cls, brightness: Color = 0.2, *, name: Optional[str] = None) -> Light:
         """Arrives everywhere."""
-        return cls("ambient", [*color(brightness)], name)
+        return cls("ambient", {"brightness": [*color(brightness)]}, name)
+
+    @classmethod
+    def directional(cls, direction: Vector, brightness: Color = 1.0, *, name: Optional[str] = None) -> Light:
+        """From infinitely far away, in that direction, as the sun. eSDF does not have it."""
+        if not any(vector(direction)):
+            raise UsageError("a direction has a length")
+        return cls("directional", {"direction": [*vector(direction)], "brightness": [*color(brightness)]}, name)
+
+    @classmethod
+    def spot(
+        cls,
+        position: Vector,
+        direction: Vector,
+        brightness: Color = 1.0,
+        *,
+        inner_degrees: float = 0.0,
+        outer_degrees: float = 45.0,
+        range: float = math.inf,
+        name: Optional[str] = None,
+    ) -> Light:
+        """A cone: full brightness within the inner angle from its middle, none beyond the outer one, 0 <= inner < outer <=
+        90. It falls off with the square of the distance (`brightness` is that at distance 1), and ends at `range`. eSDF
+        does not have it."""
+        if not any(vector(direction)):
+            raise UsageError("a direction has a length")
+        if not 0 <= number(inner_degrees) < number(outer_degrees) <= 90:
+            raise UsageError(f"expected 0 <= inner < outer <= 90 degrees, not {inner_degrees} and {outer_degrees}")
+        fields = {
+            "position": [*vector(position)],
+            "direction": [*vector(direction)],
+            "brightness": [*color(brightness)],
+            "inner": [number(inner_degrees)],
+            "outer": [number(outer_degrees)],
+            "range": [math.inf if range == math.inf else length(range)],
+        }
+        return cls("spot", fields, name)
+
+    def words(self, name: str) -> Optional[list[Any]]:
+        """Of eSDF; None: it has no such lamp."""
+        if self.kind == "ambient":
+            return ["define", "light", "ambient", name, *self.fields["brightness"]]
+        if self.kind != "point":
+            return None
+        radius = self.fields["radius"][0]
+        size = [f"radius={radius!r}"] if radius else []
+        return ["define", "light", "diffuse", name, *self.fields["position"], *self.fields["brightness"], *size]
 
 
 @dataclass(frozen=True)

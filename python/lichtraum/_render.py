@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Union
 from . import _native
 from ._errors import SceneWarning
 from ._image import Image
+from ._loaded import LoadedScene
 from ._options import Path, parsed
 from ._progress import Bar
 from ._scene import Scene
@@ -33,46 +34,6 @@ def _folders(value: Any) -> list[Any]:
     if value is None:
         return []
     return [value] if isinstance(value, (str, os.PathLike)) else list(value)
-
-
-class LoadedScene:
-    """A scene or a model that was read: see `load`. It can be drawn many times."""
-
-    def __init__(self, native: _native.Scene) -> None:
-        self._native = native
-
-    @property
-    def name(self) -> str:
-        """Of its file."""
-        return self._native.name
-
-    @property
-    def cameras(self) -> list[str]:
-        """Names, the first for the one that is used unless another is asked for."""
-        return self._native.cameras
-
-    @property
-    def shapes(self) -> list[str]:
-        """Names."""
-        return self._native.shapes
-
-    @property
-    def materials(self) -> list[str]:
-        """Names."""
-        return self._native.materials
-
-    @property
-    def lights(self) -> list[str]:
-        """Names."""
-        return self._native.lights
-
-    @property
-    def diagnostics(self) -> list[Diagnostic]:
-        """Warnings and notes."""
-        return self._native.diagnostics
-
-    def __repr__(self) -> str:
-        return f"<lichtraum.LoadedScene {self.name!r}>"
 
 
 Drawable = Union[Path, LoadedScene, Scene]
@@ -108,8 +69,7 @@ class Renderer:
 
     def _draw(self, scene: Drawable, picture: int, progress: Progress, given: dict[str, Any]) -> Image:
         if isinstance(scene, Scene):
-            scene, folders = scene._drawable()
-            given = {**given, "allow_path": [*_folders(given.get("allow_path")), *folders]}
+            scene, given = _as_drawn(scene, given)
         options = parsed(given)
         session = self._session
 
@@ -125,6 +85,22 @@ class Renderer:
 
     def __repr__(self) -> str:
         return f"<lichtraum.Renderer on {self.device!r}>"
+
+
+def _as_drawn(scene: Scene, given: dict[str, Any]) -> tuple[str | LoadedScene, dict[str, Any]]:
+    """The file of a scene, or, where eSDF cannot say all of it, what was read of that, with the rest."""
+    path, folders, writer = scene._drawable()
+    given = {**given, "allow_path": [*_folders(given.get("allow_path")), *folders]}
+    if not writer.materials and not writer.lights:
+        return path, given
+    loaded = load(path, allow_path=given["allow_path"])
+    for name, material in writer.materials.items():
+        loaded.set_material(name, material)
+    for name, light in writer.lights.items():
+        loaded.set_light(name, light)
+    if writer.materials:
+        given.setdefault("integrator", "path")  # as of models, whose materials they are
+    return loaded, given
 
 
 def render(
@@ -164,6 +140,7 @@ def load(path: Path, /, **options: Unpack[RenderOptions]) -> LoadedScene:
         if name not in reading:
             raise TypeError(f"{name!r} says nothing about reading: it is for render")
     how = parsed(dict(options))
-    scene = LoadedScene(wait_for(lambda _: _native.read_scene(os.fspath(path), how)))
+    is_dialect = any(options.get(name) is not None for name in ("transform_order", "rotation"))
+    scene = LoadedScene(wait_for(lambda _: _native.read_scene(os.fspath(path), how)), os.fspath(path), is_dialect)
     _warn(scene.diagnostics)
     return scene

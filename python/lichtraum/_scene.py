@@ -9,7 +9,8 @@ from typing import Iterable, Optional, Union
 
 from ._errors import FileError, UsageError
 from ._esdf import Writer
-from ._nodes import Camera, Color, Group, Light, Model, Shape
+from ._nodes import Camera, Group, Light, Model, Shape
+from ._values import Color
 
 Item = Union[Shape, Light]
 
@@ -41,13 +42,14 @@ class Scene:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the scene as eSDF (.sdf): `lichtraum render` draws the same picture of it. Meshes become .ply files beside
-        it; models stay where they are, and outside the scene's folder take --allow-path. Raises FileError, UsageError."""
+        it; models stay where they are, and outside the scene's folder take --allow-path. Raises FileError, and UsageError
+        for what eSDF cannot say: Pbr, spot and directional lamps, files with spaces in their names."""
         self._write(Path(path))
 
-    def _write(self, path: Path) -> None:
+    def _write(self, path: Path, *, only_drawn: bool = False) -> Writer:
         if any(letter.isspace() or letter == "#" for letter in path.name):
             raise UsageError(f"{path.name!r}: eSDF cannot name files with spaces or a #, such as the meshes beside it")
-        writer = Writer(path.parent, path.stem + "_mesh_")
+        writer = Writer(path.parent, path.stem + "_mesh_", only_drawn=only_drawn)
         temporary = path.with_name(path.name + ".partial")
         try:
             for item in self.items:
@@ -62,13 +64,14 @@ class Scene:
             os.replace(temporary, path)
         except OSError as error:
             raise FileError(f"cannot write {str(path)!r}: {error.strerror}") from error
+        return writer
 
-    def _drawable(self) -> tuple[str, list[str]]:
-        """A file of the scene as it is now, and the folders of its models."""
+    def _drawable(self) -> tuple[str, list[str], Writer]:
+        """A file of the scene as it is now, the folders of its models, and what eSDF could not say."""
         if self._folder is None:
             self._folder = tempfile.TemporaryDirectory(prefix="lichtraum-")
         path = Path(self._folder.name) / "scene.sdf"
-        self._write(path)
+        writer = self._write(path, only_drawn=True)
         folders: set[str] = set()
         waiting = list(self.items)
         while waiting:
@@ -77,7 +80,7 @@ class Scene:
                 waiting += item.children
             elif isinstance(item, Model):
                 folders.add(os.path.dirname(os.path.realpath(item.path)))
-        return str(path), sorted(folders)
+        return str(path), sorted(folders), writer
 
     def __repr__(self) -> str:
         return f"<lichtraum.Scene of {len(self.items)} things>"

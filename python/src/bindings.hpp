@@ -9,5 +9,6 @@ namespace lichtraum::python {
 void bind_errors(nanobind::module_& module);
 void bind_picture(nanobind::module_& module);
 void bind_drawing(nanobind::module_& module);
+void bind_editing(nanobind::module_& module);
 
 }  // namespace lichtraum::python

@@ -11,10 +11,13 @@ namespace nb = nanobind;
 namespace lichtraum::python {
 namespace {
 
+/// Of a registry of the scene.
 template <class Registry>
-std::vector<std::string> names_in(Registry const& registry) {
+std::vector<std::string> names_in(ReadScene const& read, Registry Scene::*registry) {
+  nb::gil_scoped_release const release;
+  std::lock_guard const lock(*read.mutex);
   std::vector<std::string> names;
-  for (auto const& item : registry) {
+  for (auto const& item : read.scene.*registry) {
     if constexpr (requires { item->name(); }) {
       names.push_back(item->name());
     } else {
@@ -35,10 +38,10 @@ void bind_drawing(nb::module_& module) {
       .def_ro("name", &ReadScene::name)
       .def_ro("is_model", &ReadScene::is_model)
       .def_ro("diagnostics", &ReadScene::diagnostics)
-      .def_prop_ro("cameras", [](ReadScene const& read) { return names_in(read.scene.cameras); })
-      .def_prop_ro("shapes", [](ReadScene const& read) { return names_in(read.scene.shapes); })
-      .def_prop_ro("materials", [](ReadScene const& read) { return names_in(read.scene.materials); })
-      .def_prop_ro("lights", [](ReadScene const& read) { return names_in(read.scene.lights); });
+      .def_prop_ro("cameras", [](ReadScene const& read) { return names_in(read, &Scene::cameras); })
+      .def_prop_ro("shapes", [](ReadScene const& read) { return names_in(read, &Scene::shapes); })
+      .def_prop_ro("materials", [](ReadScene const& read) { return names_in(read, &Scene::materials); })
+      .def_prop_ro("lights", [](ReadScene const& read) { return names_in(read, &Scene::lights); });
   module.def("read_scene", &read_scene, nb::arg("path"), nb::arg("options"), nb::call_guard<nb::gil_scoped_release>());
 
   nb::class_<Control>(module, "Control", "Stops a thread that draws, and tells how far it is.")

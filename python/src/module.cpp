@@ -9,4 +9,5 @@ NB_MODULE(_native, module) {
   lichtraum::python::bind_errors(module);
   lichtraum::python::bind_picture(module);
   lichtraum::python::bind_drawing(module);
+  lichtraum::python::bind_editing(module);
 }

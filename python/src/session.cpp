@@ -99,6 +99,7 @@ Picture Session::draw_file(std::string const& path, app::RenderOptions const& op
 
 Picture Session::draw_scene(ReadScene& read, app::RenderOptions const& options, int number, Control& control) {
   std::lock_guard const lock(mutex_);
+  std::lock_guard const scene_lock(*read.mutex);
   LightsAsTheyWere const lights(read.scene);
   if (auto const adjust =
           app::scene_adjustment(options.job.reading.environment, read.is_model, load_options(options))) {

@@ -17,6 +17,8 @@ struct ReadScene {
   bool is_model = false;
   Scene scene;
   std::vector<Diagnostic> diagnostics;
+  /// Of `scene`: it may still be drawn when whoever asked for that was interrupted, and edits it.
+  std::unique_ptr<std::mutex> mutex = std::make_unique<std::mutex>();
 };
 
 /// The reading of `options`. Exceptions as app::SceneSource::load.

@@ -110,7 +110,6 @@ def test_model_from_another_folder(renderer, tmp_path):
     (lambda: CUBE.scale(0), "factor"),
     (lambda: lt.Camera(eye=(1, 1, 1), target=(1, 1, 1)).transforms(), "stands"),
     (lambda: lt.Camera(eye=(0, 1, 0), target=(0, 0, 0)).transforms(), "up"),
-    (lambda: lt.Model("a b.glb"), "spaces"),
 ])
 def test_what_makes_no_sense_is_refused(make, message):
     with pytest.raises(lt.UsageError, match=message):

@@ -1,0 +1,59 @@
+"""Numbers, vectors and colours that callers give."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Sequence, Union
+
+from ._errors import UsageError
+
+Vector = Sequence[float]
+Color = Union[float, Sequence[float]]
+
+
+def number(value: Any, *, least: float = -math.inf, most: float = math.inf) -> float:
+    """Raises UsageError for what is not finite, or not in that range."""
+    result = float(value)
+    if not math.isfinite(result):
+        raise UsageError(f"expected a finite number, not {result}")
+    if not least <= result <= most:
+        what = f"from {least:g} to {most:g}" if most < math.inf else f"that is at least {least:g}"
+        raise UsageError(f"expected a number {what}, not {result}")
+    return result
+
+
+def length(value: float) -> float:
+    """Raises UsageError for what is not above 0."""
+    result = number(value)
+    if result <= 0:
+        raise UsageError(f"expected a radius above 0, not {result}")
+    return result
+
+
+def vector(value: Vector, *, least: float = -math.inf) -> tuple[float, float, float]:
+    """Raises UsageError for what is not three finite numbers."""
+    numbers = [number(each, least=least) for each in value]
+    if len(numbers) != 3:
+        raise UsageError(f"expected three numbers, not {len(numbers)}")
+    return numbers[0], numbers[1], numbers[2]
+
+
+def color(value: Color, *, least: float = -math.inf) -> tuple[float, float, float]:
+    """Three numbers, or one for all."""
+    return vector([value] * 3 if isinstance(value, (int, float)) else value, least=least)
+
+
+def translation(offset: Vector) -> list[Any]:
+    return ["translate", *vector(offset)]
+
+
+def rotation(angle_degrees: float, axis: Vector) -> list[Any]:
+    if not any(vector(axis)):
+        raise UsageError("an axis has a length")
+    return ["rotate", number(angle_degrees), *vector(axis)]
+
+
+def scaling(factor: Color) -> list[Any]:
+    if not all(color(factor)):
+        raise UsageError("no factor is 0")
+    return ["scale", *color(factor)]

@@ -1,0 +1,31 @@
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "bindings.hpp"
+#include "editing.hpp"
+
+namespace nb = nanobind;
+
+namespace lichtraum::python {
+
+void bind_editing(nb::module_& module) {
+  nb::class_<Step>(module, "Step", "One transform.")
+      .def(
+          "__init__",
+          [](Step* step, std::string how, std::vector<double> numbers) {
+            new (step) Step{std::move(how), std::move(numbers)};
+          },
+          nb::arg("how"), nb::arg("numbers"));
+  using Release = nb::call_guard<nb::gil_scoped_release>;  // whoever draws the scene may take long
+  module.def("transform", &transform, nb::arg("scene"), nb::arg("shape"), nb::arg("how"), nb::arg("numbers"),
+             Release());
+  module.def("set_material", &set_material, nb::arg("scene"), nb::arg("name"), nb::arg("model"), nb::arg("fields"),
+             Release());
+  module.def("set_light", &set_light, nb::arg("scene"), nb::arg("name"), nb::arg("kind"), nb::arg("fields"), Release());
+  module.def("remove_light", &remove_light, nb::arg("scene"), nb::arg("name"), Release());
+  module.def("set_camera", &set_camera, nb::arg("scene"), nb::arg("name"), nb::arg("fov_x_degrees"), nb::arg("steps"),
+             nb::arg("width"), nb::arg("height"), Release());
+}
+
+}  // namespace lichtraum::python

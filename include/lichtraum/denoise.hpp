@@ -51,7 +51,7 @@ std::vector<float> filter_noise(NoisyPicture const& picture);
 class OpenImageDenoise {
  public:
   /// The library that the environment variable LICHTRAUM_OIDN names (a file, or the folder it is in); without it the
-  /// system's, else the one in ../lib/lichtraum/oidn/lib beside the program's folder.
+  /// system's, else the one in ../lib/lichtraum/oidn/lib beside the program's folder (of a library: bin/lichtraum's).
   /// Throws Error{unavailable} that says why there is none.
   OpenImageDenoise();
   ~OpenImageDenoise();

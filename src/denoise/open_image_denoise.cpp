@@ -20,11 +20,21 @@ constexpr char const* file_name = "libOpenImageDenoise.so.2";
 
 Error unavailable(std::string const& why) { return {ErrorKind::unavailable, why}; }
 
+/// The program that this code is part of; of a library or the Python module, that beside it (lichtraum/_native.so has
+/// lichtraum/bin/lichtraum).
+std::filesystem::path program() {
+  std::error_code error;
+  Dl_info info{};
+  if (::dladdr(reinterpret_cast<void const*>(&program), &info) != 0 && info.dli_fname) {
+    auto const beside = std::filesystem::path(info.dli_fname).parent_path() / "bin/lichtraum";
+    if (auto const found = std::filesystem::canonical(beside, error); !error) return found;
+  }
+  return std::filesystem::read_symlink("/proc/self/exe", error);
+}
+
 /// Where tools/setup and `cmake --install` put it. The library finds its other parts in ../lib of its own folder only.
 std::string file_beside_program() {
-  std::error_code error;
-  auto const program = std::filesystem::read_symlink("/proc/self/exe", error);
-  return program.parent_path().parent_path() / "lib/lichtraum/oidn/lib" / file_name;
+  return program().parent_path().parent_path() / "lib/lichtraum/oidn/lib" / file_name;
 }
 
 std::vector<std::string> places() {

@@ -8,6 +8,21 @@
 The options are those of the program `lichtraum render`, and the pictures are the same to the byte.
 """
 
+
+def _load_module() -> None:
+    try:
+        from . import _native  # noqa: F401
+    except ImportError as error:
+        if "libOpenCL" not in str(error):
+            raise
+        raise ImportError(
+            "lichtraum needs OpenCL's loader, which is not installed or broken (Debian, Ubuntu: apt install "
+            f"ocl-icd-libopencl1 pocl-opencl-icd): {error}"
+        ) from error
+
+
+_load_module()
+
 from ._errors import DeviceError, Error, FileError, SceneError, SceneWarning, UsageError
 from ._image import Image
 from ._loaded import LoadedScene, LoadedShape

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import threading
 import time
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -310,6 +311,31 @@ def test_without_opencl_the_reference_tracer_draws(tmp_path):
     environment = {**os.environ, "OCL_ICD_VENDORS": str(tmp_path), "OCL_ICD_FILENAMES": ""}
     run = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True)
     assert run.returncode == 0 and run.stdout.startswith("(16, 9)"), run.stderr
+
+
+def child(code, **environment):
+    command = [sys.executable, "-W", "always", "-c", code]
+    return subprocess.run(command, env={**os.environ, **environment}, capture_output=True, text=True)
+
+
+DRAW = f"import lichtraum as lt; print(lt.render({str(HELLO)!r}, size=(16, 9)).size)"
+
+
+def test_without_the_loader_of_opencl_importing_says_what_to_install(tmp_path):
+    (tmp_path / "libOpenCL.so.1").touch()  # found first, and not one
+    run = child(DRAW, LD_LIBRARY_PATH=str(tmp_path))
+    assert run.returncode == 1 and "ImportError: lichtraum needs OpenCL's loader" in run.stderr, run.stderr
+    assert "ocl-icd-libopencl1" in run.stderr
+
+
+def test_denoiser_is_looked_for_where_the_program_does(renderer):
+    with warnings.catch_warnings(record=True) as found:
+        warnings.simplefilter("always")
+        image = renderer.render(HELLO, size=(16, 9), samples=16, denoise="on")
+    told = subprocess.run([PROGRAM, "doctor"], capture_output=True, text=True).stdout
+    assert f"denoising (--denoise on): {image.statistics['denoiser']}\n" in told
+    place = Path(PROGRAM).resolve().parents[1] / "lib" / "lichtraum" / "oidn" / "lib"
+    assert not found or str(place) in str(found[0].message)
 
 
 def test_module_is_the_program():

@@ -23,7 +23,7 @@ def _load_module() -> None:
 
 _load_module()
 
-from ._errors import DeviceError, Error, FileError, SceneError, SceneWarning, UsageError
+from ._errors import DeviceError, Error, FileError, JobError, SceneError, SceneWarning, UsageError
 from ._image import Image
 from ._loaded import LoadedScene, LoadedShape
 from ._materials import Pbr, Phong
@@ -44,6 +44,7 @@ __all__ = [
     "FileError",
     "Group",
     "Image",
+    "JobError",
     "Light",
     "LoadedScene",
     "LoadedShape",

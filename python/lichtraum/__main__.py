@@ -5,9 +5,11 @@ import sys
 from typing import NoReturn
 
 
+PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bin", "lichtraum")
+
+
 def main() -> NoReturn:
-    program = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bin", "lichtraum")
-    os.execv(program, ["lichtraum", *sys.argv[1:]])
+    os.execv(PROGRAM, ["lichtraum", *sys.argv[1:]])
 
 
 if __name__ == "__main__":

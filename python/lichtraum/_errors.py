@@ -33,5 +33,14 @@ class DeviceError(Error):
     """There is no such device, or it cannot be used."""
 
 
+class JobError(Error):
+    """Machines cannot go on with a job. What they have drawn stays."""
+
+    def __init__(self, message: str, status: int) -> None:
+        super().__init__(message)
+        #: That of the program: 75 where the same may go well later, 65 where it never will.
+        self.status = status
+
+
 class SceneWarning(UserWarning):
     """Something in a scene was repaired or left out, or a device cannot be used."""

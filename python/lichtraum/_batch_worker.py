@@ -1,0 +1,90 @@
+"""What a Dask worker does: it has a child process draw some units of a plan."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import socket
+import subprocess
+import sys
+import time
+from typing import NamedTuple
+
+from .__main__ import PROGRAM
+from ._native import version
+
+#: Statuses of the program that no second try changes: mistakes of usage or scene, and what is not there.
+NEVER = (64, 65, 66, 69, 73)
+#: A machine whose children die at once must not take all tasks before others can.
+_PAUSE_SECONDS = 2.0
+
+# A worker that is killed takes its child along, where the system can do that (Linux's PR_SET_PDEATHSIG).
+_CHILD = """
+import ctypes, os, sys
+if sys.platform == "linux":
+    ctypes.CDLL(None).prctl(1, 9)
+os.execv(sys.argv[1], sys.argv[1:])
+"""
+
+
+class Work(NamedTuple):
+    """What is the same for all tasks of a job."""
+
+    folder: str
+    plan_hash: str
+    version: str
+    options: tuple[str, ...]
+
+
+class Outcome(NamedTuple):
+    """How a child ended: its status, negative for a signal, and what it said."""
+
+    status: int
+    message: str
+    seconds: float
+
+
+def message_of(stderr: str) -> str:
+    """What the program said last, without its name.
+
+    >>> message_of("lichtraum: error: shared: it has no plan.json\\n")
+    'shared: it has no plan.json'
+    """
+    return stderr[-2000:].strip().removeprefix("lichtraum: ").removeprefix("error: ")
+
+
+def plan_hash(folder: str) -> str:
+    with open(os.path.join(folder, "plan.json"), "rb") as file:
+        return hashlib.sha256(file.read()).hexdigest()
+
+
+def _obstacle(work: Work) -> str:
+    """Why this machine cannot take part; empty where it can."""
+    if version != work.version:
+        return f"it has lichtraum {version}, and the job was begun by {work.version}: install the same everywhere"
+    try:
+        is_same = plan_hash(work.folder) == work.plan_hash
+    except OSError as error:
+        return f"it cannot read the plan ({error}): all machines need the folder under the same path"
+    return "" if is_same else f"{work.folder} has another plan there: all machines need the same folder"
+
+
+def draw_batch(work: Work, first: int, last: int) -> Outcome:
+    """Has units `first` to `last` drawn, both included; those that are there already are skipped."""
+    begin = time.monotonic()
+    obstacle = _obstacle(work)
+    if obstacle:
+        return Outcome(65, f"worker on {socket.gethostname()}: {obstacle}", 0.0)
+    program = [PROGRAM, "job", "work", work.folder, f"--units={first}..{last}", "--quiet", *work.options]
+    child = subprocess.run(
+        [sys.executable, "-c", _CHILD, *program],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+    )
+    if child.returncode != 0 and child.returncode not in NEVER:
+        time.sleep(_PAUSE_SECONDS)
+    text = message_of(child.stderr.decode(errors="replace"))
+    if child.returncode < 0:
+        text = f"'lichtraum job work' was ended by signal {-child.returncode} in units {first}..{last}. {text}".strip()
+    return Outcome(child.returncode, f"worker on {socket.gethostname()}: {text}", time.monotonic() - begin)

@@ -99,6 +99,7 @@ def test_what_was_killed_is_done_again(job, tmp_path, victim):
         address = crew.begin(1, SCHEDULER__ALLOWED_FAILURES=0)
         thread, result = in_background(lambda: farm.run(job, address, progress=False, timeout=120))
         tracer = wait_for(lambda: tracers_of(crew.workers[0].pid), "a tracer")[0]
+        os.kill(tracer, signal.SIGSTOP)  # by itself it ends no more
         if victim == "worker":
             crew.workers[0].kill()
             wait_for(lambda: not is_running(tracer), "the tracer's end: nobody waits for it")

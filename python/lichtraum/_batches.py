@@ -12,6 +12,11 @@ MOST_TASKS = 20_000
 _MOST_SKIPPED = 100
 
 
+def least_size(missing: int) -> int:
+    """How many units each batch has at least, so that there are not too many tasks."""
+    return math.ceil(missing / MOST_TASKS)
+
+
 class Batch(NamedTuple):
     """Units `first` to `last`, both included, of which `missing` are not there yet."""
 
@@ -61,10 +66,10 @@ class Pace:
     >>> pace.size, pace.is_known
     (40, True)
 
-    No batch is so large that workers have fewer than four, and none so small that there are too many tasks:
+    Towards the end batches get smaller, so that several workers end together:
 
-    >>> pace.batch_size(missing=100, workers=5), pace.batch_size(missing=8_000_000, workers=5)
-    (5, 400)
+    >>> pace.batch_size(missing=1000, workers=5), pace.batch_size(missing=100, workers=5), pace.batch_size(missing=100, workers=1)
+    (40, 5, 40)
     """
 
     def __init__(self, seconds: float, size: int = 1, is_known: bool = False) -> None:
@@ -80,6 +85,6 @@ class Pace:
         self.is_known = seconds >= self._seconds / 2
         self.size = fitting if self.is_known else min(fitting, 8 * self.size)
 
-    def batch_size(self, missing: int, workers: int) -> int:
-        share = math.ceil(missing / (4 * max(1, workers)))
-        return max(1, min(self.size, share), math.ceil(missing / MOST_TASKS))
+    def batch_size(self, missing: int, workers: int, least: int = 1) -> int:
+        share = math.ceil(missing / (4 * workers)) if workers > 1 else missing
+        return max(1, least, min(self.size, share))

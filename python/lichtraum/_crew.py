@@ -6,7 +6,7 @@ import uuid
 from typing import TYPE_CHECKING, Optional, Sequence
 
 from ._batch_worker import NEVER, Outcome, Work, draw_batch
-from ._batches import Batch, MissingUnits, Pace
+from ._batches import Batch, MissingUnits, Pace, least_size
 from ._errors import JobError
 from ._job_folder import JobFolder
 from ._progress import Show
@@ -61,12 +61,13 @@ class Crew:
 
         units = MissingUnits(ranges)
         total = units.count
+        least = least_size(total)
         tried = 0
         workers = len(self._client.nthreads())
         completed = as_completed(loop=self._client.loop)
         try:
             for _ in range(max(1, workers)):
-                self._submit(units, workers, completed)
+                self._submit(units.take(self._pace.batch_size(units.count, workers, least)), completed)
             for future in completed:
                 batch = self._batches.pop(future)
                 outcome = self._outcome(future)
@@ -76,16 +77,15 @@ class Crew:
                 if self._show is not None:
                     self._show((self._job.units - total + tried) / self._job.units)
                 # Until the pace is known a worker gets one batch for another, then they get all that is left.
-                self._submit(units, workers, completed)
+                self._submit(units.take(self._pace.batch_size(units.count, workers, least)), completed)
                 while units.count and self._pace.is_known:
-                    self._submit(units, workers, completed)
+                    self._submit(units.take(self._pace.batch_size(units.count, workers, least)), completed)
         finally:
             if self._batches:
                 self._client.cancel(list(self._batches), force=True)
                 self._batches.clear()
 
-    def _submit(self, units: MissingUnits, workers: int, completed: as_completed) -> None:
-        batch = units.take(self._pace.batch_size(units.count, workers))
+    def _submit(self, batch: Optional[Batch], completed: as_completed) -> None:
         if batch is None:
             return
         self.tasks += 1

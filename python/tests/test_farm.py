@@ -14,7 +14,7 @@ import lichtraum as lt
 from dask_processes import HELLO, is_running, lichtraum, machines, merged, picture_of, plan, tracers_of, unit_files, wait_for
 from lichtraum import farm
 from lichtraum._batch_worker import draw_batch
-from lichtraum._batches import MOST_TASKS, MissingUnits, Pace
+from lichtraum._batches import MOST_TASKS, MissingUnits, Pace, least_size
 from lichtraum._job_folder import JobFolder
 
 
@@ -48,12 +48,13 @@ def test_batches_have_each_missing_unit_once():
         assert seen == [n for first, last in ranges for n in range(first, last + 1)] and units.count == 0
 
 
-def test_there_are_never_too_many_tasks():
-    units, pace, tasks = MissingUnits([(0, 3_999_999)]), Pace(10), 0
-    while units.take(pace.batch_size(units.count, 3)) is not None:
+@pytest.mark.parametrize("pace", [Pace(10), Pace(10, size=1, is_known=True)])
+def test_there_are_never_too_many_tasks(pace):
+    units, tasks = MissingUnits([(0, 3_999_999)]), 0
+    least = least_size(units.count)
+    while units.take(pace.batch_size(units.count, 3, least)) is not None:
         tasks += 1
-        assert tasks < 20 * MOST_TASKS
-    assert Pace(10, size=1, is_known=True).batch_size(4_000_000, 3) * MOST_TASKS >= 4_000_000
+        assert tasks <= MOST_TASKS
 
 
 def test_one_machine_alone(job, tmp_path):

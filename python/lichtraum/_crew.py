@@ -109,6 +109,8 @@ class Crew:
                     f"a worker or the scheduler cannot run lichtraum: {error!r}; install the same lichtraum[dask] on all", 65
                 )
             outcome = Outcome(TRY_AGAIN, f"workers died: {error}", 0.0)
+        elif future.status != "cancelled":
+            outcome = Outcome(TRY_AGAIN, "a worker died with its answer", 0.0)  # the folder knows what it drew
         else:
             raise JobError("the scheduler is gone, or has cancelled the job. What is drawn stays: run it again", TRY_AGAIN)
         if outcome.status != 0:

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/empty_view.hpp"
+#include "app/picture_bands.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -23,9 +24,11 @@ RenderRequest reduced(RenderRequest request) {
 
 }  // namespace
 
-Sight::Sight(RayCounts const& rays, Film& film) : is_empty(rays.camera > 0 && rays.camera_hits == 0) {
-  if (is_empty || !film.planes().has(FilmPlane::radiance)) return;
-  is_black = std::ranges::all_of(film.floats(FilmPlane::radiance), [](float value) { return value == 0; });
+void Sight::add(RayCounts const& rays, Film& film) {
+  camera_rays_ += rays.camera;
+  camera_hits_ += rays.camera_hits;
+  is_black_ = is_black_ && film.planes().has(FilmPlane::radiance) &&
+              std::ranges::all_of(film.floats(FilmPlane::radiance), [](float value) { return value == 0; });
 }
 
 void PictureFindings::begin(SceneOpened const& scene) {
@@ -51,9 +54,9 @@ std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, P
                                                     Sight const& sight) {
   std::vector<Diagnostic> found;
   bool const lacks_light =
-      ready.light != SceneLight::some && !sight.is_empty && ready.request.planes.has(FilmPlane::radiance);
+      ready.light != SceneLight::some && !sight.is_empty() && ready.request.planes.has(FilmPlane::radiance);
   bool const is_whole = !options_.job.region;
-  if ((lacks_light || (sight.is_black && is_whole)) && !std::exchange(has_told_of_light_, true)) {
+  if ((lacks_light || (sight.is_black() && is_whole)) && !std::exchange(has_told_of_light_, true)) {
     found.push_back(
         lacks_light
             ? explain_missing_light(ready.light)
@@ -63,7 +66,7 @@ std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, P
                               ready.request.camera.name()),
                   "is each lamp inside a shape, or outside of a closed room? or do the materials reflect nothing?"));
   }
-  if (sight.is_empty && is_whole && !std::exchange(has_explained_view_, true)) {
+  if (sight.is_empty() && is_whole && !std::exchange(has_explained_view_, true)) {
     found.push_back(explain_empty_view(ready, plan));
   }
   return found;
@@ -72,13 +75,23 @@ std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, P
 std::vector<Diagnostic> PictureFindings::predicted(PictureReady const& ready, PicturePlan const& plan) {
   renderer_.set_scene(ready.scene);
   std::vector<Diagnostic> found = of_scene(ready);
-  auto const look = [&](RenderRequest const& request) {
+  auto const shows_nothing = [](Sight const& sight) { return sight.is_empty() || sight.is_black(); };
+  auto const look = [&](RenderRequest const& request, Sight& sight) {
     Film film;
     RenderResult const result = renderer_.render(request, film);
-    return Sight(result.statistics.rays, film);
+    sight.add(result.statistics.rays, film);
   };
-  Sight sight = look(reduced(ready.request));
-  if (sight.is_empty || sight.is_black) sight = look(ready.request);
+  Sight sight;
+  look(reduced(ready.request), sight);
+  if (shows_nothing(sight)) {
+    sight = Sight();
+    RenderRequest request = ready.request;
+    for (Region const& band : bands_of(plan, !ready.denoiser.empty())) {
+      request.region = band;
+      look(request, sight);
+      if (!shows_nothing(sight)) break;
+    }
+  }
   std::ranges::move(of_picture(ready, plan, sight), std::back_inserter(found));
   return found;
 }

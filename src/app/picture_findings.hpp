@@ -8,13 +8,20 @@
 namespace lichtraum::app {
 
 /// What tells whether a picture shows anything.
-struct Sight {
-  bool is_empty = false;  ///< no ray of the camera met anything
-  bool is_black = false;  ///< all of it, though the camera sees something
+class Sight {
+ public:
+  /// Of a part of it, or all, as it was traced.
+  void add(RayCounts const& rays, Film& film);
 
-  Sight() = default;
-  /// Of a film as it was traced.
-  Sight(RayCounts const& rays, Film& film);
+  /// No ray of the camera met anything.
+  bool is_empty() const { return camera_rays_ > 0 && camera_hits_ == 0; }
+  /// All of it, though the camera sees something.
+  bool is_black() const { return camera_hits_ > 0 && is_black_; }
+
+ private:
+  std::uint64_t camera_rays_ = 0;
+  std::uint64_t camera_hits_ = 0;
+  bool is_black_ = true;
 };
 
 /// What pictures fail to show, and why. Each finding once a scene.

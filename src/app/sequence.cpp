@@ -165,7 +165,8 @@ class Sequence {
     picture.is_complete = result.complete;
     picture.render = result.statistics;
     picture.plan.fingerprint = result.complete ? ready.fingerprint : "";
-    Sight const sight(result.statistics.rays, film);
+    Sight sight;
+    sight.add(result.statistics.rays, film);
     if (result.complete && !ready.denoiser.empty()) film = denoised(film, ready, picture);
     finish_writing();
     warn_of_samples_left_out(picture);
@@ -190,7 +191,7 @@ class Sequence {
     picture.plan.fingerprint = ready.fingerprint;
     BandWriter writer(picture.plan, ready.request.planes);
     RenderRequest request = ready.request;
-    bool is_black = true;
+    Sight sight;
     for (std::size_t i = 0; i < bands.size(); ++i) {
       request.region = bands[i];
       Film film;
@@ -202,7 +203,7 @@ class Sequence {
       rays_ += result.statistics.rays.total();
       picture.render += result.statistics;
       picture.samples = film.samples().count();
-      is_black = is_black && Sight(RayCounts(), film).is_black;
+      sight.add(result.statistics.rays, film);
       Stopwatch const stopwatch;
       writer.add(develop(std::move(film), picture.plan, ready.development));
       picture.write_ms += stopwatch.milliseconds();
@@ -212,9 +213,6 @@ class Sequence {
     picture.written_to = picture.plan.output.shown;
     warn_of_samples_left_out(picture);
     report(picture);
-    Sight sight;
-    sight.is_empty = picture.render.rays.camera > 0 && picture.render.rays.camera_hits == 0;
-    sight.is_black = is_black && !sight.is_empty;
     end_picture(ready, picture.plan, sight);
   }
 

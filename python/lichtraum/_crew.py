@@ -19,6 +19,10 @@ TRY_AGAIN = 75
 _MOST_FRUITLESS = 3
 
 
+def _scheduler_is_gone() -> JobError:
+    return JobError("the scheduler is gone, or has cancelled the job. What is drawn stays: run it again", TRY_AGAIN)
+
+
 class Crew:
     def __init__(self, client: Client, job: JobFolder, work: Work, batch_seconds: float, show: Optional[Show]) -> None:
         self.tasks = 0
@@ -80,6 +84,8 @@ class Crew:
                 self._submit(units.take(self._pace.batch_size(units.count, workers, least)), completed)
                 while units.count and self._pace.is_known:
                     self._submit(units.take(self._pace.batch_size(units.count, workers, least)), completed)
+        except OSError as error:  # of the connection: the scheduler may die while it is asked for an answer
+            raise _scheduler_is_gone() from error
         finally:
             if self._batches:
                 self._client.cancel(list(self._batches), force=True)
@@ -112,7 +118,7 @@ class Crew:
         elif future.status != "cancelled":
             outcome = Outcome(TRY_AGAIN, "a worker died with its answer", 0.0)  # the folder knows what it drew
         else:
-            raise JobError("the scheduler is gone, or has cancelled the job. What is drawn stays: run it again", TRY_AGAIN)
+            raise _scheduler_is_gone()
         if outcome.status != 0:
             self.failed += 1
             self._complaint = outcome.message

@@ -2,8 +2,11 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfTileDescription.h>
+#include <OpenEXR/ImfTiledOutputFile.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -23,6 +26,9 @@ using test::film_of;
 namespace {
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+/// As files have it, from the least byte on.
+std::string bytes_of(std::int32_t value) { return {reinterpret_cast<char const*>(&value), sizeof value}; }
 
 /// No row or column like another.
 Image sample_image(int width = 37, int height = 23) {
@@ -148,6 +154,28 @@ TEST_CASE("environments are read from what OpenEXR and PFM pictures hold", "[uni
         std::vector<float>{1, 2, 3});
 }
 
+TEST_CASE("an OpenEXR environment may be stored in tiles", "[unit][environment]") {
+  TemporaryFolder const folder;
+  Image const image = sample_image(9, 5);
+  Imf::Header header(9, 5);
+  header.setTileDescription(Imf::TileDescription(2, 2, Imf::MIPMAP_LEVELS));
+  Imf::FrameBuffer frame;
+  for (std::size_t c = 0; c < 3; ++c) {
+    char const* const name = std::array{"R", "G", "B"}[c];
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    auto* const first = const_cast<float*>(image.data().data()) + c;
+    frame.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(first), 12, 12 * 9));
+  }
+  {
+    Imf::TiledOutputFile file((folder / "a.exr").c_str(), header);
+    file.setFrameBuffer(frame);
+    for (int level = 0; level < file.numLevels(); ++level) {  // the smaller ones are of no matter
+      file.writeTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level);
+    }
+  }
+  CHECK(decode(folder.read("a.exr")).radiance == image.data());
+}
+
 TEST_CASE("an OpenEXR environment may be of luminance alone, of any type", "[unit][environment]") {
   TemporaryFolder const folder;
   for (Imf::PixelType const type : {Imf::HALF, Imf::FLOAT, Imf::UINT}) {
@@ -234,6 +262,32 @@ TEST_CASE("an environment of no pixels, or of too many, is refused before memory
   std::string const message = refusal(exr);
   CHECK((contains(message, "100000 x 100000 pixels") || contains(message, "OpenEXR cannot read it")));
   CHECK(contains(refusal(encode(sample_image(9, 5), "exr"), 44), "9 x 5 pixels"));
+}
+
+TEST_CASE("no memory is taken for what an OpenEXR header claims and its file cannot hold", "[unit][environment]") {
+  std::string const whole = encode(sample_image(9, 5), "exr");
+  auto const with_attribute = [&](std::string const& type, std::int32_t claimed, std::string const& value) {
+    std::string const attribute =
+        "owner" + std::string(1, '\0') + type + std::string(1, '\0') + bytes_of(claimed) + value;
+    return std::string(whole).insert(8, attribute);
+  };
+  for (char const* const type : {"string", "stringvector", "floatvector", "of their own"}) {
+    INFO(type);
+    CHECK(contains(refusal(with_attribute(type, 2147483647, "Anna")), "'owner' claims to have 2147483647 bytes"));
+    CHECK(contains(refusal(with_attribute(type, -1, "Anna")), "'owner' claims to have 4294967295 bytes"));
+  }
+  CHECK(contains(refusal(with_attribute("stringvector", 8, bytes_of(2147483647) + "Anna")), "2147483647 bytes"));
+
+  // A table of where each block of lines begins.
+  std::string tall = whole;
+  for (char const* const window : {"dataWindow", "displayWindow"}) {
+    std::size_t const value = tall.find(window) + std::strlen(window) + 1 + std::strlen("box2i") + 1 + 4;
+    tall.replace(value + 12, 4, bytes_of(2147483646));
+  }
+  CHECK(contains(refusal(tall), "9 x 2147483647 pixels in"));
+  std::string const tiles = "tiles" + std::string(1, '\0') + "tiledesc" + std::string(1, '\0') + bytes_of(9) +
+                            bytes_of(1) + bytes_of(1) + std::string(1, '\0');
+  CHECK(contains(refusal(std::string(tall).insert(8, tiles)), "9 x 2147483647 pixels in 19327352823 blocks"));
 }
 
 TEST_CASE("values that are no light are counted, and the first is named", "[unit][environment]") {

@@ -8,6 +8,7 @@
 #include <OpenEXR/ImfOutputPart.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfStringVectorAttribute.h>
 #include <half.h>
 
 #include <random>
@@ -25,6 +26,7 @@ std::string foreign_file() {
   Imf::Header header(Imath::Box2i({0, 0}, {9, 9}), Imath::Box2i({4, -1}, {6, 0}));
   header.compression() = Imf::PIZ_COMPRESSION;
   header.insert("owner", Imf::StringAttribute("somebody"));
+  header.insert("views", Imf::StringVectorAttribute({"left", "", "right"}));
   header.insert("lichtraumFingerprint", Imf::StringAttribute("abc"));
   std::vector<half> halves(6);
   std::vector<float> floats(6);

@@ -48,8 +48,9 @@ bool decode_jpeg(std::string_view bytes, TextureImage& image, std::string& reaso
     return false;
   }
   if (!allocate(image, width, height, reason)) return false;
-  int const result =
-      tjDecompress2(decoder.get(), data, bytes.size(), image.rgba.data(), width, 0, height, TJPF_RGBA, 0);
+  // A progressive picture can go over all its pixels once for every 12 bytes of its file: 500 times are allowed.
+  int const result = tjDecompress2(decoder.get(), data, bytes.size(), image.rgba.data(), width, 0, height, TJPF_RGBA,
+                                   TJFLAG_LIMITSCANS);
   if (result == 0 || tjGetErrorCode(decoder.get()) == TJERR_WARNING) return true;  // cut off: what is there is shown
   reason = tjGetErrorStr2(decoder.get());
   return false;

@@ -1,42 +1,20 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <fmt/format.h>
 
 #include <array>
 #include <cstring>
-#include <stdexcept>
 
 #include "core/printable.hpp"
+#include "io/image/check_exr.hpp"
 #include "io/image/environment_decoders.hpp"
+#include "io/image/exr_streams.hpp"
 #include "lichtraum/error.hpp"
 
 namespace lichtraum {
 namespace {
-
-/// A file in memory.
-class BytesStream final : public Imf::IStream {
- public:
-  explicit BytesStream(std::string_view bytes) : IStream("environment.exr"), bytes_(bytes) {}
-
-  bool read(char data[], int size) override {
-    if (std::size_t(size) > bytes_.size() - position_) throw std::runtime_error("the file ends early");
-    std::memcpy(data, bytes_.data() + position_, std::size_t(size));
-    position_ += std::size_t(size);
-    return position_ < bytes_.size();
-  }
-  std::uint64_t tellg() override { return position_; }
-  void seekg(std::uint64_t position) override {
-    if (position > bytes_.size()) throw std::runtime_error("the file ends early");
-    position_ = std::size_t(position);
-  }
-
- private:
-  std::string_view bytes_;
-  std::size_t position_ = 0;
-};
 
 /// The channels of red, green and blue.
 std::array<char const*, 3> channels_of(EnvironmentFile const& file, Imf::ChannelList const& list) {
@@ -50,7 +28,8 @@ std::array<char const*, 3> channels_of(EnvironmentFile const& file, Imf::Channel
 }
 
 EnvironmentMap decode(EnvironmentFile const& file) {
-  BytesStream stream(file.bytes);
+  check_exr_header(file.bytes, file.bytes.size());
+  StringInput stream(file.bytes);
   Imf::InputFile input(stream, 0);
   Imf::Header const& header = input.header();
   auto const window = header.dataWindow();

@@ -5,9 +5,11 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
+#include <fstream>
 #include <list>
 #include <optional>
 
+#include "io/image/check_exr.hpp"
 #include "io/image/encoders.hpp"
 #include "io/image/exr_streams.hpp"
 #include "lichtraum/error.hpp"
@@ -16,6 +18,11 @@ namespace lichtraum {
 
 std::string read_exr_fingerprint(std::filesystem::path const& path) {
   try {
+    std::string beginning(1 << 16, '\0');  // our own headers are shorter
+    std::ifstream stream(path, std::ios::binary);
+    stream.read(beginning.data(), std::streamsize(beginning.size()));
+    beginning.resize(std::size_t(stream.gcount()));
+    check_exr_header(beginning, std::filesystem::file_size(path));
     Imf::InputFile file(path.c_str(), 1);
     auto const* const fingerprint = file.header().findTypedAttribute<Imf::StringAttribute>(exr_fingerprint_key);
     if (!fingerprint || !file.isComplete()) return {};

@@ -14,6 +14,7 @@
 #include <map>
 
 #include "core/memory.hpp"
+#include "io/image/check_exr.hpp"
 #include "io/image/exr_streams.hpp"
 #include "lichtraum/error.hpp"
 
@@ -93,6 +94,7 @@ struct ExrLayers::Contents {
 
 ExrLayers::ExrLayers(std::string const& bytes, std::string const& name) : contents_(std::make_unique<Contents>()) {
   try {
+    check_exr_header(bytes, bytes.size());
     StringInput counted(bytes);
     int const parts = Imf::MultiPartInputFile(counted, 0).parts();
     if (parts != 1) {

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 /// OpenEXR files in memory.
 
@@ -38,11 +39,11 @@ class StringOutput final : public Imf::OStream {
 /// `bytes` must outlive it.
 class StringInput final : public Imf::IStream {
  public:
-  explicit StringInput(std::string const& bytes) : IStream("picture.exr"), bytes_(bytes) {}
+  explicit StringInput(std::string_view bytes) : IStream("picture.exr"), bytes_(bytes) {}
 
   bool read(char data[], int size) override {
     if (size < 0 || position_ > bytes_.size() || std::size_t(size) > bytes_.size() - position_) {
-      throw std::runtime_error("it is cut short");
+      throw std::runtime_error("the file ends early");
     }
     std::memcpy(data, bytes_.data() + position_, std::size_t(size));
     position_ += std::size_t(size);
@@ -52,7 +53,7 @@ class StringInput final : public Imf::IStream {
   void seekg(std::uint64_t position) override { position_ = position; }
 
  private:
-  std::string const& bytes_;
+  std::string_view bytes_;
   std::size_t position_ = 0;
 };
 

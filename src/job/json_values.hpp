@@ -62,6 +62,8 @@ struct Whole {
     return json.get<Integer>();
   }
 };
+template <class Integer>
+Whole(Integer, Integer) -> Whole<Integer>;
 
 /// One of a few numbers.
 struct Choice {

@@ -2,11 +2,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <deque>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <thread>
 
 #include "lichtraum/gltf.hpp"
 #include "scene/flatten.hpp"
@@ -53,8 +55,14 @@ std::string outcome_of(fs::path const& path) {
   }
 }
 
-/// The same in a process of its own that may use ten seconds and a gigabyte; how that ended, if not well.
-std::string outcome_in_child(fs::path const& path) {
+/// A process that finds out the same, and may use ten seconds and a gigabyte.
+struct Child {
+  std::string path;
+  pid_t process;
+  int outcome;  // a pipe's end
+};
+
+Child start_child(fs::path const& folder, std::string const& path) {
   int ends[2];
   REQUIRE(::pipe(ends) == 0);
   pid_t const child = ::fork();
@@ -66,17 +74,23 @@ std::string outcome_in_child(fs::path const& path) {
     rlimit const time{10, 10};
     ::setrlimit(RLIMIT_CPU, &time);
 #endif
-    std::string const outcome = outcome_of(path);
+    std::string const outcome = outcome_of(folder / path);
     [[maybe_unused]] auto const written = ::write(ends[1], outcome.data(), outcome.size());
     ::_exit(0);
   }
   ::close(ends[1]);
+  return {path, child, ends[0]};
+}
+
+/// What it found, or how it ended, if not well.
+std::string outcome_of(Child const& child) {
   std::string outcome;
   char buffer[256];
-  for (ssize_t count; (count = ::read(ends[0], buffer, sizeof buffer)) > 0;) outcome.append(buffer, std::size_t(count));
-  ::close(ends[0]);
+  for (ssize_t count; (count = ::read(child.outcome, buffer, sizeof buffer)) > 0;)
+    outcome.append(buffer, std::size_t(count));
+  ::close(child.outcome);
   int status = 0;
-  ::waitpid(child, &status, 0);
+  ::waitpid(child.process, &status, 0);
   if (WIFSIGNALED(status)) return "killed by signal " + std::to_string(WTERMSIG(status));
   return WEXITSTATUS(status) == 0 ? outcome : "exited with " + std::to_string(WEXITSTATUS(status));
 }
@@ -91,10 +105,16 @@ TEST_CASE("every model of the corpus ends as it did: drawn, drawn with warnings,
   std::map<std::string, std::string> found;
   std::string line;
   std::getline(index, line);
+  std::deque<Child> children;
+  auto const finish_first = [&] {
+    found[children.front().path] = outcome_of(children.front());
+    children.pop_front();
+  };
   while (std::getline(index, line)) {
-    std::string const path = split(line).at(1);
-    found[path] = outcome_in_child(folder / path);
+    if (children.size() >= std::thread::hardware_concurrency()) finish_first();
+    children.push_back(start_child(folder, split(line).at(1)));
   }
+  while (!children.empty()) finish_first();
   REQUIRE(found.size() > 1000);
 
   std::map<std::string, std::string> recorded;

@@ -54,6 +54,7 @@ struct ModelContents {
   };
   std::vector<Extension> extensions;  ///< used ones
   std::vector<Animation> animations;
+  std::optional<std::size_t> animation;  ///< which of them poses are of
   std::vector<std::string> scenes;
   std::vector<std::string> variants;  ///< of materials
 };

@@ -36,6 +36,7 @@ struct Scene {
   Registry<Light> lights;
   bool has_own_lights = true;  ///< false: a model without any, which was given some to be seen by
   Registry<Camera> cameras;
+  bool has_own_cameras = true;  ///< false: a model without any, which was given one that shows all of it
   std::optional<EnvironmentLight> environment;
   Rgb background{0};                     ///< what a ray sees that hits nothing
   ToneMap tone_map = ToneMap::none;      ///< what `automatic` means for this scene

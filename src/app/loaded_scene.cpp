@@ -2,14 +2,24 @@
 
 namespace lichtraum::app {
 
-LoadedScene::LoadedScene(GltfAnimation animation, std::vector<double> times_seconds, std::function<void(Scene&)> adjust)
+LoadedScene::LoadedScene(GltfAnimation animation, std::optional<double> time_seconds, std::vector<double> times_seconds,
+                         std::function<void(Scene&)> adjust)
     : content_([&] {
         AnimatedModel model{std::move(animation), std::move(times_seconds), std::move(adjust), {}};
-        model.first = model.pose(model.times_seconds.at(0));
+        model.first = model.pose(model.times_seconds.empty() ? time_seconds : model.times_seconds.front());
         return model;
       }()) {}
 
-Model LoadedScene::AnimatedModel::pose(double time_seconds) {
+bool LoadedScene::can_be_posed() const {
+  auto const* animated = std::get_if<AnimatedModel>(&content_);
+  return animated && animated->first.contents.animation;
+}
+
+Scene LoadedScene::pose(double time_seconds) {
+  return std::move(std::get<AnimatedModel>(content_).pose(time_seconds).scene);
+}
+
+Model LoadedScene::AnimatedModel::pose(std::optional<double> time_seconds) {
   Model model = animation.pose(time_seconds);
   if (adjust) adjust(model.scene);
   return model;
@@ -37,7 +47,7 @@ std::vector<double> const& LoadedScene::times_seconds() const {
 }
 
 void LoadedScene::play(std::function<bool(Scene const&, std::size_t)> const& draw) {
-  if (auto* const animated = std::get_if<AnimatedModel>(&content_)) {
+  if (auto* const animated = std::get_if<AnimatedModel>(&content_); animated && !animated->times_seconds.empty()) {
     for (std::size_t i = 0; i < animated->times_seconds.size(); ++i) {
       bool const goes_on =
           i == 0 ? draw(animated->first.scene, i) : draw(animated->pose(animated->times_seconds[i]).scene, i);

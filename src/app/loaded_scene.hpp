@@ -23,6 +23,7 @@ struct LoadOptions {
   /// A picture of a model's animation at each; empty: one, see ModelChoice::time_seconds.
   std::vector<double> times_seconds;
   std::optional<double> whole_animation_rate;  ///< a model's whole animation, at that many pictures a second
+  bool is_posed_later = false;                 ///< see LoadedScene::pose
 };
 
 /// What a scene file or a model file became.
@@ -30,8 +31,10 @@ class LoadedScene {
  public:
   explicit LoadedScene(EsdfScript script) : content_(std::move(script)) {}
   explicit LoadedScene(Model model) : content_(std::move(model)) {}
-  /// A model at several times (at least one). `adjust` changes the scene of each; may be empty.
-  LoadedScene(GltfAnimation animation, std::vector<double> times_seconds, std::function<void(Scene&)> adjust);
+  /// A model at several times, or, without any, as it is at `time_seconds`. `adjust` changes the scene of each; may be
+  /// empty.
+  LoadedScene(GltfAnimation animation, std::optional<double> time_seconds, std::vector<double> times_seconds,
+              std::function<void(Scene&)> adjust);
 
   /// What a model file holds beside its scene; null for a scene file.
   ModelContents const* contents() const { return is_model() ? &model().contents : nullptr; }
@@ -46,6 +49,12 @@ class LoadedScene {
   /// once at the end for a file that asks for none. `draw` returns false to stop.
   void play(std::function<bool(Scene const&, std::size_t)> const& draw);
 
+  /// Whether there is an animation that `pose` goes through.
+  bool can_be_posed() const;
+  /// The model at another time: with the same materials, and with geometry that is not deformed. Exceptions as
+  /// GltfAnimation::pose. Only where can_be_posed().
+  Scene pose(double time_seconds);
+
  private:
   struct AnimatedModel {
     GltfAnimation animation;
@@ -53,7 +62,7 @@ class LoadedScene {
     std::function<void(Scene&)> adjust;
     Model first;
 
-    Model pose(double time_seconds);
+    Model pose(std::optional<double> time_seconds);
   };
   Model const& model() const;
 

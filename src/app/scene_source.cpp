@@ -118,14 +118,15 @@ LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& gi
   ModelOptions model{reading.model, reading.allowed_paths, nullptr, options.on_read};
   bool const is_sequence = !options.times_seconds.empty() || options.whole_animation_rate;
   if (is_sequence && !is_gltf) model.time_seconds = 0;  // for the warning that it has no effect
-  if (!is_sequence || !is_gltf) {
+  if (!is_gltf || !(is_sequence || options.is_posed_later)) {
     return adjusted(bytes_ ? import_model_bytes(*bytes_, name_, model) : import_model(name_, model));
   }
   GltfAnimation animation = bytes_ ? GltfAnimation(*bytes_, name_, model) : GltfAnimation(name_, model);
+  if (!is_sequence) return LoadedScene(std::move(animation), reading.model.time_seconds, {}, adjust);
   std::vector<double> times = options.times_seconds;
   if (times.empty()) times = whole_animation(animation.duration_seconds(), *options.whole_animation_rate, name_);
   if (times.empty()) return adjusted(animation.pose(std::nullopt));
-  return LoadedScene(std::move(animation), std::move(times), adjust);
+  return LoadedScene(std::move(animation), std::nullopt, std::move(times), adjust);
 }
 
 }  // namespace lichtraum::app

@@ -22,6 +22,7 @@ void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& sce
   Bounds const box = fold_bounds(scene.roots()).total();
   scene.cameras.insert(frame_box("default", box));
   scene.has_own_lights = false;
+  scene.has_own_cameras = false;
   for (Light& light : studio_lights(box, three_quarter_view.azimuth_degrees)) scene.lights.insert(std::move(light));
 }
 

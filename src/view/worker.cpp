@@ -25,6 +25,7 @@ app::LoadOptions observed_by(FileWatch& files) {
   options.on_read = [&files](std::filesystem::path const& file) { files.add(file); };
   options.models = make_model_cache();
   options.environments = std::make_shared<app::EnvironmentMaps>();
+  options.is_posed_later = true;
   return options;
 }
 
@@ -128,6 +129,7 @@ void Worker::work(std::stop_token const& stop) {
     while (!stop.stop_requested()) {
       look_at_files();
       if (change_source() || files_have_changed_) load(*renderer);
+      apply_pose(*renderer);
       apply_edits(*renderer);
       develop_again(*renderer);
       look_at_pixel(*renderer);
@@ -146,10 +148,14 @@ void Worker::work(std::stop_token const& stop) {
 
 bool Worker::change_source() {
   std::lock_guard const lock(mutex_);
-  if (!new_file_) return false;
-  source_ = app::SceneSource(*std::exchange(new_file_, std::nullopt));
-  job_ = source_.job(options_.job);
-  return true;
+  auto const animation = std::exchange(new_animation_, std::nullopt);
+  if (new_file_) {
+    source_ = app::SceneSource(*std::exchange(new_file_, std::nullopt));
+    job_ = source_.job(options_.job);
+    return true;
+  }
+  if (animation) job_.reading.model.animation = std::to_string(*animation);
+  return animation.has_value();
 }
 
 void Worker::look_at_files() {
@@ -165,11 +171,12 @@ void Worker::load(Renderer& renderer) {
   files_.begin();
   try {
     app::Stopwatch const stopwatch;
-    auto const loaded_scene = std::make_shared<app::LoadedScene const>(source_.load(job_.reading, load_options_));
+    auto const loaded_scene = std::make_shared<app::LoadedScene>(source_.load(job_.reading, load_options_));
     app::LoadedScene const& loaded = *loaded_scene;
     SceneView scene;
     scene.file = source_.name();
     scene.loaded = loaded_scene;
+    scene.time_seconds = job_.reading.model.time_seconds;
     scene.objects = std::make_shared<DrawnObjects const>(loaded.scene(), job_.root);
     scene.values = SceneValues(loaded.scene(), *scene.objects);
     scene.number = ++scene_number_;
@@ -179,10 +186,14 @@ void Worker::load(Renderer& renderer) {
     development_ = development_of(job, loaded.scene());
     denoising_ = decided(job_.denoising, scene.request.integrator);
     scene.development = development_;
+    scene.has_own_cameras = loaded.scene().has_own_cameras;
     scene.cameras.assign(loaded.scene().cameras.begin(), loaded.scene().cameras.end());
     scene.bounds = bounds_of_interest(loaded.scene(), job_.root, scene.request.camera);
     prepared_ = renderer.prepare(loaded.scene(), job_.root, prepared_);
     scene_statistics_ = renderer.set_scene(prepared_);
+    loaded_ = loaded_scene;
+    loaded_job_ = std::move(job);
+    has_edits_ = false;
     console_.show(loaded.diagnostics());
     console_.detail(fmt::format("{}: ready after {:.1f} ms", source_.name(), stopwatch.milliseconds()));
     std::lock_guard const lock(mutex_);
@@ -210,7 +221,9 @@ void Worker::apply_edits(Renderer& renderer) {
     edits.swap(edits_);
   }
   if (!edits || edits->scene_number != scene_number_) return;
-  renderer.set_scene(renderer.edit(prepared_, edits->edits));
+  edits_in_place_ = std::move(edits->edits);
+  has_edits_ = true;
+  renderer.set_scene(renderer.edit(prepared_, edits_in_place_));
   film_ = {};
 }
 

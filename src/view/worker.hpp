@@ -32,11 +32,13 @@ struct SceneView {
   std::string file;
   RenderRequest request;  ///< through the camera that comes first
   std::vector<Camera> cameras;
-  Bounds bounds;  ///< of what is of interest; empty when nothing is drawn
+  bool has_own_cameras = true;  ///< as Scene::has_own_cameras
+  Bounds bounds;                ///< of what is of interest; empty when nothing is drawn
   std::shared_ptr<DrawnObjects const> objects;
   SceneValues values;
   Development development;                         ///< as the scene has its picture
   std::shared_ptr<app::LoadedScene const> loaded;  ///< keeps what both of them point to
+  std::optional<double> time_seconds;              ///< of a model's pose; nothing: as its nodes stand
   unsigned number = 0;                             ///< one more each time it is read
 };
 
@@ -44,6 +46,15 @@ struct SceneView {
 struct Marking {
   Resolution size;
   std::vector<unsigned char> pixels;  ///< see outline_pixels
+};
+
+/// What another time of an animation changes besides the picture.
+struct PosedView {
+  unsigned scene_number = 0;
+  double time_seconds = 0;
+  RenderRequest request;  ///< through the camera that comes first
+  std::vector<Camera> cameras;
+  Bounds bounds;  ///< as SceneView::bounds
 };
 
 /// What was found under a pixel.
@@ -65,6 +76,11 @@ class Worker {
 
   /// Reads another file from now on. What was seen stays until it is there, and where it cannot be read.
   void open(std::filesystem::path const& file);
+  /// Poses scene `number`, whose `loaded` can be posed, as its animation has it at that time; the last time that was
+  /// asked for is the one that counts.
+  void pose(unsigned number, double time_seconds);
+  /// Reads the model again with another of its animations.
+  void choose_animation(std::size_t number);
   /// What is looked at from now on. Whatever is traced for an older view is given up.
   void show(RenderRequest const& view);
 
@@ -82,6 +98,7 @@ class Worker {
     std::optional<Look> look;
     std::optional<Marking> marking;
     std::optional<SceneView> scene;      ///< it was read, for the first time or again
+    std::optional<PosedView> posed;      ///< it was posed
     std::optional<std::string> problem;  ///< why it could not be read; empty: it could
     std::string device;
   };
@@ -94,6 +111,7 @@ class Worker {
   /// Whether there is another file to read.
   bool change_source();
   void load(Renderer& renderer);
+  void apply_pose(Renderer& renderer);
   void apply_edits(Renderer& renderer);
   void develop_again(Renderer& renderer);
   void look_at_pixel(Renderer& renderer);
@@ -120,7 +138,11 @@ class Worker {
   FileWatch files_;
   app::LoadOptions load_options_;
   SceneStatistics scene_statistics_;
-  std::shared_ptr<PreparedScene const> prepared_;  // as it was read
+  std::shared_ptr<app::LoadedScene> loaded_;
+  Job loaded_job_;                                 // that of loaded_, with its integrator
+  std::shared_ptr<PreparedScene const> prepared_;  // as it was read, or posed
+  SceneEdits edits_in_place_;                      // of it
+  bool has_edits_ = false;
   unsigned scene_number_ = 0;
   std::string shown_file_;
   bool is_fine_ = false;  // the picture that is shown has a ray for each pixel
@@ -147,6 +169,12 @@ class Worker {
     SceneEdits edits;
   };
   std::optional<Edits> edits_;  // to be applied
+  struct Pose {
+    unsigned scene_number;
+    double time_seconds;
+  };
+  std::optional<Pose> pose_;  // to be taken
+  std::optional<std::size_t> new_animation_;
   std::optional<Development> new_development_;
   struct Pixel {
     int x, y;

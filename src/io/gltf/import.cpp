@@ -123,13 +123,14 @@ struct GltfAnimation::State {
       contents = describe_contents(document.model, accessors);
     }
     result.contents = *contents;
+    if (animation) result.contents.animation = std::size_t(*animation);
     return result;
   }
 
   void add_view(NodeTree const& tree, Scene& scene) {
     Bounds const box = fold_bounds(scene.roots()).total();
     for (Camera& camera : read_cameras(document.model, tree, findings)) scene.cameras.insert(std::move(camera));
-    bool const has_camera = !scene.cameras.empty();
+    bool const has_camera = scene.has_own_cameras = !scene.cameras.empty();
     if (!has_camera) scene.cameras.insert(frame_box("default", box));
     std::vector<Light> lights = read_lights(document.model, tree, box, findings);
     scene.has_own_lights = !lights.empty();

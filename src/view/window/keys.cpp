@@ -8,6 +8,9 @@ void draw_keys() {
   ImGui::Begin("keys", nullptr, overlay | ImGuiWindowFlags_NoInputs);
   ImGui::TextUnformatted(
       "left button, arrows    turn around the scene\n"
+      "Space                  play an animation, or pause it;\n"
+      "Left, Right, Home      its frames one by one, its start\n"
+      "                       (Shift and arrows turn it then)\n"
       "right button, shift    move sideways\n"
       "a click                select what is there\n"
       "wheel, + -             nearer, farther\n"

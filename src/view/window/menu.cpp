@@ -37,6 +37,12 @@ constexpr Entry view_entries[] = {
     {"Objects", "O", 'o'},
     {"Hide this panel", "Tab", 0, GLFW_KEY_TAB},
 };
+constexpr Entry animation_entries[] = {
+    {"Play, or pause", "Space", 0, GLFW_KEY_SPACE},
+    {"Next frame", "Right", 0, GLFW_KEY_RIGHT},
+    {"Frame before", "Left", 0, GLFW_KEY_LEFT},
+    {"Start", "Home", 0, GLFW_KEY_HOME},
+};
 constexpr Entry help_entries[] = {{"Keys and mouse", "?", '?'}};
 
 template <std::size_t count>
@@ -56,10 +62,11 @@ void draw_menu(char const* name, Entry const (&entries)[count], Graphics& graphi
 
 }  // namespace
 
-void draw_menus(Graphics& graphics) {
+void draw_menus(Graphics& graphics, bool has_animation) {
   if (!ImGui::BeginMenuBar()) return;
   draw_menu("File", file_entries, graphics);
   draw_menu("View", view_entries, graphics);
+  if (has_animation) draw_menu("Animation", animation_entries, graphics);
   draw_menu("Help", help_entries, graphics);
   ImGui::EndMenuBar();
 }

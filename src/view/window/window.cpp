@@ -67,6 +67,8 @@ void Window::run() {
     open_dropped();
     handle_mouse();
     handle_keys();
+    advance_animation();
+    if (playback_.is_playing()) draws_due = std::max(draws_due, 1);
     if (camera_ && picture_size() != shown_size_) show();
     draw();
     ImGui::Render();
@@ -82,7 +84,11 @@ bool Window::take_news() {
   if (!news.device.empty()) device_ = news.device;
   if (news.problem) {
     problem_ = *news.problem;
-    if (!problem_.empty()) console_.data(problem_ + "\n");
+    is_pose_awaited_ = false;
+    if (!problem_.empty()) {
+      playback_.pause();
+      console_.data(problem_ + "\n");
+    }
     skip(problem_);
   }
   if (news.scene) {
@@ -96,11 +102,13 @@ bool Window::take_news() {
     }
     glfwSetWindowTitle(graphics_->window, ("lichtraum - " + scene_.file).c_str());
     panel_.set_scene(scene_);
+    begin_animation();
     focus_ = focus_of(scene_.request.camera, center_of_interest());
     mark_selection();  // of nothing: what was selected was of the scene before
     if (!is_moved_) camera_.emplace(scene_.request.camera, center_of_interest(), scene_.request.resolution);
     show();
   }
+  if (news.posed && news.posed->scene_number == scene_.number) take_pose(std::move(*news.posed));
   if (news.frame) {
     frame_ = std::move(*news.frame);
     graphics_->picture.upload(frame_->image.size(), frame_->pixels);
@@ -116,7 +124,7 @@ bool Window::take_news() {
       show();
     }
   }
-  return news.look || news.marking || news.frame || news.problem || news.scene;
+  return news.look || news.marking || news.frame || news.problem || news.scene || news.posed;
 }
 
 void Window::skip(std::string const& problem) {
@@ -261,6 +269,7 @@ void Window::draw() {
   if (frame_) add(graphics_->picture);
   if (has_marking_) add(graphics_->marking);
   if (is_panel_open_) draw_panel();
+  if (is_panel_open_) draw_time_line();
   if (is_help_open_) draw_keys();
   if (!problem_.empty()) {
     ImGui::SetNextWindowPos({left + 8, area.y - 8}, ImGuiCond_Always, {0, 1});
@@ -282,7 +291,8 @@ void Window::draw_panel() {
   ImGui::Begin("statistics", nullptr, overlay | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::TextUnformatted(statistics().c_str());
   ImGui::End();
-  Panel::Changes const changes = panel_.draw(panel_width(), [this] { draw_menus(*graphics_); });
+  Panel::Changes const changes =
+      panel_.draw(panel_width(), [this] { draw_menus(*graphics_, playback_.duration() > 0); });
   if (!changes.copied.empty()) copy(changes.copied);
   if (changes.values) worker_->edit(scene_.number, panel_.values().edits());
   if (changes.development) worker_->develop(panel_.development);

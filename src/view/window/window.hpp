@@ -8,6 +8,7 @@
 #include "app/view_options.hpp"
 #include "view/folder_files.hpp"
 #include "view/orbit_camera.hpp"
+#include "view/playback.hpp"
 #include "view/window/graphics.hpp"
 #include "view/window/panel.hpp"
 #include "view/worker.hpp"
@@ -41,6 +42,12 @@ class Window {
   void skip(std::string const& problem);
   void open_dropped();
   void step(int direction);
+  /// What the clock, the keys and the time line do to an animation.
+  void begin_animation();
+  void advance_animation();
+  void handle_animation_key(int key);
+  void draw_time_line();
+  void take_pose(PosedView posed);
   void choose_camera(std::size_t number);
   /// As it is now: where it was moved, with the lens that the panel gives it.
   Camera camera_seen_through() const;
@@ -79,6 +86,9 @@ class Window {
   bool is_help_open_ = false;
   bool is_panel_open_ = true;
   Panel panel_;
+  Playback playback_;
+  double posed_time_ = 0;           // asked for last
+  bool is_pose_awaited_ = false;    // the next is asked for when this one is there
   bool has_marking_ = false;        // of the current view
   double dragged_ = 0;              // pixels, since the left button was pressed on the picture; negative: elsewhere
   std::unique_ptr<Worker> worker_;  // last: it is ended first

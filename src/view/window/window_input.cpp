@@ -61,6 +61,11 @@ void Window::handle_keys() {
     if (key == GLFW_KEY_PAGE_DOWN) step(1);
     if (key == GLFW_KEY_PAGE_UP) step(-1);
     if (key == GLFW_KEY_TAB) is_panel_open_ = !is_panel_open_;
+    bool const is_sideways = key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT;
+    if (playback_.duration() > 0 && !ImGui::GetIO().KeyShift) {
+      handle_animation_key(key);
+      if (is_sideways) continue;
+    }
     double const right = key == GLFW_KEY_RIGHT ? step_degrees : key == GLFW_KEY_LEFT ? -step_degrees : 0;
     double const up = key == GLFW_KEY_UP ? step_degrees : key == GLFW_KEY_DOWN ? -step_degrees : 0;
     if (!camera_ || (right == 0 && up == 0)) continue;

@@ -1,0 +1,96 @@
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "view/window/keys.hpp"
+#include "view/window/window.hpp"
+
+// How a Window plays the animation of a model.
+
+namespace lichtraum::view {
+namespace {
+
+std::string label_of(ModelContents::Animation const& animation, std::size_t number) {
+  return animation.name.empty() ? fmt::format("animation {}", number) : animation.name;
+}
+
+}  // namespace
+
+void Window::begin_animation() {
+  bool const was_playing = playback_.is_playing();
+  is_pose_awaited_ = false;
+  playback_ = {};
+  ModelContents const* const contents = scene_.loaded->contents();
+  if (!contents || !contents->animation || !scene_.loaded->can_be_posed()) return;
+  playback_ = Playback(contents->animations[*contents->animation].seconds, scene_.time_seconds.value_or(0));
+  posed_time_ = playback_.time();
+  if (was_playing) playback_.play(glfwGetTime());
+}
+
+void Window::advance_animation() {
+  playback_.advance(glfwGetTime());
+  if (is_pose_awaited_ || playback_.time() == posed_time_) return;
+  posed_time_ = playback_.time();
+  is_pose_awaited_ = true;
+  worker_->pose(scene_.number, posed_time_);
+}
+
+void Window::take_pose(PosedView posed) {
+  is_pose_awaited_ = false;
+  scene_.request = std::move(posed.request);
+  scene_.cameras = std::move(posed.cameras);
+  scene_.bounds = posed.bounds;
+  has_marking_ = false;
+  if (is_moved_ || !scene_.has_own_cameras) return;
+  look_through(scene_.request.camera, scene_.request.resolution);
+  show();
+}
+
+void Window::handle_animation_key(int key) {
+  double const frame_rate = options_.render.frame_rate();
+  if (key == GLFW_KEY_SPACE && playback_.is_playing()) {
+    playback_.pause();
+  } else if (key == GLFW_KEY_SPACE) {
+    playback_.play(glfwGetTime());
+  }
+  if (key == GLFW_KEY_RIGHT) playback_.step(1, frame_rate);
+  if (key == GLFW_KEY_LEFT) playback_.step(-1, frame_rate);
+  if (key == GLFW_KEY_HOME) playback_.go_to(0);
+}
+
+void Window::draw_time_line() {
+  if (playback_.duration() == 0) return;
+  ModelContents const& contents = *scene_.loaded->contents();
+  ImVec2 const area = ImGui::GetIO().DisplaySize;
+  float const left = panel_width(), width = area.x - left;
+  ImGui::SetNextWindowPos({left + width / 2, area.y - 8}, ImGuiCond_Always, {0.5f, 1});
+  ImGui::SetNextWindowBgAlpha(0.6f);
+  ImGui::Begin("time line", nullptr, overlay);
+  if (ImGui::Button(playback_.is_playing() ? "pause" : "play ", {48, 0})) handle_animation_key(GLFW_KEY_SPACE);
+  ImGui::SameLine();
+  float time = float(playback_.time());
+  std::string const shown = fmt::format("%.2f of {:.2f} s", playback_.duration());
+  bool const are_several = contents.animations.size() > 1;
+  ImGui::SetNextItemWidth(std::clamp(width - (are_several ? 230 : 110), 60.0f, 400.0f));
+  if (ImGui::SliderFloat("##time", &time, 0, float(playback_.duration()), shown.c_str())) playback_.go_to(double(time));
+  if (are_several) {
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(110);
+    if (ImGui::BeginCombo("##animation",
+                          label_of(contents.animations[*contents.animation], *contents.animation).c_str())) {
+      for (std::size_t i = 0; i < contents.animations.size(); ++i) {
+        ImGui::PushID(int(i));
+        if (ImGui::Selectable(label_of(contents.animations[i], i).c_str(), i == *contents.animation)) {
+          worker_->choose_animation(i);
+        }
+        ImGui::PopID();
+      }
+      ImGui::EndCombo();
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace lichtraum::view

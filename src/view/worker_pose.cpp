@@ -1,0 +1,48 @@
+#include "view/problem_text.hpp"
+#include "view/worker.hpp"
+
+// How a Worker poses an animated model.
+
+namespace lichtraum::view {
+
+void Worker::pose(unsigned number, double time_seconds) {
+  std::lock_guard const lock(mutex_);
+  pose_ = Pose{number, time_seconds};
+  has_question_ = true;
+  changed_.notify_all();
+}
+
+void Worker::choose_animation(std::size_t number) {
+  std::lock_guard const lock(mutex_);
+  new_animation_ = number;
+  has_question_ = true;
+  changed_.notify_all();
+}
+
+void Worker::apply_pose(Renderer& renderer) {
+  std::optional<Pose> pose;
+  {
+    std::lock_guard const lock(mutex_);
+    pose.swap(pose_);
+  }
+  if (!pose || pose->scene_number != scene_number_ || !loaded_->can_be_posed()) return;
+  try {
+    Scene const scene = loaded_->pose(pose->time_seconds);
+    PosedView posed{scene_number_, pose->time_seconds, view_of(loaded_job_, scene), {}, {}};
+    posed.cameras.assign(scene.cameras.begin(), scene.cameras.end());
+    posed.bounds = bounds_of_interest(scene, job_.root, posed.request.camera);
+    prepared_ = renderer.prepare(scene, job_.root, prepared_);
+    scene_statistics_ = renderer.set_scene(has_edits_ ? renderer.edit(prepared_, edits_in_place_) : prepared_);
+    film_ = {};
+    std::lock_guard const lock(mutex_);
+    news_.posed = std::move(posed);
+    expect_marking();
+    restart_refinement();
+  } catch (Error const& error) {  // of this pose; the one before is shown still
+    std::lock_guard const lock(mutex_);
+    news_.problem = problem_text(error);
+  }
+  wake_();
+}
+
+}  // namespace lichtraum::view

@@ -1,0 +1,80 @@
+#ifdef LICHTRAUM_HAS_WINDOW
+#include "lichtraum.hpp"
+#include "pictures.hpp"
+#include "support/catch.hpp"
+#include "support/gltf_writer.hpp"
+#include "support/skip.hpp"
+
+namespace {
+
+/// A white square that goes from the left to the right for two seconds, before a camera.
+std::string moving_model() {
+  lichtraum::testing::GltfWriter writer;
+  writer.add_mesh({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0});
+  writer.json["nodes"][0]["translation"] = {-4, 0, 0};
+  writer.json["nodes"].push_back({{"camera", 0}, {"translation", {0, 0, 10}}});
+  writer.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1.2}, {"znear", 0.1}}}}};
+  writer.json["scenes"] = {{{"nodes", {0, 1}}}};
+  int const times = writer.add_accessor<float>("SCALAR", 1, {0, 2});
+  int const places = writer.add_vec3({-4, 0, 0, 4, 0, 0});
+  writer.json["animations"] = {{{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
+                                {"samplers", {{{"input", times}, {"output", places}}}}}};
+  return writer.glb();
+}
+
+/// Where the square is in the picture right of the panel and above the time line: the mean column of bright pixels.
+double column_of_square(DecodedImage const& image) {
+  double sum = 0, count = 0;
+  for (int y = 120; y < 420; ++y) {
+    for (int x = 270; x < 640; ++x) {
+      if (image.at(x, y, 0) < 60) continue;
+      sum += x;
+      ++count;
+    }
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+}  // namespace
+
+TEST_CASE("the window plays an animation, and goes through it frame by frame", "[app][view]") {
+  for (char const* const program : {"Xvfb", "xdotool", "ffmpeg"}) {
+    if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
+  }
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("moving.glb", moving_model());
+  Process process;
+  process.arguments = {LICHTRAUM_SOURCE_DIR "/tests/app/view_animation_in_xvfb.sh", LICHTRAUM_PROGRAM,
+                       lichtraum.folder.path()};
+  process.timeout_seconds = 400;
+  auto const result = run_process(process);
+  std::filesystem::path const artifacts = LICHTRAUM_ARTIFACT_DIR "/view_animation";
+  std::filesystem::create_directories(artifacts);
+  for (auto const& entry : std::filesystem::directory_iterator(lichtraum.folder.path())) {
+    std::error_code ignored;
+    if (entry.path().extension() != ".png") continue;
+    std::filesystem::copy_file(entry.path(), artifacts / entry.path().filename(),
+                               std::filesystem::copy_options::overwrite_existing, ignored);
+  }
+  INFO(result.out + result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(lichtraum.folder.read("exit_code") == "0\n");
+  CHECK(lichtraum.folder.read("log.txt").empty());
+
+  auto const column = [&](std::string const& name) {
+    double const found = column_of_square(decode(lichtraum.folder.read(name + ".png")));
+    INFO(name);
+    REQUIRE(found > 0);
+    return found;
+  };
+  double const opened = column("opened"), stepped = column("stepped"), back = column("back");
+  // Of 50 frames that take it across, so many steps, to half a pixel.
+  CHECK(stepped > opened + 20);
+  CHECK(stepped - back == Approx((stepped - opened) / 10).margin(0.5));
+  CHECK(column("start") == Approx(opened).margin(0.1));
+  CHECK(column("turned") != Approx(opened).margin(1));  // Shift and an arrow move the camera
+  CHECK(column("straight") == Approx(opened).margin(0.1));
+  CHECK(column("paused") != Approx(opened).margin(1));
+  CHECK(column("late") > opened + 150);
+}
+#endif

@@ -8,7 +8,6 @@
 #include "app/stopwatch.hpp"
 #include "lichtraum/turntable.hpp"
 #include "view/display_pixels.hpp"
-#include "view/marking.hpp"
 #include "view/problem_text.hpp"
 
 namespace lichtraum::view {
@@ -63,6 +62,14 @@ void Worker::show(RenderRequest const& view) {
   changed_.notify_all();
 }
 
+void Worker::overlay(Overlays const& overlays) {
+  std::lock_guard const lock(mutex_);
+  overlays_ = overlays;
+  is_new_view_ = true;
+  restart_refinement();
+  changed_.notify_all();
+}
+
 void Worker::edit(unsigned number, SceneEdits edits) {
   std::lock_guard const lock(mutex_);
   edits_ = Edits{number, std::move(edits)};
@@ -76,26 +83,6 @@ void Worker::develop(Development const& development) {
   new_development_ = development;
   has_question_ = true;
   changed_.notify_all();
-}
-
-void Worker::look_at(int x, int y) {
-  std::lock_guard const lock(mutex_);
-  looked_at_ = Pixel{x, y};
-  has_question_ = true;
-  changed_.notify_all();
-}
-
-void Worker::mark(ObjectTree::Objects const& objects) {
-  std::lock_guard const lock(mutex_);
-  marked_ = objects;
-  expect_marking();
-  has_question_ = true;
-  changed_.notify_all();
-}
-
-void Worker::expect_marking() {
-  is_marking_due_ = marked_.count > 0;
-  news_.marking.reset();  // of another view, or of what was selected before
 }
 
 void Worker::restart_refinement() {
@@ -189,6 +176,7 @@ void Worker::load(Renderer& renderer) {
     scene.has_own_cameras = loaded.scene().has_own_cameras;
     scene.cameras.assign(loaded.scene().cameras.begin(), loaded.scene().cameras.end());
     scene.bounds = bounds_of_interest(loaded.scene(), job_.root, scene.request.camera);
+    bounds_ = scene.bounds;
     prepared_ = renderer.prepare(loaded.scene(), job_.root, prepared_);
     scene_statistics_ = renderer.set_scene(prepared_);
     loaded_ = loaded_scene;
@@ -233,70 +221,20 @@ void Worker::develop_again(Renderer& renderer) {
     if (!new_development_) return;
     development_ = *std::exchange(new_development_, std::nullopt);
   }
-  if (shown_.is_empty() || !shown_.planes().has(FilmPlane::radiance)) return;
+  if (shown_.is_empty() || shown_plane_ != FilmPlane::radiance) return;
   Frame frame = frame_;
   frame.image = developed(renderer);
   send(std::move(frame));
 }
 
-void Worker::look_at_pixel(Renderer& renderer) {
-  std::optional<Pixel> pixel;
-  RenderRequest view;
-  {
-    std::lock_guard const lock(mutex_);
-    has_question_ = false;
-    pixel.swap(looked_at_);
-    if (!pixel || !view_) return;
-    view = *view_;
-  }
-  Look look{scene_number_, {}};
-  Resolution const& size = view.resolution;
-  if (pixel->x >= 0 && pixel->y >= 0 && pixel->x < size.width && pixel->y < size.height) {
-    look.seen = lichtraum::look_at_pixel(renderer, view, pixel->x, pixel->y);
-  }
-  {
-    std::lock_guard const lock(mutex_);
-    news_.look = look;
-  }
-  wake_();
-}
-
-void Worker::trace_marking(Renderer& renderer, std::stop_token const& stop) {
-  RenderRequest request;
-  ObjectTree::Objects marked;
-  {
-    std::lock_guard const lock(mutex_);
-    if (!is_marking_due_ || is_new_view_ || !view_) return;
-    is_marking_due_ = false;
-    marked = marked_;
-    request = Refinement::request(*view_, {});
-  }
-  request.planes = {FilmPlane::object};
-  Film film;
-  auto const is_wanted = [&] { return !stop.stop_requested() && !is_new_view_ && marked == marked_; };
-  RenderResult const result = renderer.render(request, film, [&](RenderProgress const&) {
-    std::lock_guard const lock(mutex_);
-    return is_wanted();
-  });
-  Marking marking{request.resolution, outline_pixels(film, marked)};
-  {
-    std::lock_guard const lock(mutex_);
-    if (!result.complete || !is_wanted()) {
-      expect_marking();
-      return;
-    }
-    news_.marking = std::move(marking);
-  }
-  wake_();
-}
-
 Image Worker::developed(Renderer& renderer) const {
-  if (!shown_.planes().has(FilmPlane::radiance)) return show_plane(shown_, shown_.planes().list().front());
+  if (shown_plane_ != FilmPlane::radiance) return show_plane(shown_, shown_plane_);
   return renderer.develop(shown_, development_);
 }
 
 void Worker::send(Frame frame) {
   frame.pixels = display_pixels(frame.image);
+  frame.overlays.draw_on(frame.pixels);
   {
     std::lock_guard const lock(mutex_);
     news_.frame = std::move(frame);
@@ -308,6 +246,8 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
   RenderRequest request;
   Refinement::Pass pass;
   Refinement before;
+  Overlays overlays;
+  FilmPlane shown_plane = FilmPlane::radiance;
   {
     std::lock_guard const lock(mutex_);
     if (!view_) return false;
@@ -316,6 +256,9 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
     if (!next) return false;
     pass = *next;
     request = Refinement::request(*view_, pass);
+    shown_plane = request.planes.list().front();
+    overlays = overlays_;
+    for (FilmPlane const plane : overlays.planes().list()) request.planes.add(plane);
     if (denoising_ != Denoising::off) request.planes = with_guides(request.planes);
     is_new_view_ = false;
   }
@@ -341,9 +284,11 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
   frame_.pass = pass;
   frame_.scene = scene_statistics_;
   frame_.statistics = result.statistics;
+  frame_.overlays = OverlayLayer(overlays, film_, request.camera, bounds_);
+  shown_plane_ = shown_plane;
   Frame frame = frame_;
   app::Stopwatch const stopwatch;
-  if (denoising_ == Denoising::off || !film_.planes().has(FilmPlane::radiance)) {
+  if (denoising_ == Denoising::off || shown_plane != FilmPlane::radiance) {
     shown_ = film_;
   } else {
     Denoiser denoiser([&renderer](NoisyPicture const& picture) { return renderer.filter_noise(picture); });

@@ -13,6 +13,7 @@
 #include "lichtraum/seen_point.hpp"
 #include "view/file_watch.hpp"
 #include "view/object_tree.hpp"
+#include "view/overlays.hpp"
 #include "view/refinement.hpp"
 #include "view/scene_values.hpp"
 
@@ -21,7 +22,8 @@ namespace lichtraum::view {
 /// A picture for the window.
 struct Frame {
   Image image;
-  std::vector<unsigned char> pixels;  ///< the image's, see display_pixels
+  std::vector<unsigned char> pixels;  ///< the image's, see display_pixels, with the overlays on them
+  OverlayLayer overlays;
   Refinement::Pass pass;
   RenderStatistics statistics;
   SceneStatistics scene;
@@ -88,6 +90,8 @@ class Worker {
   void edit(unsigned number, SceneEdits edits);
   /// From now on pictures are developed in this way, also the one that is shown.
   void develop(Development const& development);
+  /// From now on these are drawn over the pictures.
+  void overlay(Overlays const& overlays);
   /// Finds out what is under a pixel of the view.
   void look_at(int x, int y);
   /// Outlines these objects in each view that stays; none when there are none.
@@ -148,8 +152,10 @@ class Worker {
   bool is_fine_ = false;  // the picture that is shown has a ray for each pixel
   Development development_;
   Denoising denoising_ = Denoising::off;
-  Film film_;                // of the last pass; empty when that was given up
-  Film shown_;               // the last that was whole, without noise
+  Film film_;   // of the last pass; empty when that was given up
+  Film shown_;  // the last that was whole, without noise
+  FilmPlane shown_plane_ = FilmPlane::radiance;
+  Bounds bounds_;            // of the scene
   Frame frame_;              // what is known of shown_, but for the picture
   bool is_growing_ = false;  // its samples are the first of the next pass
   std::chrono::steady_clock::time_point files_looked_at_;
@@ -160,6 +166,7 @@ class Worker {
   std::condition_variable changed_;
   std::optional<std::filesystem::path> new_file_;  // to be read
   std::optional<RenderRequest> view_;
+  Overlays overlays_;
   bool is_new_view_ = false;
   bool has_question_ = false;                // what is being traced waits for the answer
   std::optional<double> seconds_per_pixel_;  // of the last passes with one sample a pixel

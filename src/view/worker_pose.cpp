@@ -31,6 +31,7 @@ void Worker::apply_pose(Renderer& renderer) {
     PosedView posed{scene_number_, pose->time_seconds, view_of(loaded_job_, scene), {}, {}};
     posed.cameras.assign(scene.cameras.begin(), scene.cameras.end());
     posed.bounds = bounds_of_interest(scene, job_.root, posed.request.camera);
+    bounds_ = posed.bounds;
     prepared_ = renderer.prepare(scene, job_.root, prepared_);
     scene_statistics_ = renderer.set_scene(has_edits_ ? renderer.edit(prepared_, edits_in_place_) : prepared_);
     film_ = {};

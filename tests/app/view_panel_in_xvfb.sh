@@ -49,9 +49,17 @@ press o
 until_true changed object.png normal.png || exit 1
 press p
 until_true changed picture.png object.png || exit 1
+before=picture.png
+for overlay in g x e; do
+  press $overlay
+  until_true changed overlay_$overlay.png "$before" || exit 1
+  press $overlay
+  until_true changed without_$overlay.png overlay_$overlay.png || exit 1
+  before=without_$overlay.png
+done
 click 92 390 # the materials
 click 52 410  # the only one
-until_true changed materials.png picture.png || exit 1
+until_true changed materials.png "$before" || exit 1
 drag 52 452 2 452 # the red of its kd, by 50 of 255
 until_true changed material.png materials.png || exit 1
 press w

@@ -104,6 +104,12 @@ TEST_CASE("the panel selects objects, changes lights and shows depth, normals an
     CHECK(difference(shot(plane), opened, picture) > 5);
   }
   CHECK(difference(shot("picture"), opened, picture) < 0.1);
+  // What helps to find one's way comes and goes.
+  for (std::string const key : {"g", "x", "e"}) {
+    INFO(key);
+    CHECK(difference(shot("overlay_" + key), opened, picture) > 0.2);
+    CHECK(difference(shot("without_" + key), opened, picture) < 0.1);
+  }
   // Dragging a material's red down by a quarter takes as much from the picture, and no other colour.
   auto const material = shot("material");
   CHECK(material.at(546, 227, 0) < 0.85f * opened.at(546, 227, 0));

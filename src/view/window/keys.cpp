@@ -17,6 +17,7 @@ void draw_keys() {
       "R                      the scene's camera\n"
       "1 ... 9                its other cameras\n"
       "F                      show what is of interest\n"
+      "G, X, E                grid, axes, edges\n"
       "P, D, N, O             picture, depth, normals, objects\n"
       "Page Down, Page Up     next, previous file of the folder\n"
       "a file dropped here    is opened\n"

@@ -35,6 +35,9 @@ constexpr Entry view_entries[] = {
     {"Depth", "D", 'd'},
     {"Normals", "N", 'n'},
     {"Objects", "O", 'o'},
+    {"Grid", "G", 'g'},
+    {"Axes", "X", 'x'},
+    {"Edges", "E", 'e'},
     {"Hide this panel", "Tab", 0, GLFW_KEY_TAB},
 };
 constexpr Entry animation_entries[] = {

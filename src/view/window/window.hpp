@@ -85,6 +85,7 @@ class Window {
   std::string device_;
   bool is_help_open_ = false;
   bool is_panel_open_ = true;
+  Overlays overlays_;
   Panel panel_;
   Playback playback_;
   double posed_time_ = 0;           // asked for last

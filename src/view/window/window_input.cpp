@@ -88,6 +88,12 @@ void Window::handle_character(char32_t character) {
   if (character == 'w') save_edits();
   if (character == 'c') copy_camera();
   if (character == 'f') frame_everything();
+  bool const is_overlay = character == 'g' || character == 'x' || character == 'e';
+  if (is_overlay) {
+    bool& shown = character == 'g' ? overlays_.grid : character == 'x' ? overlays_.axes : overlays_.edges;
+    shown = !shown;
+    worker_->overlay(overlays_);
+  }
   if (character == 'r') {
     look_through(scene_.request.camera, scene_.request.resolution);
     is_moved_ = false;

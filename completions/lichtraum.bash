@@ -72,7 +72,7 @@ _lichtraum() {
         [[ ${COMP_WORDS[1]} == check ]] || options+=' --resume --show'
         ;;
       view)
-        options+=" $language --watch --size --camera $view --root --integrator --samples --depth --clamp --seed --ground --ground=glossy --background"
+        options+=" $language --watch --ui-scale --size --camera $view --root --integrator --samples --depth --clamp --seed --ground --ground=glossy --background"
         options+=' --exposure --tonemap --transfer --denoise --device --traversal --environment --environment-rotation'
         options+=' --environment-brightness'
         ;;

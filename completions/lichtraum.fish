@@ -125,4 +125,5 @@ complete -c lichtraum -n '__fish_seen_subcommand_from explain' \
     -a "(lichtraum explain 2> /dev/null | string replace -rf '^  ([EW]\d+)  ' '\$1\t')"
 
 complete -c lichtraum -n $view -l watch -d 'Read the scene again when it is saved'
+complete -c lichtraum -n $view -l ui-scale -x -a '1 1.5 2 3' -d 'Size of text and widgets'
 complete -c lichtraum -n $view -l size -x -d 'Size of the window'

@@ -124,6 +124,12 @@ FrameRange parse_frames(std::string_view text) {
   return {*first, *last};
 }
 
+double parse_ui_scale(std::string_view text) {
+  auto const scale = number<double>(text);
+  if (!scale || !(*scale >= 0.5 && *scale <= 8)) throw std::invalid_argument("expected a factor from 0.5 to 8");
+  return *scale;
+}
+
 double parse_frame_rate(std::string_view text) {
   auto const rate = number<double>(text);
   if (!rate || !(*rate > 0 && *rate <= 1000)) throw std::invalid_argument("expected frames per second, up to 1000");

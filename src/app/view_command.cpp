@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "app/arguments.hpp"
+#include "app/values.hpp"
 #include "app/view_options.hpp"
 #include "lichtraum/gltf.hpp"
 
@@ -39,6 +40,8 @@ std::unique_ptr<CLI::App> view_parser(ViewOptions& options, Console& console) {
       ->group(group);
   add_value(*parser, "--size", render.job.size, parse_size, "WxH",
             "Size of the window in pixels (default: the\nscene's)", group);
+  add_value(*parser, "--ui-scale", options.ui_scale, parse_ui_scale, "FACTOR",
+            "Size of text and widgets, 0.5 to 8 (default: as\nthe display asks for)", group);
   add_viewpoint_options(*parser, render, group);
   add_environment_options(*parser, render.job.reading.environment);
   add_quality_options(*parser, render, "256");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <CLI/App.hpp>
@@ -14,6 +15,7 @@ struct ViewOptions {
   std::string scene;
   RenderOptions render;
   bool watch = false;
+  std::optional<double> ui_scale;  ///< of text and widgets; nothing: the display's
 };
 
 /// Returns false when only the help was wanted. Throws Error{usage}.

@@ -49,6 +49,31 @@ int outlined(DecodedImage const& image, Area const& area) {
 
 }  // namespace
 
+TEST_CASE("text and widgets grow with the scale that was asked for", "[app][view]") {
+  for (char const* const program : {"Xvfb", "xdotool", "ffmpeg"}) {
+    if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
+  }
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("scene.sdf", scene);
+  Process process;
+  process.arguments = {LICHTRAUM_SOURCE_DIR "/tests/app/view_scale_in_xvfb.sh", LICHTRAUM_PROGRAM,
+                       lichtraum.folder.path()};
+  process.timeout_seconds = 200;
+  auto const result = run_process(process);
+  INFO(result.out + result.err);
+  REQUIRE(result.exit_code == 0);
+  std::filesystem::path const artifacts = LICHTRAUM_ARTIFACT_DIR "/view_scale";
+  std::filesystem::create_directories(artifacts);
+  for (std::string const name : {"opened.png", "chosen.png"}) {
+    std::filesystem::copy_file(std::filesystem::path(lichtraum.folder.path()) / name, artifacts / name,
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+  auto const opened = decode(lichtraum.folder.read("opened.png")), chosen = decode(lichtraum.folder.read("chosen.png"));
+  // The row is where it is at scale 1, twice as far from the corner.
+  CHECK(outlined(opened, {700, 200, 1280, 960}) == 0);
+  CHECK(outlined(chosen, {700, 200, 1280, 960}) > 200);
+}
+
 TEST_CASE("the panel selects objects, changes lights and shows depth, normals and objects", "[app][view]") {
   for (char const* const program : {"Xvfb", "xdotool", "ffmpeg"}) {
     if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");

@@ -6,7 +6,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <filesystem>
 
 #include "lichtraum/error.hpp"
 
@@ -30,7 +32,34 @@ void leave_out_hopeless_platforms() {
 #endif
 }
 
+constexpr float font_height = 13;  // of Dear ImGui's own font, which is made of whole pixels
+
+/// Columns of text are lined up by spaces.
+constexpr char const* monospaced_fonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",  // Debian, Ubuntu
+                                            "/usr/share/fonts/dejavu-sans-mono-fonts/DejaVuSansMono.ttf",  // Fedora
+                                            "/usr/share/fonts/TTF/DejaVuSansMono.ttf",                     // Arch
+                                            "/usr/share/fonts/truetype/liberation/LiberationMono-Regular.ttf"};
+
+/// In pixels.
+void load_font(float height) {
+  ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+  fonts.Clear();
+  if (height == font_height) {
+    fonts.AddFontDefault();
+    return;
+  }
+  for (char const* const file : monospaced_fonts) {
+    std::error_code unknown;
+    if (std::filesystem::exists(file, unknown) && fonts.AddFontFromFileTTF(file, height)) return;
+  }
+  ImFontConfig config;
+  config.SizePixels = height;
+  fonts.AddFontDefault(&config);
+}
+
 }  // namespace
+
+float scaled(float length) { return length * ImGui::GetFontSize() / font_height; }
 
 void ShownPicture::upload(Resolution const& new_size, std::vector<unsigned char> const& pixels) {
   if (texture == 0) glGenTextures(1, &texture);
@@ -61,7 +90,8 @@ Graphics::~Graphics() {
   glfwTerminate();
 }
 
-void Graphics::open(std::string const& title, Resolution const& size) {
+void Graphics::open(std::string const& title, Resolution const& size, std::optional<double> ui_scale) {
+  given_ui_scale_ = ui_scale;
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -91,6 +121,26 @@ void Graphics::open(std::string const& title, Resolution const& size) {
   ImGui::GetIO().IniFilename = nullptr;
   ImGui_ImplGlfw_InitForOpenGL(window, true);
   ImGui_ImplOpenGL3_Init("#version 330");
+  fit_to_display();
+}
+
+void Graphics::fit_to_display() {
+  float content_scale = 1, unused = 1;
+  glfwGetWindowContentScale(window, &content_scale, &unused);
+  int width = 0, height = 0;
+  glfwGetWindowSize(window, &width, &height);
+  // Where a window is measured in larger units than pixels, those are Dear ImGui's.
+  float const pixels_per_unit = width > 0 ? float(framebuffer_size().width) / float(width) : 1;
+  auto const scale = float(given_ui_scale_.value_or(std::clamp(double(content_scale / pixels_per_unit), 0.5, 8.0)));
+  if (scale == ui_scale_ && pixels_per_unit == pixels_per_unit_) return;
+  ui_scale_ = scale;
+  pixels_per_unit_ = pixels_per_unit;
+  load_font(std::round(font_height * scale * pixels_per_unit));
+  ImGui::GetIO().FontGlobalScale = 1 / pixels_per_unit;
+  ImGui_ImplOpenGL3_DestroyFontsTexture();  // it is made again with the next frame
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+  ImGui::GetStyle() = ImGuiStyle();
+  ImGui::GetStyle().ScaleAllSizes(scale);
 }
 
 Resolution Graphics::framebuffer_size() const {
@@ -107,7 +157,8 @@ void Graphics::resize(Resolution const& size) const {
                     is_known ? std::min(size.height, height) : size.height);
 }
 
-void Graphics::begin_drawing() const {
+void Graphics::begin_drawing() {
+  fit_to_display();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,13 +35,26 @@ struct Graphics {
   Graphics(Graphics const&) = delete;
   Graphics& operator=(Graphics const&) = delete;
 
-  void open(std::string const& title, Resolution const& size);
+  /// `ui_scale`: the size of text and widgets; nothing: as the display asks for.
+  void open(std::string const& title, Resolution const& size, std::optional<double> ui_scale);
   Resolution framebuffer_size() const;
   /// To this size, or what of it the screen has room for.
   void resize(Resolution const& size) const;
-  void begin_drawing() const;
+  void begin_drawing();
   /// Puts what was drawn since on the screen.
   void show_drawing() const;
+  /// Of text and widgets: 1 where Dear ImGui's units are those of a display with 96 dots an inch.
+  float ui_scale() const { return ui_scale_; }
+
+ private:
+  void fit_to_display();
+
+  std::optional<double> given_ui_scale_;
+  float ui_scale_ = 0;
+  float pixels_per_unit_ = 0;
 };
+
+/// A length of Dear ImGui's at scale 1, at the scale of the current frame.
+float scaled(float length);
 
 }  // namespace lichtraum::view

@@ -8,13 +8,14 @@
 
 #include "lichtraum/words.hpp"
 #include "view/values_as_esdf.hpp"
+#include "view/window/graphics.hpp"
 #include "view/window/object_rows.hpp"
 #include "view/window/sliders.hpp"
 
 namespace lichtraum::view {
 namespace {
 
-// Of the window's width, and in Dear ImGui's units.
+// Of the window's width, and in Dear ImGui's units at scale 1.
 constexpr float share = 0.3f, least_width = 260, greatest_width = 330;
 
 }  // namespace
@@ -38,12 +39,13 @@ bool Panel::select(std::optional<SeenPoint> const& seen) {
   return tree_.selected_objects() != before;
 }
 
-float panel_width_in(float window_width) {
-  return std::min(std::clamp(share * window_width, least_width, greatest_width), 0.5f * window_width);
+float panel_width_in(float window_width, float ui_scale) {
+  return std::min(std::clamp(share * window_width, ui_scale * least_width, ui_scale * greatest_width),
+                  0.5f * window_width);
 }
 
-float panel_width_beside(float picture_width) {
-  return std::clamp(share / (1 - share) * picture_width, least_width, greatest_width);
+float panel_width_beside(float picture_width, float ui_scale) {
+  return std::clamp(share / (1 - share) * picture_width, ui_scale * least_width, ui_scale * greatest_width);
 }
 
 Panel::Changes Panel::draw(float width, std::function<void()> const& draw_menus) {
@@ -56,7 +58,7 @@ Panel::Changes Panel::draw(float width, std::function<void()> const& draw_menus)
   Changes changes;
   if (ImGui::Begin("scene", nullptr, docked)) {
     draw_menus();
-    ImGui::PushItemWidth(-80);
+    ImGui::PushItemWidth(-scaled(80));
     changes.plane = draw_views();
     changes.selection = draw_objects();
     draw_lights(changes);
@@ -97,7 +99,7 @@ bool Panel::draw_views() {
 
 bool Panel::draw_objects() {
   if (!ImGui::CollapsingHeader("Objects", ImGuiTreeNodeFlags_DefaultOpen)) return false;
-  float const height = std::clamp(0.3f * ImGui::GetWindowHeight(), 60.0f, 400.0f);
+  float const height = std::clamp(0.3f * ImGui::GetWindowHeight(), scaled(60), scaled(400));
   ImGui::BeginChild("rows", {0, height}, true, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
   bool const is_selected = draw_object_rows(tree_, values_, scrolls_);
   scrolls_ = false;

@@ -9,8 +9,8 @@
 namespace lichtraum::view {
 
 /// How wide the panel is in a window of that width, and beside a picture of that width.
-float panel_width_in(float window_width);
-float panel_width_beside(float picture_width);
+float panel_width_in(float window_width, float ui_scale);
+float panel_width_beside(float picture_width, float ui_scale);
 
 /// What is shown beside the picture: numbers, the objects as a tree, what is selected, and what can be changed: how the
 /// picture is developed, environment, lights and materials.

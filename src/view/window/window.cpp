@@ -46,7 +46,7 @@ Vec3 focus_of(Camera const& camera, Vec3 const& center) {
 Window::Window(app::SceneSource const& source, app::ViewOptions const& options, app::Console const& console)
     : options_(options), console_(console), files_(source.name()) {
   graphics_ = std::make_unique<Graphics>();
-  graphics_->open("lichtraum - " + source.name(), options.render.job.size.value_or(default_size));
+  graphics_->open("lichtraum - " + source.name(), options.render.job.size.value_or(default_size), options.ui_scale);
   // Not before the window is there: Mesa and PoCL may share one LLVM, which does not start in two threads at once.
   worker_ = std::make_unique<Worker>(source, options.render, options.watch, console, glfwPostEmptyEvent);
 }
@@ -97,7 +97,7 @@ bool Window::take_news() {
     scene_ = std::move(*news.scene);
     if (is_first && !options_.render.job.size) {
       Resolution const& picture = scene_.request.resolution;
-      int const panel = int(panel_width_beside(float(picture.width)));
+      int const panel = int(panel_width_beside(float(picture.width), graphics_->ui_scale()));
       graphics_->resize({picture.width + panel, picture.height});
     }
     glfwSetWindowTitle(graphics_->window, ("lichtraum - " + scene_.file).c_str());
@@ -250,7 +250,8 @@ void Window::copy(std::string const& text) const {
 }
 
 float Window::panel_width() const {
-  return is_panel_open_ && camera_ ? std::floor(panel_width_in(ImGui::GetIO().DisplaySize.x)) : 0;
+  return is_panel_open_ && camera_ ? std::floor(panel_width_in(ImGui::GetIO().DisplaySize.x, graphics_->ui_scale()))
+                                   : 0;
 }
 
 Resolution Window::picture_size() const {
@@ -272,12 +273,13 @@ void Window::draw() {
   if (is_panel_open_) draw_time_line();
   if (is_help_open_) draw_keys();
   if (!problem_.empty()) {
-    ImGui::SetNextWindowPos({left + 8, area.y - 8}, ImGuiCond_Always, {0, 1});
-    ImGui::SetNextWindowSizeConstraints({0, 0},
-                                        {area.x - left - 16, area.y - 16});  // the first of many mistakes stay in sight
+    float const margin = scaled(8);
+    ImGui::SetNextWindowPos({left + margin, area.y - margin}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowSizeConstraints(
+        {0, 0}, {area.x - left - 2 * margin, area.y - 2 * margin});  // the first of many mistakes stay in sight
     ImGui::Begin("problem", nullptr, overlay | ImGuiWindowFlags_NoInputs);
     ImGui::PushStyleColor(ImGuiCol_Text, {1, 0.5f, 0.4f, 1});
-    ImGui::PushTextWrapPos(area.x - left - 24);
+    ImGui::PushTextWrapPos(area.x - left - 3 * margin);
     ImGui::TextUnformatted(problem_.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
@@ -286,7 +288,7 @@ void Window::draw() {
 }
 
 void Window::draw_panel() {
-  ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x - 8, 8}, ImGuiCond_Always, {1, 0});
+  ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x - scaled(8), scaled(8)}, ImGuiCond_Always, {1, 0});
   ImGui::SetNextWindowBgAlpha(0.6f);
   ImGui::Begin("statistics", nullptr, overlay | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::TextUnformatted(statistics().c_str());

@@ -65,19 +65,19 @@ void Window::draw_time_line() {
   ModelContents const& contents = *scene_.loaded->contents();
   ImVec2 const area = ImGui::GetIO().DisplaySize;
   float const left = panel_width(), width = area.x - left;
-  ImGui::SetNextWindowPos({left + width / 2, area.y - 8}, ImGuiCond_Always, {0.5f, 1});
+  ImGui::SetNextWindowPos({left + width / 2, area.y - scaled(8)}, ImGuiCond_Always, {0.5f, 1});
   ImGui::SetNextWindowBgAlpha(0.6f);
   ImGui::Begin("time line", nullptr, overlay);
-  if (ImGui::Button(playback_.is_playing() ? "pause" : "play ", {48, 0})) handle_animation_key(GLFW_KEY_SPACE);
+  if (ImGui::Button(playback_.is_playing() ? "pause" : "play ", {scaled(48), 0})) handle_animation_key(GLFW_KEY_SPACE);
   ImGui::SameLine();
   float time = float(playback_.time());
   std::string const shown = fmt::format("%.2f of {:.2f} s", playback_.duration());
   bool const are_several = contents.animations.size() > 1;
-  ImGui::SetNextItemWidth(std::clamp(width - (are_several ? 230 : 110), 60.0f, 400.0f));
+  ImGui::SetNextItemWidth(std::clamp(width - scaled(are_several ? 230 : 110), scaled(60), scaled(400)));
   if (ImGui::SliderFloat("##time", &time, 0, float(playback_.duration()), shown.c_str())) playback_.go_to(double(time));
   if (are_several) {
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(110);
+    ImGui::SetNextItemWidth(scaled(110));
     if (ImGui::BeginCombo("##animation",
                           label_of(contents.animations[*contents.animation], *contents.animation).c_str())) {
       for (std::size_t i = 0; i < contents.animations.size(); ++i) {

@@ -68,6 +68,7 @@ void Window::run() {
     handle_mouse();
     handle_keys();
     advance_animation();
+    if (!awaited_.empty() && glfwGetTime() - drawn_at >= seconds_between_looks) draws_due = 1;  // its seconds are shown
     if (playback_.is_playing()) draws_due = std::max(draws_due, 1);
     if (camera_ && picture_size() != shown_size_) show();
     draw();
@@ -83,6 +84,7 @@ bool Window::take_news() {
   Worker::News news = worker_->news();
   if (!news.device.empty()) device_ = news.device;
   if (news.problem) {
+    awaited_.clear();
     problem_ = *news.problem;
     is_pose_awaited_ = false;
     if (!problem_.empty()) {
@@ -92,6 +94,7 @@ bool Window::take_news() {
     skip(problem_);
   }
   if (news.scene) {
+    awaited_.clear();
     bool const is_first = !camera_;
     if (news.scene->file != scene_.file) is_moved_ = false;
     scene_ = std::move(*news.scene);
@@ -134,18 +137,24 @@ void Window::skip(std::string const& problem) {
     return;
   }
   auto const other = files_.skip();
-  if (other) worker_->open(*other);
+  if (other) open(*other);
   skipped_ = other ? problem : "";
+}
+
+void Window::open(std::filesystem::path const& file) {
+  awaited_ = file.filename().string();
+  awaited_since_ = glfwGetTime();
+  worker_->open(file);
 }
 
 void Window::open_dropped() {
   if (graphics_->dropped.empty()) return;
   files_.open(std::exchange(graphics_->dropped, {}).front());
-  worker_->open(files_.file());
+  open(files_.file());
 }
 
 void Window::step(int direction) {
-  if (auto const other = files_.step(direction)) worker_->open(*other);
+  if (auto const other = files_.step(direction)) open(*other);
 }
 
 Camera Window::camera_seen_through() const {
@@ -272,6 +281,7 @@ void Window::draw() {
   if (is_panel_open_) draw_panel();
   if (is_panel_open_) draw_time_line();
   if (is_help_open_) draw_keys();
+  if (!awaited_.empty()) draw_awaited();
   if (!problem_.empty()) {
     float const margin = scaled(8);
     ImGui::SetNextWindowPos({left + margin, area.y - margin}, ImGuiCond_Always, {0, 1});
@@ -285,6 +295,17 @@ void Window::draw() {
     ImGui::PopStyleColor();
     ImGui::End();
   }
+}
+
+void Window::draw_awaited() const {
+  ImVec2 const area = ImGui::GetIO().DisplaySize;
+  float const left = panel_width();
+  ImGui::SetNextWindowPos({left + (area.x - left) / 2, area.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::Begin("awaited", nullptr, overlay | ImGuiWindowFlags_NoInputs);
+  int const seconds = int(glfwGetTime() - awaited_since_);
+  ImGui::TextUnformatted(
+      fmt::format("reading {} ...{}", awaited_, seconds > 0 ? fmt::format(" {} s", seconds) : "").c_str());
+  ImGui::End();
 }
 
 void Window::draw_panel() {

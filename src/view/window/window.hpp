@@ -36,10 +36,12 @@ class Window {
   void close();
   void draw();
   void draw_panel();
+  void draw_awaited() const;
   std::string statistics() const;
 
   /// What was read last: after a step to a file that could not be, the one behind it is next.
   void skip(std::string const& problem);
+  void open(std::filesystem::path const& file);
   void open_dropped();
   void step(int direction);
   /// What the clock, the keys and the time line do to an animation.
@@ -83,6 +85,8 @@ class Window {
   std::string problem_;
   std::string skipped_;  // the problem of the last file that was skipped
   std::string device_;
+  std::string awaited_;  // the file that is being read; empty: none
+  double awaited_since_ = 0;
   bool is_help_open_ = false;
   bool is_panel_open_ = true;
   Overlays overlays_;

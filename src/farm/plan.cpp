@@ -1,8 +1,11 @@
 #include "farm/plan.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <random>
 
 #include "core/content_hash.hpp"
 #include "core/read_file.hpp"
@@ -45,6 +48,30 @@ Unit Plan::unit(std::int64_t number) const {
   return unit;
 }
 
+namespace {
+
+/// Writes a whole file, unless there is one by then, also one that another machine has just made: false. A hard link is
+/// what only one of them can make, on NFS as well.
+bool create(fs::path const& file, std::string const& text) {
+  std::random_device random;
+  fs::path const beside =
+      file.parent_path() / fmt::format(".{}.{:08x}{:08x}", file.filename().string(), random(), random());
+  write_file_atomically(beside, text);
+  bool is_made = ::link(beside.c_str(), file.c_str()) == 0;
+  bool const has_links = is_made || (errno != EPERM && errno != ENOTSUP && errno != ENOSYS && errno != EMLINK);
+  std::error_code failure;
+  if (!has_links) {  // a file system without them: who comes last wins
+    fs::rename(beside, file, failure);
+    if (!failure) return true;
+  }
+  // The answer of a server may have been lost, but not what it did.
+  is_made = is_made || fs::hard_link_count(beside, failure) == 2;
+  fs::remove(beside, failure);
+  return is_made;
+}
+
+}  // namespace
+
 PlanFolder::PlanFolder(fs::path folder) : folder_(std::move(folder)) {
   fs::path const file = folder_ / plan_name;
   std::error_code ignored;
@@ -71,12 +98,10 @@ PlanFolder::PlanFolder(fs::path folder, Plan plan) : folder_(std::move(folder)),
                 fmt::format("cannot make the folder '{}': {}", folder_.string(), failure.message()));
   }
   fs::path const file = folder_ / plan_name;
-  if (fs::exists(file, failure)) {
-    if (read_file(file) == text) return;
-    throw Error(ErrorKind::cannot_create,
-                fmt::format("'{}' is another plan: choose another folder, or remove this one", file.string()));
-  }
-  write_file_atomically(file, text);
+  bool const is_ours = !fs::exists(file, failure) && create(file, text);
+  if (is_ours || read_file(file) == text) return;
+  throw Error(ErrorKind::cannot_create,
+              fmt::format("'{}' is another plan: choose another folder, or remove this one", file.string()));
 }
 
 fs::path PlanFolder::unit_file(std::int64_t number) const {

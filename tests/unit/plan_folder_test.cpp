@@ -1,0 +1,67 @@
+#include <barrier>
+#include <thread>
+#include <vector>
+
+#include "farm/plan.hpp"
+#include "lichtraum/error.hpp"
+#include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::farm;
+
+namespace {
+
+Plan plan_with_seed(std::uint64_t seed) {
+  Plan plan;
+  plan.version = "0.1.0";
+  plan.job.scene = "hello.sdf";
+  plan.job.seed = seed;
+  plan.scenes = {{"hello.sdf", 1}};
+  plan.region = {0, 0, 64, 48};
+  plan.planes = {FilmPlane::radiance};
+  plan.tile = {32, 32};
+  return plan;
+}
+
+}  // namespace
+
+TEST_CASE("of several plans for one folder that are made at once, one is there, and the others are told",
+          "[unit][farm]") {
+  constexpr int rounds = 20, planners = 4;
+  for (int round = 0; round < rounds; ++round) {
+    TemporaryFolder const folder;
+    std::barrier start(planners);
+    std::vector<ErrorKind> failures(planners, ErrorKind::internal);
+    std::vector<int> is_made(planners);
+    {
+      std::vector<std::jthread> threads;
+      for (int i = 0; i < planners; ++i) {
+        threads.emplace_back([&, i] {
+          start.arrive_and_wait();
+          try {
+            PlanFolder(folder.path(), plan_with_seed(std::uint64_t(i)));
+            is_made[std::size_t(i)] = 1;
+          } catch (Error const& error) {
+            failures[std::size_t(i)] = error.kind();
+          }
+        });
+      }
+    }
+    std::uint64_t const winner = PlanFolder(folder.path()).plan().job.seed;
+    for (int i = 0; i < planners; ++i) {
+      INFO("round " << round << ", plan " << i << " of " << winner);
+      CHECK(is_made[std::size_t(i)] == (std::uint64_t(i) == winner));
+      if (std::uint64_t(i) != winner) CHECK(failures[std::size_t(i)] == ErrorKind::cannot_create);
+    }
+    CHECK(folder.names() == std::vector<std::string>{"plan.json"});
+  }
+}
+
+TEST_CASE("the same plan may be made for its folder again", "[unit][farm]") {
+  TemporaryFolder const folder;
+  PlanFolder const first(folder.path(), plan_with_seed(1)), second(folder.path(), plan_with_seed(1));
+  CHECK(first.hash() == second.hash());
+  CHECK_THROWS_AS(PlanFolder(folder.path(), plan_with_seed(2)), Error);
+  CHECK(PlanFolder(folder.path()).plan().job.seed == 1);
+}

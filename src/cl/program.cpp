@@ -12,6 +12,7 @@
 #include "cl/embedded_kernels.hpp"
 #include "cl/error.hpp"
 #include "cl/machine_code_target.hpp"
+#include "cl/pocl_linker.hpp"
 
 namespace lichtraum {
 namespace {
@@ -50,6 +51,7 @@ std::optional<cl::Program> load_precompiled(cl::Context const& context, cl::Devi
 
 cl::Program build_from_source(cl::Context const& context, cl::Device const& device, std::string_view name,
                               std::string const& source, std::string const& options) {
+  check_pocl_linker(device);
   cl::Program program(context, source);
   try {
     program.build(device, options.c_str());

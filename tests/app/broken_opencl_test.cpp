@@ -65,6 +65,24 @@ TEST_CASE("70: a kernel that does not compile is a fault of ours, with the compi
   CHECK(!std::filesystem::exists(lichtraum.folder / "ball.ppm"));
 }
 
+TEST_CASE("69: a PoCL that would abort for want of a linker is told of, with what to install", "[app][exit][devices]") {
+  Lichtraum const lichtraum;
+  auto const devices = lichtraum::find_devices().devices;
+  if (devices.front().platform_version.find("PoCL ") == std::string::npos) SKIP_TEST("PoCL is not installed");
+  if (devices.front().platform_version.find("PoCL 7.") != std::string::npos) SKIP_TEST("PoCL 7 may need no linker");
+  lichtraum.folder.write("a.sdf", ball_scene);
+  Process process = lichtraum.process("render a.sdf");
+  // Nothing was compiled before, and the program's own machine code is left out.
+  process.environment = {{"PATH", lichtraum.folder.path().string()},
+                         {"POCL_CACHE_DIR", lichtraum.folder.path().string()},
+                         {"LICHTRAUM_KERNEL_DIR", LICHTRAUM_SOURCE_DIR "/kernels"}};
+  auto const result = run_process(process);
+  CHECK(result.signal == 0);
+  CHECK(result.exit_code == 69);
+  CHECK_THAT(result.err, contains_text("binutils") && contains_text("--device reference"));
+  CHECK(!std::filesystem::exists(lichtraum.folder / "ball.ppm"));
+}
+
 TEST_CASE("compiled programs go to a folder of the user's in the temporary directory where HOME cannot be written",
           "[app][devices]") {
   if (lichtraum::find_devices().devices.size() == 1) SKIP_TEST("there is no OpenCL device");

@@ -8,6 +8,7 @@
 
 #include "lichtraum.hpp"
 #include "support/catch.hpp"
+#include "support/gltf_writer.hpp"
 #include "support/skip.hpp"
 
 using Json = nlohmann::json;
@@ -143,6 +144,37 @@ TEST_CASE("a sequence is planned, drawn and put together", "[app][job]") {
   }
   CHECK(farm.folder.read("many-1.png") != farm.folder.read("many-2.png"));
   CHECK(farm.folder.read("many-3.png") != farm.folder.read("many-5.png"));
+}
+
+TEST_CASE("frames of a model's animation are put together, and become the film that render makes", "[app][job][film]") {
+  Farm const farm;
+  lichtraum::testing::GltfWriter writer;
+  writer.add_mesh({-1, -1, 0, 1, -1, 0, 1, 1, 0});
+  int const times = writer.add_accessor("SCALAR", 1, std::vector<float>{0, 2});
+  int const places = writer.add_vec3({0, 0, 0, 2, 0, 0});
+  writer.json["nodes"].push_back({{"camera", 0}, {"translation", {0, 0, 6}}});
+  writer.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}}};
+  writer.json["scenes"] = {{{"nodes", {0, 1}}}};
+  writer.json["animations"] = {{{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
+                                {"samplers", {{{"input", times}, {"output", places}}}}}};
+  farm.folder.write("model.glb", writer.glb());
+  std::string const options = "model.glb -q --frames 3..6 --fps 4 --size 32x24 --samples 4 --denoise builtin";
+  REQUIRE(farm.render(options + " -o one-%d.png").exit_code == 0);
+  REQUIRE(farm.plan(options + " --tile 16x16").exit_code == 0);
+  CHECK(farm.status()["pictures"] == 4);
+  REQUIRE(farm.work("-q").exit_code == 0);
+  REQUIRE(farm.merge("-q -o many-%d.png").exit_code == 0);
+  for (int frame = 3; frame <= 6; ++frame) {
+    std::string const number = std::to_string(frame);
+    CHECK(farm.folder.read("many-" + number + ".png") == farm.folder.read("one-" + number + ".png"));
+  }
+  CHECK(farm.folder.read("many-3.png") != farm.folder.read("many-4.png"));
+  if (!is_installed("ffmpeg")) SKIP_TEST("ffmpeg is not installed");
+  for (std::string const extension : {"gif", "mp4"}) {
+    REQUIRE(farm.render(options + " -o one." + extension).exit_code == 0);
+    REQUIRE(farm.merge("-q -o many." + extension).exit_code == 0);
+    CHECK(farm.folder.read("many." + extension) == farm.folder.read("one." + extension));
+  }
 }
 
 TEST_CASE("a picture in which nothing is seen is put together, too", "[app][job]") {

@@ -1,3 +1,4 @@
+#include "lichtraum/turntable.hpp"
 #include "view/problem_text.hpp"
 #include "view/worker.hpp"
 

@@ -1,0 +1,56 @@
+#include "faults/faults.hpp"
+#include "lichtraum/device.hpp"
+#include "support/catch.hpp"
+#include "support/skip.hpp"
+
+// Whichever call fails: what was there is there, or what was to be written is, whole.
+
+namespace {
+
+constexpr std::size_t all = 1'000'000;
+std::string const reference = "--device reference";
+
+std::vector<std::string> const file_kinds{"write", "read", "open", "rename", "sync", "close"};
+
+void check_opencl(Task const& task, std::size_t most) {
+  if (lichtraum::find_devices().devices.size() == 1) SKIP_TEST("there is no OpenCL device");
+  auto const statuses = check_each_fault(task, "opencl", most);
+  for (auto const& [status, runs] : statuses) CHECK((status == 0 || status == 69));
+  CHECK(statuses.contains(69));
+}
+
+}  // namespace
+
+TEST_CASE("a call for files that fails leaves the old picture or the new one", "[faults]") {
+  for (std::string const& kind : file_kinds) check_each_fault(sequence_task(reference), kind, all);
+}
+
+// Planning and working begin with some pictures for the device's class, so only a sample is tried here.
+TEST_CASE("a call for files that fails leaves whole units", "[faults]") {
+  for (std::string const& kind : file_kinds) check_each_fault(merge_task(), kind, 3);
+  for (char const* const kind : {"write", "rename", "sync"}) check_each_fault(work_task(), kind, 1);
+}
+
+TEST_CASE("any call for files that fails leaves whole units", "[faults][long]") {
+  for (std::string const& kind : file_kinds) {
+    for (Task const& task : {work_task(), merge_task()}) check_each_fault(task, kind, all);
+  }
+}
+
+TEST_CASE("a call for files or processes that fails leaves the old film or the new one", "[faults]") {
+  if (!is_installed("ffmpeg")) SKIP_TEST("ffmpeg is not installed");
+  for (std::string const& kind : file_kinds) check_each_fault(film_task(reference), kind, 2);
+  CHECK(check_each_fault(film_task(reference), "process", all) == std::map<int, int>{{74, 6}});
+}
+
+TEST_CASE("an OpenCL call that fails ends the program in order, or another device draws", "[faults]") {
+  check_opencl(picture_task("--device cpu"), 20);
+  check_opencl(picture_task("--device cpu --samples 4 --integrator path --denoise builtin"), 10);
+}
+
+TEST_CASE("any OpenCL call that fails ends the program in order, or another device draws", "[faults][long]") {
+  check_opencl(picture_task("--device cpu"), all);
+  check_opencl(sequence_task("--device cpu --planes depth"), all);
+  check_opencl(picture_task("--device cpu --samples 4 --integrator path --denoise builtin"), all);
+  if (lichtraum::find_devices().devices.size() > 1) check_each_fault(picture_task(""), "opencl", all);
+}

@@ -109,25 +109,23 @@ fs::path PlanFolder::unit_file(std::int64_t number) const {
 }
 
 std::string hash_of_file(fs::path const& path) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return {};
-  try {
-    return hash_of(read_file(path));
-  } catch (Error const&) {
-    return {};
+  std::error_code failure;
+  auto const found = fs::status(path, failure).type();
+  if (found == fs::file_type::none) {
+    throw Error(ErrorKind::io, fmt::format("'{}' cannot be read: {}", path.string(), failure.message()));
   }
+  return found == fs::file_type::regular ? hash_of(read_file(path)) : "";
 }
 
 void check_files(Plan const& plan) {
   for (ReadFile const& file : plan.files) {
-    std::string const now = hash_of_file(file.path);
-    if (now == file.hash) continue;
-    std::error_code failure;
-    auto const found = fs::status(file.path, failure).type();
-    if (now.empty() && found != fs::file_type::not_found) {  // as when a folder of another machine is not there for now
-      throw Error(ErrorKind::try_again, fmt::format("'{}' cannot be read{}{}", file.path, failure ? ": " : "",
-                                                    failure ? failure.message() : ""));
+    std::string now;
+    try {
+      now = hash_of_file(file.path);
+    } catch (Error const& error) {  // as when a folder of another machine is not there for now
+      throw Error(ErrorKind::try_again, error.what());
     }
+    if (now == file.hash) continue;
     std::string const what = now.empty() ? "is missing" : file.hash.empty() ? "is new" : "has changed";
     throw Error(ErrorKind::scene,
                 fmt::format("'{}' {} since the plan was made: put it back, or make another plan", file.path, what));

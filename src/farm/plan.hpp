@@ -110,7 +110,7 @@ class PlanFolder {
   std::string hash_;
 };
 
-/// Of a file's bytes; empty when it cannot be read.
+/// Of a file's bytes; empty when there is none. Throws Error when it cannot be read.
 std::string hash_of_file(std::filesystem::path const& path);
 
 /// Throws Error{scene} that names the first file of the plan that is not as it was, Error{try_again} for one that

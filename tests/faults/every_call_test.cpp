@@ -31,9 +31,9 @@ TEST_CASE("a call for files that fails leaves whole units", "[faults]") {
   for (char const* const kind : {"write", "rename", "sync"}) check_each_fault(work_task(), kind, 1);
 }
 
-TEST_CASE("any call for files that fails leaves whole units", "[faults][long]") {
+TEST_CASE("any call for files that fails leaves a whole plan, and whole units", "[faults][long]") {
   for (std::string const& kind : file_kinds) {
-    for (Task const& task : {work_task(), merge_task()}) check_each_fault(task, kind, all);
+    for (Task const& task : {plan_task(), work_task(), merge_task()}) check_each_fault(task, kind, all);
   }
 }
 
@@ -53,4 +53,9 @@ TEST_CASE("any OpenCL call that fails ends the program in order, or another devi
   check_opencl(sequence_task("--device cpu --planes depth"), all);
   check_opencl(picture_task("--device cpu --samples 4 --integrator path --denoise builtin"), all);
   if (lichtraum::find_devices().devices.size() > 1) check_each_fault(picture_task(""), "opencl", all);
+}
+
+TEST_CASE("a plan is whole or not there, and knows each file that was read", "[faults]") {
+  check_each_fault(plan_task(), "write", all);
+  check_each_fault(plan_task(), "read", 3);
 }

@@ -10,6 +10,7 @@
 #include "accel/bins.hpp"
 #include "accel/bvh.hpp"
 #include "core/parallel_ranges.hpp"
+#include "core/start_threads.hpp"
 
 namespace lichtraum {
 namespace {
@@ -105,7 +106,7 @@ class Builder {
     auto const [left, right] = divide(range, depth);
     auto const build_child = [&](Range const& child) { return is_leaf(child) ? Subtree() : build(child, depth + 1); };
     bool const on_a_thread = depth <= spawn_depth_ && std::min(left.size(), right.size()) >= min_parallel_size;
-    auto later = std::async(on_a_thread ? std::launch::async : std::launch::deferred,
+    auto later = std::async(on_a_thread ? thread_if_any : std::launch::deferred,
                             [&, &right = right] { return build_child(right); });
     Subtree left_tree = build_child(left);
     tree.append({{{child(left, 1), child(right, 1 + left_tree.size)}}});
@@ -137,7 +138,7 @@ class Builder {
   static Sum in_parts(std::size_t begin, std::size_t end, Work const& work) {
     if (end - begin <= 2 * part_size) return work(begin, end);
     std::size_t const middle = begin + std::bit_floor(end - begin - 1);
-    auto other = std::async(std::launch::async, [&] { return in_parts<Sum>(middle, end, work); });
+    auto other = std::async(thread_if_any, [&] { return in_parts<Sum>(middle, end, work); });
     Sum sum = in_parts<Sum>(begin, middle, work);
     sum.add(other.get());
     return sum;

@@ -8,6 +8,7 @@
 
 #include "accel/collapse_plan.hpp"
 #include "core/parallel_ranges.hpp"
+#include "core/start_threads.hpp"
 
 namespace lichtraum {
 namespace {
@@ -228,11 +229,12 @@ void fill_triangle_blocks(std::span<WideBvh::Block const> blocks,
   constexpr std::size_t part_size = 1 << 14;
   if (blocks.size() > part_size) {
     std::size_t const half = blocks.size() / 2;
-    auto rest = std::async(std::launch::async, [&] {
+    auto rest = std::async(thread_if_any, [&] {
       fill_triangle_blocks(blocks.subspan(half), references, triangles, filled.subspan(half),
                            tags.subspan(half * BLOCK_LANES));
     });
     fill_triangle_blocks(blocks.first(half), references, triangles, filled, tags);
+    rest.get();
     return;
   }
   for (std::size_t b = 0; b < blocks.size(); ++b) {

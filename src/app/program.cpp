@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <new>
+#include <system_error>
 
 #include "app/exit_code.hpp"
 #include "app/interruption.hpp"
@@ -33,6 +34,13 @@ int run_program(std::vector<std::string> const& command_line, std::function<int(
     return exit_code(error.kind());
   } catch (std::bad_alloc const&) {
     console.error("there is not enough memory");
+    return exit_code(ErrorKind::internal);
+  } catch (std::system_error const& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again) {
+      console.error("the system starts no more threads: see ulimit -u, or the container's limit of processes");
+    } else {
+      console.fault(error.what());
+    }
     return exit_code(ErrorKind::internal);
   } catch (std::exception const& error) {
     console.fault(error.what());

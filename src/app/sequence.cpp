@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <future>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -19,6 +21,7 @@
 #include "app/scene_loader.hpp"
 #include "app/stopwatch.hpp"
 #include "app/traced_picture.hpp"
+#include "core/start_threads.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -170,11 +173,7 @@ class Sequence {
     if (result.complete && !ready.denoiser.empty()) film = denoised(film, ready, picture);
     finish_writing();
     warn_of_samples_left_out(picture);
-    writing_ = std::async(std::launch::async,
-                          [this, picture, drawn = develop(std::move(film), picture.plan, ready.development)]() mutable {
-                            writer_.write(drawn, picture);
-                            return picture;
-                          });
+    begin_writing(develop(std::move(film), picture.plan, ready.development), picture);
     if (!result.complete) {
       std::string const written_to = finish_writing();
       throw Error(ErrorKind::interrupted, is_film_ ? "interrupted"
@@ -284,6 +283,20 @@ class Sequence {
     return inputs_left_ > 0
                ? fmt::format("{}, picture {}", plan.output.shown, number)
                : fmt::format("{}, picture {} of {}", plan.output.shown, number, planned_before_ + scene_.plans.size());
+  }
+
+  void begin_writing(Drawn drawn, PictureReport const& picture) {
+    struct Writing {
+      Drawn drawn;
+      PictureReport picture;
+    };
+    // Shared, as std::async may take its function again after it found no thread for it.
+    auto const work = [this, writing = std::make_shared<Writing>(Writing{std::move(drawn), picture})] {
+      writer_.write(writing->drawn, writing->picture);
+      return writing->picture;
+    };
+    writing_ = std::async(thread_if_any, work);
+    if (writing_.wait_for(std::chrono::seconds(0)) == std::future_status::deferred) writing_.wait();
   }
 
   /// Waits for the picture that is being written, if one is, and reports it. Returns where it was written to.

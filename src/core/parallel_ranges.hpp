@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <thread>
-#include <vector>
+
+#include "core/start_threads.hpp"
 
 namespace lichtraum {
 
@@ -14,11 +15,9 @@ void for_parallel_ranges(std::size_t count, std::size_t min_size, Work const& wo
   std::size_t const most = std::max<std::size_t>(1, std::thread::hardware_concurrency());
   std::size_t const parts = std::clamp<std::size_t>(count / min_size, 1, most);
   auto const bound = [=](std::size_t part) { return count * part / parts; };
-  std::vector<std::jthread> threads;
-  for (std::size_t part = 1; part < parts; ++part) {
-    threads.emplace_back([&, part] { work(bound(part), bound(part + 1)); });
-  }
-  work(0, bound(1));
+  auto const do_part = [&](std::size_t part) { work(bound(part), bound(part + 1)); };
+  auto const threads = start_threads(parts - 1, do_part);
+  for (std::size_t part = threads.size(); part < parts; ++part) do_part(part);
 }
 
 }  // namespace lichtraum

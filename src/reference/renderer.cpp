@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "core/start_threads.hpp"
 #include "film/check_request.hpp"
 #include "film/trace_blocks.hpp"
 #include "lichtraum/error.hpp"
@@ -144,11 +145,9 @@ class ReferenceRenderer final : public Renderer {
   template <class GoesOn>
   bool trace_rows(RowQueue& rows, GoesOn const& goes_on) const {
     {
-      std::vector<std::jthread> threads;
       unsigned const count = std::clamp(device_.compute_units, 1u, unsigned(rows.count()));
-      for (unsigned i = 0; i < count; ++i) {
-        threads.emplace_back([&rows](std::stop_token const& stop) { rows.work(stop); });
-      }
+      auto threads = start_threads(count, [&rows](std::stop_token const& stop, std::size_t) { rows.work(stop); });
+      if (threads.empty()) rows.work({});
       while (!rows.wait_for(progress_interval)) {
         if (goes_on()) continue;
         for (std::jthread& thread : threads) thread.request_stop();

@@ -59,3 +59,13 @@ TEST_CASE("a plan is whole or not there, and knows each file that was read", "[f
   check_each_fault(plan_task(), "write", all);
   check_each_fault(plan_task(), "read", 3);
 }
+
+TEST_CASE("where no thread can be started, fewer draw; without the first, that is said", "[faults]") {
+  CHECK(check_each_fault(work_task(), "thread", 1) == std::map<int, int>{{0, 2}});
+  for (Task const& task : {sequence_task(reference), merge_task()}) {
+    auto const statuses = check_each_fault(task, "thread", all);
+    CHECK(statuses.at(70) == 2);  // the one that reads scenes
+    CHECK(statuses.at(0) >= 2);
+    CHECK(statuses.size() == 2);
+  }
+}

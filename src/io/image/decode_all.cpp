@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <new>
 #include <thread>
-#include <vector>
 
+#include "core/start_threads.hpp"
 #include "io/image/decode.hpp"
 
 namespace lichtraum {
@@ -22,7 +22,7 @@ constexpr std::uint64_t max_decoded_bytes = std::uint64_t(1) << 29;
 void decode_images(std::span<ImageJob> jobs, int max_size) {
   std::atomic<std::size_t> next{0};
   std::atomic<std::uint64_t> decoded_bytes{0};
-  auto const work = [&] {  // each thread takes the next picture until none is left
+  auto const work = [&](std::size_t) {  // each thread takes the next picture until none is left
     for (std::size_t i = next++; i < jobs.size(); i = next++) {
       ImageJob& job = jobs[i];
       if (!job.is_wanted || !job.reason.empty()) continue;
@@ -46,9 +46,9 @@ void decode_images(std::span<ImageJob> jobs, int max_size) {
   auto const wanted =
       std::size_t(std::count_if(jobs.begin(), jobs.end(), [](ImageJob const& j) { return j.is_wanted; }));
   std::size_t const thread_count = std::min<std::size_t>(wanted, std::max(1u, std::thread::hardware_concurrency()));
-  std::vector<std::jthread> threads;
-  for (std::size_t i = 1; i < thread_count; ++i) threads.emplace_back(work);
-  work();
+  if (thread_count == 0) return;
+  auto const threads = start_threads(thread_count - 1, work);
+  work(threads.size());
 }
 
 }  // namespace lichtraum

@@ -18,7 +18,7 @@ static_assert(decltype(unfinished)::is_always_lock_free);
 
 extern "C" void on_signal(int) {
   if (graceful == 0 || signalled != 0) {
-    if (UnfinishedFile const* const file = unfinished) file->remove();
+    remove_unfinished_file();
     _exit(130);
   }
   signalled = 1;
@@ -46,6 +46,10 @@ UnfinishedFile::UnfinishedFile(pid_t writer, std::filesystem::path path) : write
   unfinished = this;
 }
 UnfinishedFile::~UnfinishedFile() { unfinished = nullptr; }
+
+void remove_unfinished_file() {
+  if (UnfinishedFile const* const file = unfinished) file->remove();
+}
 
 // Calls only what is async-signal-safe (POSIX, 2.4.3).
 void UnfinishedFile::remove() const {

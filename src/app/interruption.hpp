@@ -30,12 +30,15 @@ class UnfinishedFile {
   UnfinishedFile(UnfinishedFile const&) = delete;
   UnfinishedFile& operator=(UnfinishedFile const&) = delete;
 
-  /// For the signal handler.
+  /// For remove_unfinished_file.
   void remove() const;
 
  private:
   pid_t writer_;
   std::filesystem::path path_;
 };
+
+/// Ends the writer and removes the file, if there is an UnfinishedFile. For handlers of signals and of std::terminate.
+void remove_unfinished_file();
 
 }  // namespace lichtraum::app

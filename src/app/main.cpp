@@ -3,6 +3,7 @@
 
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
+#include "app/lack_of_memory.hpp"
 #include "app/program.hpp"
 
 using namespace lichtraum;
@@ -64,6 +65,7 @@ int run(Arguments arguments, Console& console) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
+  handle_lack_of_memory();
   Arguments const arguments(argv + 1, argv + argc);
   Arguments command_line{"lichtraum"};
   command_line.insert(command_line.end(), arguments.begin(), arguments.end());

@@ -19,6 +19,11 @@ void check_opencl(Task const& task, std::size_t most) {
   CHECK(statuses.contains(69));
 }
 
+void check_allocations(Task const& task, std::size_t most) {
+  auto const statuses = check_each_fault(task, "allocation", most);
+  CHECK(statuses.contains(70));
+}
+
 }  // namespace
 
 TEST_CASE("a call for files that fails leaves the old picture or the new one", "[faults]") {
@@ -68,4 +73,20 @@ TEST_CASE("where no thread can be started, fewer draw; without the first, that i
     CHECK(statuses.at(0) >= 2);
     CHECK(statuses.size() == 2);
   }
+}
+
+TEST_CASE("memory that cannot be had ends the program in order", "[faults]") {
+  for (Task const& task : {picture_task(reference), sequence_task(reference), merge_task()}) {
+    check_allocations(task, 20);
+  }
+  for (Task const& task : {plan_task(), work_task()}) check_allocations(task, 2);
+}
+
+TEST_CASE("any memory that cannot be had ends the program in order", "[faults][long]") {
+  for (Task const& task : {picture_task(reference), picture_task("--device reference --json"), merge_task()}) {
+    check_allocations(task, all);
+  }
+  for (Task const& task : {plan_task(), work_task()}) check_allocations(task, 2000);
+  if (is_installed("ffmpeg")) check_allocations(film_task(reference), 1000);
+  if (lichtraum::find_devices().devices.size() > 1) check_allocations(picture_task("--device cpu"), 1000);
 }

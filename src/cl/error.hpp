@@ -24,4 +24,16 @@ decltype(auto) checked(Calls&& calls) {
   }
 }
 
+/// The same for calls that launch kernels: where one fails, it waits for those that were launched, as they use memory
+/// of the host that ends with the picture.
+template <class Calls>
+decltype(auto) checked(cl::CommandQueue const& queue, Calls&& calls) {
+  try {
+    return checked(std::forward<Calls>(calls));
+  } catch (...) {
+    ::clFinish(queue());  // where that fails, too, there is no device that anything runs on
+    throw;
+  }
+}
+
 }  // namespace lichtraum

@@ -25,7 +25,7 @@ NoiseFilter::NoiseFilter(cl::Context const& context, cl::Program const& program,
       level_(program, "denoise_level") {}
 
 void NoiseFilter::run(cl::CommandQueue const& queue, NoisePlanes& planes) {
-  checked([&] {
+  checked(queue, [&] {
     auto const buffer = [&](std::vector<float>& values) {
       return cl::Buffer(context_, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, values.size() * sizeof(float),
                         values.data());

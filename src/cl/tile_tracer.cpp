@@ -197,7 +197,7 @@ void TileTracer::begin_frame(device::FrameParameters const& frame, Integrator in
   State& state = *state_;
   PlaneSet const& planes = film.planes();
   state.frame.assign(1, frame);
-  checked([&] {
+  checked(state.queue, [&] {
     auto& known = state.kernel_for(frame, integrator, planes);
     state.kernel = known.kernel;
     state.frame_buffer = buffer_over(state.context, CL_MEM_READ_ONLY, state.frame);
@@ -233,7 +233,7 @@ RayCounts TileTracer::trace(device::Tile const& tile) {
   std::size_t const local_side = work_group_side(state.grouping);
   std::size_t const work_items = size.width * size.height;
   RayCounts counts;
-  checked([&] {
+  checked(state.queue, [&] {
     state.make_room_for_rays(work_items);
     state.kernel.setArg(state.arguments_before + RenderProgram::tile_argument, tile);
     state.queue.enqueueNDRangeKernel(state.kernel, cl::NullRange,
@@ -258,7 +258,7 @@ RayCounts TileTracer::trace(device::Tile const& tile) {
 
 void TileTracer::end_frame() {
   State& state = *state_;
-  checked([&] {
+  checked(state.queue, [&] {
     for (auto const& [buffer, bytes] : state.film) {
       void* const mapped = state.queue.enqueueMapBuffer(buffer, CL_TRUE, CL_MAP_READ, 0, bytes);
       state.queue.enqueueUnmapMemObject(buffer, mapped);
@@ -272,7 +272,7 @@ void TileTracer::develop(std::vector<float>& radiance, std::vector<float> const&
                          device::DevelopParameters const& parameters) {
   State& state = *state_;
   if (radiance.empty()) return;
-  checked([&] {
+  checked(state.queue, [&] {
     auto const name = DevelopProgram::kernel_name(!alpha.empty());
     auto const known = state.kernels.find(name);
     cl::Kernel kernel = known != state.kernels.end()
@@ -305,7 +305,7 @@ void TileTracer::filter_noise(NoisePlanes& planes) {
   State& state = *state_;
   if (!state.noise_filter) {
     int const lanes = state.grouping == RayGrouping::one ? 1 : 16;
-    checked([&] {
+    checked(state.queue, [&] {
       state.noise_filter.emplace(state.context,
                                  build_program(state.context, state.device, DenoiseProgram::name,
                                                DenoiseProgram::options(lanes), precompiled_programs()),

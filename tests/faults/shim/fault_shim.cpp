@@ -1,6 +1,7 @@
 // Loaded before a program (LD_PRELOAD), makes the N-th call of a kind that the program makes fail, and counts them.
 //
-//   LICHTRAUM_FAULT_KIND   allocation, write, read, open, rename, sync, close, thread, process or opencl
+//   LICHTRAUM_FAULT_KIND   allocation, write, read, open, rename, sync, close, thread, process, opencl
+//                          or map (of its buffers)
 //   LICHTRAUM_FAULT_AT     which call fails, from 1; 0: none, they are counted
 //   LICHTRAUM_FAULT_LASTS  1: all later calls of the kind fail, too, as on a disk that is full
 //   LICHTRAUM_FAULT_CODE   instead of the usual errno, or OpenCL's status
@@ -40,9 +41,9 @@ void* __libc_memalign(std::size_t, std::size_t);
 
 namespace {
 
-enum class Kind { none, allocation, write, read, open, rename, sync, close, thread, process, opencl };
-constexpr std::array kind_names{"none", "allocation", "write",  "read",    "open",  "rename",
-                                "sync", "close",      "thread", "process", "opencl"};
+enum class Kind { none, allocation, write, read, open, rename, sync, close, thread, process, opencl, map };
+constexpr std::array kind_names{"none", "allocation", "write",  "read",    "open",   "rename",
+                                "sync", "close",      "thread", "process", "opencl", "map"};
 
 /// Where a module's code lies.
 struct Range {
@@ -265,6 +266,13 @@ int memfd_create(char const* name, unsigned flags) noexcept {
   return NEXT(memfd_create)(name, flags);
 }
 
+/// Where it fails nothing runs any longer, as on a device that was lost.
+cl_int CL_API_CALL clFinish(cl_command_queue queue) {
+  int const code = fault(Kind::opencl, CALLER, CL_OUT_OF_RESOURCES);
+  int const status = NEXT(clFinish)(queue);
+  return code != 0 ? code : status;
+}
+
 // What fails with a status, and what gives nothing and puts the status where its last argument says.
 #define OPENCL_STATUS(name, parameters, arguments)                                      \
   cl_int CL_API_CALL name parameters {                                                  \
@@ -295,7 +303,6 @@ OPENCL_STATUS(clGetProgramBuildInfo,
               (cl_program p, cl_device_id d, cl_program_build_info what, size_t n, void* value, size_t* size),
               (p, d, what, n, value, size))
 OPENCL_STATUS(clSetKernelArg, (cl_kernel k, cl_uint i, size_t n, void const* value), (k, i, n, value))
-OPENCL_STATUS(clFinish, (cl_command_queue q), (q))
 OPENCL_STATUS(clEnqueueNDRangeKernel,
               (cl_command_queue q, cl_kernel k, cl_uint n, size_t const* offset, size_t const* global,
                size_t const* local, cl_uint before, cl_event const* events, cl_event* event),
@@ -320,10 +327,17 @@ OPENCL_THING(cl_program, clCreateProgramWithBinary,
               cl_int* each, cl_int* status),
              (c, n, devices, lengths, bytes, each, status))
 OPENCL_THING(cl_kernel, clCreateKernel, (cl_program p, char const* name, cl_int* status), (p, name, status))
-OPENCL_THING(void*, clEnqueueMapBuffer,
-             (cl_command_queue q, cl_mem m, cl_bool waits, cl_map_flags flags, size_t offset, size_t n, cl_uint before,
-              cl_event const* events, cl_event* event, cl_int* status),
-             (q, m, waits, flags, offset, n, before, events, event, status))
+/// A kind of its own, too: what was launched before may be running when it fails.
+void* CL_API_CALL clEnqueueMapBuffer(cl_command_queue queue, cl_mem buffer, cl_bool waits, cl_map_flags flags,
+                                     size_t offset, size_t size, cl_uint before, cl_event const* events,
+                                     cl_event* event, cl_int* status) {
+  int code = fault(Kind::opencl, CALLER, CL_OUT_OF_HOST_MEMORY);
+  if (code == 0) code = fault(Kind::map, CALLER, CL_OUT_OF_HOST_MEMORY);
+  if (code == 0)
+    return NEXT(clEnqueueMapBuffer)(queue, buffer, waits, flags, offset, size, before, events, event, status);
+  if (status) *status = code;
+  return nullptr;
+}
 
 }  // extern "C"
 

@@ -155,6 +155,7 @@ Video::Video(fs::path path, Resolution size, double frames_per_second) : path_(s
   posix_spawnattr_setsigdefault(&attributes, &defaults);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
   pid_t child = -1;
+  fs::path unfinished = unfinished_;  // before ffmpeg runs: what throws after that would leave it running
   int const code = ::posix_spawn(&child, words[0], &actions, &attributes, words.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
@@ -166,7 +167,7 @@ Video::Video(fs::path path, Resolution size, double frames_per_second) : path_(s
     throw Error(ErrorKind::io, fmt::format("cannot start ffmpeg: {}", std::strerror(code)));
   }
   process_ = child;
-  removed_on_signal_.emplace(child, unfinished_);
+  removed_on_signal_.emplace(child, std::move(unfinished));
 }
 
 Video::~Video() {

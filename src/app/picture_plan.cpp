@@ -74,7 +74,7 @@ PicturePlan plan_picture(Scene const& scene, RenderCommand const& command, Job j
   if (tile) return plan;
   check_encoding(plan);
   check_planes(plan);
-  if (!plan.output.is_standard_output() && !plan.output.is_film) check_writable(plan.output.path);
+  if (!plan.output.is_standard_output()) check_writable(plan.output.path);
   return plan;
 }
 

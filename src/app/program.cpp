@@ -8,6 +8,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/interruption.hpp"
+#include "app/thread_stacks.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -26,6 +27,7 @@ void open_standard_streams() {
 int run_program(std::vector<std::string> const& command_line, std::function<int(Console&)> const& work) {
   open_standard_streams();
   handle_signals();
+  ensure_thread_stacks();
   Console console(command_line);
   try {
     return work(console);

@@ -19,6 +19,14 @@ namespace {
 
 constexpr auto time_limit = std::chrono::seconds(20);
 constexpr std::uint64_t little_memory = std::uint64_t(1) << 30;
+constexpr rlim_t little_stack = rlim_t(1) << 18;  // PoCL reads /proc/cpuinfo into 64 KiB of it
+
+/// Of this thread's stack (ulimit -s), where it is little.
+std::optional<rlim_t> short_stack() {
+  rlimit stack{};
+  if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= little_stack) return std::nullopt;
+  return stack.rlim_cur;
+}
 
 /// What the child prints until it ends or the time is up; true in the first case.
 bool read_until_end(int pipe, std::string& text) {
@@ -46,6 +54,7 @@ std::string last_line(std::string text) {
 
 bool opencl_may_abort() {
   if (access("/sys/devices/system/cpu/cpu0", R_OK | X_OK) != 0) return true;
+  if (short_stack()) return true;
   rlimit address_space{};
   if (getrlimit(RLIMIT_AS, &address_space) == 0 && address_space.rlim_cur != RLIM_INFINITY) return true;
   struct sysinfo memory {};
@@ -85,6 +94,9 @@ std::optional<std::string> probe_opencl_in_child() {
                     ? fmt::format("it was killed by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)))
                     : fmt::format("it exited with status {}", WEXITSTATUS(status));
   if (auto const line = last_line(printed); !line.empty()) reason += ": " + line;
+  if (auto const stack = short_stack()) {
+    reason += fmt::format("; stacks are limited to {} KiB here: ulimit -s 8192 allows more", *stack / 1024);
+  }
   return reason;
 }
 

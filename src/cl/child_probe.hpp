@@ -5,7 +5,7 @@
 
 namespace lichtraum {
 
-/// Whether PoCL might abort the process here: /sys cannot be read, or memory is short.
+/// Whether PoCL might abort the process here: /sys cannot be read, or memory or stack is short.
 bool opencl_may_abort();
 
 /// Lists all platforms and devices in a child process. Nothing when the child came back; else how it died, with the

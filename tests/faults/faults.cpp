@@ -24,13 +24,6 @@ std::string const moving_ball = [] {
   return scene;
 }();
 
-void write_all(fs::path const& folder, Files const& files) {
-  for (auto const& [name, bytes] : files) {
-    fs::create_directories((folder / name).parent_path());
-    std::ofstream(folder / name, std::ios::binary) << bytes;
-  }
-}
-
 void clear(fs::path const& folder) {
   for (auto const& entry : fs::directory_iterator(folder)) fs::remove_all(entry.path());
 }
@@ -42,7 +35,7 @@ class Runs {
 
   FaultyResult run(Fault const& fault) {
     clear(lichtraum_.folder.path());
-    write_all(lichtraum_.folder.path(), before());
+    write_files(lichtraum_.folder.path(), before());
     Process process = lichtraum_.process(task_.words);
     process.timeout_seconds = 30;
     return run_with_fault(process, fault);
@@ -54,7 +47,7 @@ class Runs {
     for (std::string const& name : task_.old) files[name] = "old";
     bool const is_planned = task_.words.find("job work") == 0 || task_.words.find("job merge") == 0;
     if (is_planned) {
-      write_all(lichtraum_.folder.path(), files);
+      write_files(lichtraum_.folder.path(), files);
       REQUIRE(lichtraum_("job plan a.sdf -o shared --tile 16x16 --device reference -q").exit_code == 0);
       if (task_.words.find("job merge") == 0)
         REQUIRE(lichtraum_("job work shared -q --device reference").exit_code == 0);
@@ -110,6 +103,13 @@ FaultyResult run_with_fault(Process process, Fault const& fault) {
   result.calls = numbers[0];
   result.failures = numbers[1];
   return result;
+}
+
+void write_files(fs::path const& folder, Files const& files) {
+  for (auto const& [name, bytes] : files) {
+    fs::create_directories((folder / name).parent_path());
+    std::ofstream(folder / name, std::ios::binary) << bytes;
+  }
 }
 
 Files files_in(fs::path const& folder) {

@@ -24,6 +24,7 @@ FaultyResult run_with_fault(Process process, Fault const& fault);
 /// Of a folder and those below it: the files by name.
 using Files = std::map<std::string, std::string>;
 Files files_in(std::filesystem::path const& folder);
+void write_files(std::filesystem::path const& folder, Files const& files);
 
 /// What the program is asked to do, over and over again.
 struct Task {

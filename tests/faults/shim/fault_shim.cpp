@@ -1,7 +1,7 @@
 // Loaded before a program (LD_PRELOAD), makes the N-th call of a kind that the program makes fail, and counts them.
 //
-//   LICHTRAUM_FAULT_KIND   allocation, write, read, open, rename, sync, close, thread, process, opencl
-//                          or map (of its buffers)
+//   LICHTRAUM_FAULT_KIND   allocation, write, read, open, rename, sync, close, thread, process, opencl,
+//                          map (of its buffers), or clock: the time of day is more than a year off, before or after
 //   LICHTRAUM_FAULT_AT     which call fails, from 1; 0: none, they are counted
 //   LICHTRAUM_FAULT_LASTS  1: all later calls of the kind fail, too, as on a disk that is full
 //   LICHTRAUM_FAULT_CODE   instead of the usual errno, or OpenCL's status
@@ -17,7 +17,9 @@
 #include <pthread.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/time.h>
 #include <sys/uio.h>
+#include <time.h>
 #include <unistd.h>
 #include <unwind.h>
 
@@ -41,9 +43,9 @@ void* __libc_memalign(std::size_t, std::size_t);
 
 namespace {
 
-enum class Kind { none, allocation, write, read, open, rename, sync, close, thread, process, opencl, map };
-constexpr std::array kind_names{"none", "allocation", "write",  "read",    "open",   "rename",
-                                "sync", "close",      "thread", "process", "opencl", "map"};
+enum class Kind { none, allocation, write, read, open, rename, sync, close, thread, process, opencl, map, clock };
+constexpr std::array kind_names{"none",  "allocation", "write",   "read",   "open", "rename", "sync",
+                                "close", "thread",     "process", "opencl", "map",  "clock"};
 
 /// Where a module's code lies.
 struct Range {
@@ -128,6 +130,13 @@ int fault(Kind of, void* caller, int usual_code) {
   if (fails_at == 0 || number < fails_at || (number > fails_at && !lasts)) return 0;
   ++counts->failures;
   return code_given != 0 ? code_given : usual_code;
+}
+
+/// Of the time of day, differently each time.
+time_t seconds_off(void* caller) {
+  constexpr time_t year = 366 * 24 * 60 * 60;
+  if (fault(Kind::clock, caller, 1) == 0) return 0;
+  return counts->calls % 2 == 0 ? year : -year;
 }
 
 template <class Function>
@@ -239,6 +248,22 @@ int close(int file) {
   int const code = fault(Kind::close, CALLER, EDQUOT);
   int const result = NEXT(close)(file);
   return code != 0 ? failed(code, -1) : result;
+}
+// Steady clocks do not jump, and are left alone.
+int clock_gettime(clockid_t clock, timespec* now) noexcept {
+  int const result = NEXT(clock_gettime)(clock, now);
+  if (clock == CLOCK_REALTIME) now->tv_sec += seconds_off(CALLER);
+  return result;
+}
+int gettimeofday(timeval* now, void* zone) noexcept {
+  int const result = NEXT(gettimeofday)(now, zone);
+  now->tv_sec += seconds_off(CALLER);
+  return result;
+}
+time_t time(time_t* now) noexcept {
+  time_t const result = NEXT(time)(nullptr) + seconds_off(CALLER);
+  if (now) *now = result;
+  return result;
 }
 int pthread_create(pthread_t* thread, pthread_attr_t const* attributes, void* (*work)(void*), void* argument) {
   if (int const code = fault(Kind::thread, CALLER, EAGAIN)) return code;

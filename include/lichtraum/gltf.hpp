@@ -23,6 +23,9 @@ class GltfAnimation {
 
   /// The time of the last key frame of options.animation; 0 without an animation.
   double duration_seconds();
+  /// From now on the camera of a model that has none shows all of the animation, and stands still from pose to pose;
+  /// its made-up lights, too. Takes a few poses. Same exceptions as `pose`.
+  void frame_whole_animation();
   /// The model at that time; nothing: as the nodes stand in the file. The first call's diagnostics are about the model,
   /// later ones' about that pose. Same exceptions as import_gltf.
   Model pose(std::optional<double> time_seconds);

@@ -126,6 +126,7 @@ LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& gi
   std::vector<double> times = options.times_seconds;
   if (times.empty()) times = whole_animation(animation.duration_seconds(), *options.whole_animation_rate, name_);
   if (times.empty()) return adjusted(animation.pose(std::nullopt));
+  animation.frame_whole_animation();
   return LoadedScene(std::move(animation), std::nullopt, std::move(times), adjust);
 }
 

@@ -50,6 +50,41 @@ int drawn(Json const& report) {
 
 }  // namespace
 
+TEST_CASE("the camera that a model is given stands still from frame to frame", "[app][sequence][gltf]") {
+  Lichtraum const lichtraum;
+  lichtraum::testing::GltfWriter writer = moving_square();
+  writer.json["nodes"].erase(1);
+  writer.json.erase("cameras");
+  // A second square, which stays where it is.
+  writer.json["nodes"].push_back({{"mesh", 0}, {"translation", {-4, 0, 0}}});
+  writer.json["scenes"] = {{{"nodes", {0, 1}}}};
+  lichtraum.folder.write("model.glb", writer.glb());
+  std::string const options = "model.glb -q --integrator whitted --size 48x32 --orbit 0,0 ";
+  using Columns = std::pair<int, int>;
+  auto const columns = [&](std::string const& name) {  // the first and the last one that are not black
+    auto const image = decode(lichtraum.folder.read(name));
+    Columns found{-1, -1};
+    for (int x = 0; x < image.width; ++x) {
+      if (image.at(x, image.height / 2, 0) <= 20) continue;
+      if (found.first < 0) found.first = x;
+      found.second = x;
+    }
+    return found;
+  };
+  REQUIRE(lichtraum.render(options + "--fps 1 --frames 0..2 -o %d.png").exit_code == 0);
+  CHECK(columns("0.png").first > 0);
+  CHECK(columns("1.png").first == columns("0.png").first);
+  CHECK(columns("2.png").first == columns("0.png").first);
+  CHECK(columns("2.png").second > columns("1.png").second);
+  CHECK(columns("1.png").second > columns("0.png").second);
+  // Whichever frames are asked for.
+  REQUIRE(lichtraum.render(options + "--fps 1 --frames 1..1 -o alone%d.png").exit_code == 0);
+  CHECK(lichtraum.folder.read("alone1.png") == lichtraum.folder.read("1.png"));
+  // One pose by itself fills the picture.
+  REQUIRE(lichtraum.render(options + "--time 0 -o pose.png").exit_code == 0);
+  CHECK(columns("pose.png").second > columns("0.png").second);
+}
+
 TEST_CASE("a pattern is the files that it matches, in the order of their numbers", "[app][sequence]") {
   Lichtraum const lichtraum;
   std::filesystem::create_directory(lichtraum.folder / "frames");
@@ -119,7 +154,11 @@ TEST_CASE("what is moved between the renders of a file moves, also about shared 
 
 TEST_CASE("frames of a model's animation are its poses", "[app][sequence][gltf]") {
   Lichtraum const lichtraum;
-  lichtraum.folder.write("model.glb", moving_square().glb());
+  lichtraum::testing::GltfWriter writer = moving_square();
+  // A light of its own: those that a model is given stand around the whole animation.
+  writer.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "directional"}}};
+  writer.json["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+  lichtraum.folder.write("model.glb", writer.glb());
   auto const result = lichtraum.render("model.glb --frames 2..4 --fps 4 --size 16x16 --json -q");
   REQUIRE(result.exit_code == 0);
   REQUIRE(lichtraum.folder.names() ==

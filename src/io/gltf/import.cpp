@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <new>
+#include <utility>
 
 #include "core/ascii.hpp"
 #include "core/read_file.hpp"
@@ -117,7 +119,8 @@ struct GltfAnimation::State {
 
     set_point_sizes(result.scene, options.point_size);
     add_view(tree, result.scene);
-    result.diagnostics = findings.take();
+    result.diagnostics = std::exchange(early_diagnostics, {});
+    std::ranges::move(findings.take(), std::back_inserter(result.diagnostics));
     if (!contents) {
       Findings::Muted const muted(findings);  // what is wrong in animations that nobody asked for
       contents = describe_contents(document.model, accessors);
@@ -128,7 +131,7 @@ struct GltfAnimation::State {
   }
 
   void add_view(NodeTree const& tree, Scene& scene) {
-    Bounds const box = fold_bounds(scene.roots()).total();
+    Bounds const box = framed ? *framed : fold_bounds(scene.roots()).total();
     for (Camera& camera : read_cameras(document.model, tree, findings)) scene.cameras.insert(std::move(camera));
     bool const has_camera = scene.has_own_cameras = !scene.cameras.empty();
     if (!has_camera) scene.cameras.insert(frame_box("default", box));
@@ -136,6 +139,18 @@ struct GltfAnimation::State {
     scene.has_own_lights = !lights.empty();
     if (lights.empty()) lights = studio_lights(box, has_camera ? 0 : three_quarter_view.azimuth_degrees);
     for (Light& light : lights) scene.lights.insert(std::move(light));
+  }
+
+  void frame_whole_animation() {
+    constexpr int poses = 16;  // between which little moves far, or in a straight line
+    double const duration = duration_seconds();
+    Bounds box;
+    for (int i = 0; i < poses; ++i) {
+      Model const model = pose_at(duration * i / (poses - 1));
+      if (i == 0) early_diagnostics = model.diagnostics;
+      box.add(fold_bounds(model.scene.roots()).total());
+    }
+    framed = box;
   }
 
   double duration_seconds() {
@@ -152,6 +167,8 @@ struct GltfAnimation::State {
   Primitives::Geometries geometries;
   std::optional<int> animation;
   std::optional<ModelContents> contents;
+  std::optional<Bounds> framed;               // around the whole animation
+  std::vector<Diagnostic> early_diagnostics;  // about the model, found when that was done
   int scene_number = -1;
   std::vector<std::shared_ptr<Material>> own_materials;
   std::vector<std::shared_ptr<Material const>> materials;  // what primitives get
@@ -181,6 +198,10 @@ GltfAnimation::GltfAnimation(std::string bytes, std::string const& name, ModelOp
 GltfAnimation::~GltfAnimation() = default;
 GltfAnimation::GltfAnimation(GltfAnimation&&) noexcept = default;
 GltfAnimation& GltfAnimation::operator=(GltfAnimation&&) noexcept = default;
+
+void GltfAnimation::frame_whole_animation() {
+  with_memory_checked(state_->document.path, [&] { state_->frame_whole_animation(); });
+}
 
 double GltfAnimation::duration_seconds() { return state_->duration_seconds(); }
 

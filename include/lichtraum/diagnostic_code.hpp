@@ -28,6 +28,7 @@ namespace LICHTRAUM_API lichtraum {
   CODE(E, 0206, missing_input, "an input that cannot be opened")                                        \
   CODE(E, 0207, unwritable_output, "an output that cannot be written")                                  \
   CODE(E, 0208, failed_transfer, "reading or writing that failed half-way")                             \
+  CODE(E, 0209, try_again, "something that may be there later")                                         \
   CODE(E, 0301, unknown_statement, "an unknown statement")                                              \
   CODE(E, 0302, unknown_definition, "'define' with an unknown kind of thing")                           \
   CODE(E, 0303, wrong_count, "too few or too many arguments")                                           \

@@ -18,10 +18,11 @@ constexpr DiagnosticCode code_of(ErrorKind kind) {
       return DiagnosticCode::unwritable_output;
     case ErrorKind::io:
       return DiagnosticCode::failed_transfer;
+    case ErrorKind::try_again:
+      return DiagnosticCode::try_again;
     case ErrorKind::usage:
     case ErrorKind::unavailable:
     case ErrorKind::internal:
-    case ErrorKind::try_again:  // of `lichtraum job`, whose messages say what is missing
     case ErrorKind::interrupted:
       return DiagnosticCode::none;
   }

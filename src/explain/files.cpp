@@ -45,25 +45,37 @@ converts the model, where there is one.
     {DiagnosticCode::too_many_findings,
      R"(Only the first 100 findings are shown. After 100 errors the rest of the file is
 not even read, unless there is --keep-going. Mend the first ones and check
-again: one mistake, such as a missing material, often leads to many.
+again: one mistake, such as a missing material, often leads to many. For
+example, a scene of 200 spheres of a material that is misspelt where it is
+defined has 200 errors.
 )",
      "", ""},
     {DiagnosticCode::missing_input,
      R"(A file that the command line names does not exist, or may not be read. The
 message says why. Check its name and the folder that you are in; a name that
-begins with '-' comes after '--'.
+begins with '-' comes after '--'. For example, lichtraum render helo.sdf, where
+the file is called hello.sdf.
 )",
      "", ""},
     {DiagnosticCode::unwritable_output,
      R"(A picture cannot be written to its place: the folder does not exist or may not
 be written to, or a folder has the name of the file. The message says which. -o
-and --output-dir choose another place.
+and --output-dir choose another place. For example, -o pictures/a.png, where
+there is no folder called pictures.
 )",
      "", ""},
     {DiagnosticCode::failed_transfer,
      R"(Reading or writing began and could not be finished. Most often the disk is full,
 or the program that lichtraum writes to has ended. A picture that was there
-before is still whole.
+before is still whole. For example, a file system that is mounted from another
+machine goes away while a film is drawn.
+)",
+     "", ""},
+    {DiagnosticCode::try_again,
+     R"(Something that a job needs is not there now, but may be later: units that others
+have not drawn yet, a file in a shared folder, or room on the disk. Nothing is
+lost. Run the command again later, or let the queue do so; the exit status is
+75. For example, lichtraum job merge while a machine still draws.
 )",
      "", ""},
 };

@@ -67,12 +67,13 @@ Export it again, or convert it.
     {DiagnosticCode::broken_glb,
      R"(The header or the JSON of a .glb file is damaged or missing, so nothing of it
 can be read. Most often the file was cut off while it was copied. Copy or export
-it again.
+it again. For example, a page that says "not found" was saved as model.glb.
 )",
      "", ""},
     {DiagnosticCode::cut_glb,
      R"(A .glb file is shorter than it says, so some of its data is missing. What is
-there is drawn. Copy or export it again.
+there is drawn. Copy or export it again. For example, a download of 20 MB that
+stopped after 15.
 )",
      "", ""},
     {DiagnosticCode::gltf_property,
@@ -198,8 +199,8 @@ needs it is left out.
 )",
      gltf_command},
     {DiagnosticCode::undrawn_primitive,
-     R"(A part of a mesh is not drawn: it is made of lines, has no positions, or no
-triangles.
+     R"(A part of a mesh is not drawn: it has no positions, no whole triangle or line,
+or a mode that glTF does not know.
 )",
      R"({
   "asset": {"version": "2.0"},
@@ -209,7 +210,7 @@ triangles.
     {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}
   ],
   "meshes": [{"primitives": [
-    {"attributes": {"POSITION": 0}}, {"attributes": {"POSITION": 0}, "mode": 1}
+    {"attributes": {"POSITION": 0}}, {"attributes": {"NORMAL": 0}}
   ]}],
   "nodes": [{"mesh": 0}],
   "scenes": [{"nodes": [0]}]
@@ -230,12 +231,14 @@ triangles.
      gltf_command},
     {DiagnosticCode::unfolds_too_far,
      R"(A small file declares more data than it could mean in earnest: many views of the
-same bytes, or zeros without end. It is refused before it fills the memory.
+same bytes, or zeros without end. It is refused before it fills the memory. For
+example, 1,000 meshes that each name the same 50 MB, read anew for each.
 )",
      "", ""},
     {DiagnosticCode::faulty_animation,
      R"(A channel of an animation cannot be read: times that do not increase, or more or
-fewer values than times. It is left out; the rest moves.
+fewer values than times. It is left out; the rest moves. For example, key frames
+at 0, 2 and 1 seconds.
 )",
      "", ""},
     {DiagnosticCode::faulty_node,
@@ -269,7 +272,8 @@ instances that cannot be read. It is left out, or drawn once.
      gltf_command},
     {DiagnosticCode::faulty_skin,
      R"(A skin, which bends a mesh by a skeleton, does not fit the mesh, or has more or
-fewer matrices than joints. The mesh is drawn as it was modelled.
+fewer matrices than joints. The mesh is drawn as it was modelled. For example,
+inverseBindMatrices has 10 matrices, and joints 12 nodes.
 )",
      "", ""},
     {DiagnosticCode::faulty_view,

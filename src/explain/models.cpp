@@ -5,7 +5,7 @@ namespace {
 
 constexpr Explanation model_table[] = {
     {DiagnosticCode::nothing_to_draw,
-     R"(The model has no triangles and no points that could be drawn. Either the file
+     R"(The model has no triangles, lines or points that could be drawn. Either the file
 has none, or all of them were left out, for which there are warnings.
 )",
      R"(v 0 0 0

@@ -126,12 +126,14 @@ f 1 2 3
      obj_command},
     {DiagnosticCode::unread_color,
      R"(MTL may give colours as spectra (spectral) or in CIE XYZ (xyz), which hardly any
-program writes. Only red, green and blue are read; the colour is left out.
+program writes. Only red, green and blue are read; the colour is left out. For
+example, Kd spectral steel.rfl; write Kd 0.5 0.5 0.55 instead.
 )",
      "", ""},
     {DiagnosticCode::parts_joined,
      R"(The model has more objects and groups than are kept apart. Those that follow are
-joined, by material. The picture is the same.
+joined, by material. The picture is the same. For example, a city of 100,000
+houses with a name each.
 )",
      "", ""},
 };

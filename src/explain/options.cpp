@@ -26,7 +26,8 @@ render eye picture.jpg 32 24
     {DiagnosticCode::unusable_device,
      R"(The device that is to draw does not exist, or fails. lichtraum devices lists
 those that there are, lichtraum doctor tests them and says what to install, and
---device reference draws without any, slowly.
+--device reference draws without any, slowly. For example, --device 3 asks for a
+fourth device, which few machines have.
 )",
      "", ""},
 };

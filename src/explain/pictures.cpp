@@ -201,19 +201,22 @@ render eye picture.png 32 24
     {DiagnosticCode::noise_left,
      R"(The limit that --noise sets was not reached with the samples that are allowed.
 The picture is written with the noise that is left. Allow more with --samples,
-or accept more noise.
+or accept more noise. For example, --noise 0.001 --samples 64, where a dim room
+would need thousands of samples.
 )",
      "", ""},
     {DiagnosticCode::samples_left_out,
      R"(Some samples of the picture were infinite or not a number, and were left out.
 Lamps, environments or materials with extreme numbers cause it. If those of your
-scene are ordinary, please report it.
+scene are ordinary, please report it. For example, a surface shines with 1e38
+and mirrors show it again and again: the sum is more than a number can be.
 )",
      "", ""},
     {DiagnosticCode::other_denoiser,
      R"(Noise was to be taken out in one way and is taken out in another, or not at all.
 Most often Open Image Denoise is not installed, or a part of it; the message
-says what was missing. docs/DENOISING.md says how to install it.
+says what was missing. docs/DENOISING.md says how to install it. For example,
+--denoise oidn on a machine that has no Open Image Denoise.
 )",
      "", ""},
     {DiagnosticCode::undrawable_scene,
@@ -221,7 +224,8 @@ says what was missing. docs/DENOISING.md says how to install it.
 asks: the camera does not exist, the picture or the scene needs more memory than
 there is, or the picture lies outside of the folders that may be written to. It
 is also said of a picture or a film that is to be read and is damaged. The
-message says which, and what to do.
+message says which, and what to do. For example, --camera left, where the scene
+defines only right.
 )",
      "", ""},
 };

@@ -104,13 +104,15 @@ lichtraum reads it. Run the program that does so, or write the value yourself.
     {DiagnosticCode::control_character,
      R"(The line has a character that cannot be seen, such as escape or a zero byte. It
 often comes from text that was copied from a terminal, or from a damaged file.
-Delete it; many editors show such characters when asked to.
+Delete it; many editors show such characters when asked to. For example, text
+from a terminal that was in colour has an escape, ^[, before [31m.
 )",
      "", ""},
     {DiagnosticCode::not_utf8,
      R"(A name has bytes that are not UTF-8, most often because the file was saved as
 Latin-1 or Windows-1252. It is read all the same, but messages and file names
 may show wrong letters. Save the file as UTF-8. It is reported once per file.
+For example, a u with two dots is the one byte FC in Latin-1.
 )",
      "", ""},
     {DiagnosticCode::not_standard,

@@ -57,7 +57,8 @@ endsolid corner
     {DiagnosticCode::stl_bytes,
      R"(A binary STL file says how many facets it has, and is longer or shorter than
 that; or corners are not finite. What is there is drawn. Was it cut off while it
-was copied?
+was copied? For example, a file of 1,000 bytes that says it has 100 facets,
+which take 5,084.
 )",
      "", ""},
 };

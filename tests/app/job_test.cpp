@@ -224,7 +224,8 @@ TEST_CASE("units that cannot be used are found and drawn again", "[app][job]") {
   CHECK_THAT(refused.err, contains_text("unit 0 has") && contains_text("unit 1 has not the bytes that were written") &&
                               contains_text("unit 2 is unit 3") &&
                               contains_text("unit 4 was drawn by a device of another class") &&
-                              contains_text("unit 5 is of another plan") && contains_text("lichtraum job work shared"));
+                              contains_text("unit 5 is of another plan") &&
+                              contains_text("lichtraum job work shared") && contains_text("E0209"));
   CHECK(!fs::exists(farm.folder / "many.png"));
   CHECK(farm.files(".bad").size() == 4);  // the other class's may be of use
   CHECK(farm.merge("-o many.png").exit_code == 75);

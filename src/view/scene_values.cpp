@@ -28,6 +28,12 @@ SceneValues::SceneValues(Scene const& scene, DrawnObjects const& objects)
   for (std::size_t i = 0; i < materials.size(); ++i) places_[materials[i].original] = i;
 }
 
+bool SceneValues::is_environment_edited() const {
+  return environment && original_environment_ &&
+         (environment->rotation_degrees != original_environment_->rotation_degrees ||
+          environment->brightness != original_environment_->brightness);
+}
+
 void SceneValues::reset() {
   lights = original_lights_;
   environment = original_environment_;

@@ -31,6 +31,7 @@ class SceneValues {
     materials[number].value = *materials[number].original;
     materials[number].is_edited = false;
   }
+  bool is_environment_edited() const;
   void reset();
   SceneEdits edits() const;
 

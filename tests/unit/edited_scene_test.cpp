@@ -44,6 +44,22 @@ TEST_CASE("a scene is saved with what was edited, all else to the byte", "[unit]
   CHECK(again.values.lights.at(0).brightness() == Rgb(2));
 }
 
+TEST_CASE("a scene is saved with its environment turned and dimmed", "[unit][view]") {
+  std::string const room = "define light  environment room 0.5 0.5 1 brightness=2 rotation=7 # evening\n";
+  Opened opened(room + lamp);
+  opened.values.environment->rotation_degrees = -30;
+  opened.values.environment->brightness = 0.25;
+  std::string const text = view::edited_scene(room + lamp, opened.values);
+  CHECK(text == std::string("define light environment room 0.5 0.5 1 rotation=-30 brightness=0.25\n") + lamp);
+  Opened const again(text);
+  CHECK(again.values.environment->rotation_degrees == -30);
+  CHECK(again.values.environment->brightness == 0.25);
+
+  // Of one that the scene's file does not have.
+  opened.values.environment->name.clear();
+  CHECK_THROWS_WITH(view::edited_scene(room + lamp, opened.values), contains_text("--environment"));
+}
+
 TEST_CASE("a scene is not saved where an edit would be lost", "[unit][view]") {
   Opened opened(std::string(red) + middle + "define light lamp 0 5 0  1 1 1  2\n");
   set_material(opened.values, Rgb(1));

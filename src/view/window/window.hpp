@@ -60,7 +60,7 @@ class Window {
   void show(FilmPlane plane);
   void mark_selection();
   void save();
-  /// The scene with what was changed of lights and materials, as a new file beside it.
+  /// The scene with what was changed of lights, materials and environment, as a new file beside it.
   void save_edits();
   /// To a new file with a number. Says where, or why not.
   void save_as(std::string const& stem, char const* extension, std::function<std::string()> const& contents);

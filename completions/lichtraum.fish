@@ -45,7 +45,7 @@ complete -c lichtraum -n $scenes -l time -x -d 'Show the animation at this time'
 complete -c lichtraum -n $scenes -l animation -x -d 'Animation to show'
 complete -c lichtraum -n $piped -l format-in -x -a 'sdf gltf glb obj ply stl' -d 'What standard input is'
 complete -c lichtraum -n $scenes -l max-texture -x -d 'Shrink textures with a longer side'
-complete -c lichtraum -n $scenes -l point-size -x -d 'Diameter of points, in thousandths of the model'
+complete -c lichtraum -n $scenes -l point-size -x -d 'Diameter of points and lines, in thousandths of the model'
 complete -c lichtraum -n $scenes -l transform-order -x -a 'parent local' -d 'Frame that transforms apply in'
 complete -c lichtraum -n $scenes -l rotation -x -a 'right left' -d 'Handedness of rotations'
 complete -c lichtraum -n $scenes -l material-extras -x -a 'reflectance transmittance opacity ior ignore' \

@@ -10,18 +10,20 @@
 
 namespace LICHTRAUM_API lichtraum {
 
-/// How many shapes there are of each kind, and how many triangles and points the meshes and point clouds
-/// have. At most `uncountable` each.
+/// How many shapes there are of each kind, and how many triangles, points and lines the meshes, point clouds and line
+/// sets have. At most `uncountable` each.
 struct ShapeCounts {
   static constexpr std::uint64_t uncountable = std::uint64_t(1) << 62;
 
   std::array<std::uint64_t, shape_kind_count> of_kind{};
   std::uint64_t mesh_triangles = 0;
   std::uint64_t points = 0;
+  std::uint64_t lines = 0;
+  std::uint64_t line_ends = 0;  ///< balls: one where lines meet
 
   std::uint64_t operator[](ShapeKind kind) const { return of_kind[std::size_t(kind)]; }
-  /// Everything that a ray may meet: shapes that hold no others, the triangles of meshes, and the points of
-  /// point clouds.
+  /// Everything that a ray may meet: shapes that hold no others, the triangles of meshes, the points of point clouds,
+  /// and lines with their ends.
   std::uint64_t primitives() const;
 };
 

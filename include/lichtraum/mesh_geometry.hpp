@@ -17,9 +17,12 @@ using Float4 = std::array<float, 4>;
 
 /// Triangles and what is needed to shade them, in single precision and in a frame of their own. Every Mesh that shows
 /// them shares them, so an instance costs no copy. An attribute list is empty or has one element for each position.
+/// What holds no triangles may be points (a PointCloud), or lines (a LineSet).
 struct MeshGeometry {
   std::vector<Float3> positions;
   std::vector<std::uint32_t> indices;  ///< three per triangle, into the attributes; counter-clockwise seen from outside
+
+  std::vector<std::uint32_t> lines;  ///< two per line, into the attributes; what a Mesh shows does not depend on them
 
   std::vector<Float3> normals;                 ///< unit length, outward; empty: flat, as the triangles lie
   std::vector<Float4> tangents;                ///< xyz unit length, w = +1 or -1: the sign of the bitangent

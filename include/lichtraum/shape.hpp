@@ -18,12 +18,12 @@ namespace LICHTRAUM_API lichtraum {
 class Shape;
 class ShapeVisitor;
 
-enum class ShapeKind { sphere, box, triangle, cylinder, cone, plane, mesh, point_cloud, composite };
+enum class ShapeKind { sphere, box, triangle, cylinder, cone, plane, mesh, point_cloud, line_set, composite };
 inline constexpr std::size_t shape_kind_count = std::size_t(ShapeKind::composite) + 1;
 
-/// As in eSDF, which has no word for point clouds: they are parts of models.
+/// As in eSDF, which has no word for point clouds and line sets: they are parts of models.
 inline constexpr std::string_view shape_kind_names[] = {"sphere", "box",  "triangle",    "cylinder", "cone",
-                                                        "plane",  "mesh", "point cloud", "composite"};
+                                                        "plane",  "mesh", "point cloud", "line set", "composite"};
 static_assert(std::size(shape_kind_names) == shape_kind_count);
 constexpr std::string_view name_of(ShapeKind kind) { return shape_kind_names[std::size_t(kind)]; }
 
@@ -32,8 +32,8 @@ struct Hit {
   double t = std::numeric_limits<double>::infinity();  ///< in units of the ray's direction
   Vec3 normal{0};                                      ///< geometric, unit length, outward (triangle: by its winding)
   Shape const* shape = nullptr;                        ///< the sphere, box and so on, never the composite above
-  std::size_t triangle = 0;                            ///< of a mesh: the triangle's number; of points: the point's
-  Vec3 barycentric{0};        ///< of a mesh: the weights of that triangle's corners, which sum to 1
+  std::size_t triangle = 0;  ///< of a mesh: the triangle's number; of points: the point's; of lines: the line's
+  Vec3 barycentric{0};  ///< of a mesh: the weights of that triangle's corners, which sum to 1; of lines: of both ends
   Mat3 linear_from_shape{1};  ///< maps directions of the shape's own frame to those of the ray's
 };
 

@@ -196,6 +196,41 @@ class PointCloud final : public Shape {
   double radius_ = 0;
 };
 
+/// Cylinders of one radius and one material along lines, with balls of that radius at their ends, so that lines which
+/// meet are joined. Of its geometry, which several may share, only positions, lines and colours count; a line shades
+/// from the colour of one end to that of the other. A line with an end that is not finite is none.
+class LineSet final : public Shape {
+ public:
+  /// Throws std::invalid_argument when `geometry` is null, names an end that is out of range or has colours, but not as
+  /// many as positions, or `radius` is not positive and finite.
+  LineSet(std::string name, std::shared_ptr<MeshGeometry const> geometry, double radius,
+          std::shared_ptr<Material const> material);
+  std::shared_ptr<MeshGeometry const> const& geometry() const { return geometry_; }
+  double radius() const { return radius_; }
+  void set_radius(double radius);
+
+  /// The numbers of the positions in which lines end, each once, in their order.
+  std::vector<std::uint32_t> const& ends() const { return ends_; }
+  std::size_t line_count() const { return geometry_->lines.size() / 2; }
+  /// Whether both ends are finite.
+  bool is_line(std::size_t number) const;
+
+  ShapeKind kind() const override { return ShapeKind::line_set; }
+  Bounds bounds() const override;
+  bool intersect(Ray const& ray, float& t) const override;
+  bool closest_hit(Ray const& ray, double t_min, Hit& hit) const override;
+  void accept(ShapeVisitor& visitor) const override;
+
+ private:
+  std::string description() const override;
+  std::shared_ptr<Shape> remake(std::shared_ptr<Material const> material) const override;
+
+  std::shared_ptr<MeshGeometry const> geometry_;
+  std::vector<std::uint32_t> ends_;
+  Bounds axes_;
+  double radius_ = 0;
+};
+
 /// A group of shapes under one transform.
 class Composite final : public Shape {
  public:
@@ -244,6 +279,7 @@ class ShapeVisitor {
   virtual void visit(Plane const& plane) = 0;
   virtual void visit(Mesh const& mesh) = 0;
   virtual void visit(PointCloud const& points) = 0;
+  virtual void visit(LineSet const& lines) = 0;
   virtual void visit(Composite const& composite) = 0;
 
  protected:

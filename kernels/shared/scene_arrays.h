@@ -53,6 +53,7 @@
   ARRAY(TriangleAttributes, triangle_attributes) /* one a triangle, as the layout counts them; or none */ \
   ARRAY(uint, sphere_colors)    /* 1 + where in the vertex data rgba of a sphere begin, as the layout */  \
   ARRAY(uint, ellipsoid_colors) /* counts them, and of an ellipsoid; 0: none; or none */                  \
+  ARRAY(uint, cylinder_colors)  /* the same of a cylinder: two colours, of its ends */                    \
   ARRAY(float, vertex_data)                                                                               \
   ARRAY(EmissiveTriangle, emissive_triangles)                                                             \
   ARRAY(EmissiveSolid, emissive_solids)
@@ -111,8 +112,9 @@ DEVICE_STRUCT_SIZE(SceneConstants, 100);
 /* SceneConstants.features: what some of the scene has. What none of it has costs no time. */
 #define SCENE_TRANSPARENCY 1u /* a material lets light through */
 #define SCENE_CUTOUTS 2u      /* a material is there, or lets light through, in some points only */
-#define SCENE_ATTRIBUTES 4u   /* vertices have normals, colours or texture coordinates, or points have colours */
-#define SCENE_PBR 8u          /* a material is derived from a physically based one */
+#define SCENE_ATTRIBUTES \
+  4u                 /* vertices have normals, colours or texture coordinates, or points and lines have colours */
+#define SCENE_PBR 8u /* a material is derived from a physically based one */
 #define SCENE_LIGHT_KINDS 16u /* a light is not LIGHT_CONSTANT */
 #define SCENE_RARE_SHAPES 32u /* a shape is of a kind from FIRST_RARE_SHAPE on */
 #define SCENE_ENVIRONMENT 64u /* light arrives from infinitely far away */

@@ -163,7 +163,7 @@ void add_model_options(CLI::App& parser, ModelChoice& choice) {
   add_value(parser, "--max-texture", choice.max_texture, parse_texture_size, "N",
             "Shrink textures with a longer side\n(default: 4096)", group);
   add_value(parser, "--point-size", choice.point_size, parse_point_size, "SIZE",
-            "Diameter of points, in thousandths of the\nmodel's diagonal (default: by their number)", group);
+            "Diameter of points and lines, in thousandths of\nthe model's diagonal (default: by their number)", group);
 }
 
 void add_input_format_option(CLI::App& parser, std::string& format) {

@@ -36,6 +36,7 @@ std::vector<CountRow> rows_of(ShapeCounts const& counts) {
     rows.push_back({plural(ShapeKind(i)), counts.of_kind[i]});
     if (ShapeKind(i) == ShapeKind::mesh) rows.push_back({"mesh triangles", counts.mesh_triangles});
     if (ShapeKind(i) == ShapeKind::point_cloud) rows.push_back({"points", counts.points});
+    if (ShapeKind(i) == ShapeKind::line_set) rows.push_back({"lines", counts.lines});
   }
   return rows;
 }

@@ -70,7 +70,8 @@ class Compiler {
   std::unique_ptr<Pending> take(FlatObject&& object) {
     auto pending = std::make_unique<Pending>();
     pending->content.add(object.content);
-    FirstOfObject const first{buffers_.triangles.size(), buffers_.spheres.size(), buffers_.ellipsoids.size()};
+    FirstOfObject const first{buffers_.triangles.size(), buffers_.spheres.size(), buffers_.ellipsoids.size(),
+                              buffers_.cylinders.size()};
     device::for_each_kind(buffers_, object, [&]<class T>(BigVector<T>& all, BigVector<T>& more) {
       pending->ranges[device::primitive_kind<T>] = {all.size(), more.size()};
       append(all, std::move(more));
@@ -130,6 +131,7 @@ class Compiler {
       buffers_.sphere_colors.resize(BLOCK_LANES * buffers_.sphere_blocks.size(), 0);
     }
     buffers_.ellipsoid_colors.resize(buffers_.ellipsoids.size(), 0);
+    buffers_.cylinder_colors.resize(buffers_.cylinders.size(), 0);
     buffers_.shading.features |= SCENE_ATTRIBUTES;
   }
 
@@ -138,7 +140,7 @@ class Compiler {
  private:
   /// How many there were when an object's primitives were taken.
   struct FirstOfObject {
-    std::size_t triangle, sphere, ellipsoid;
+    std::size_t triangle, sphere, ellipsoid, cylinder;
   };
 
   /// Those of the primitives taken last.
@@ -159,6 +161,7 @@ class Compiler {
     };
     take_colors(std::move(object.sphere_colors), first_of.sphere, sphere_colors_);
     take_colors(std::move(object.ellipsoid_colors), first_of.ellipsoid, buffers_.ellipsoid_colors);
+    take_colors(std::move(object.cylinder_colors), first_of.cylinder, buffers_.cylinder_colors);
     if (!object.triangle_attributes.empty()) {
       attributes_.resize(first_of.triangle, {});
       append(attributes_, std::move(object.triangle_attributes));

@@ -9,15 +9,15 @@
 
 namespace lichtraum {
 
-/// A mesh, or a point cloud, of a model whose format knows no nodes.
+/// A mesh, lines, or points, of a model whose format knows no nodes.
 struct ModelPart {
   std::string name;
-  std::shared_ptr<MeshGeometry const> geometry;  ///< without triangles: points
+  std::shared_ptr<MeshGeometry const> geometry;  ///< without triangles: lines or points
   std::shared_ptr<Material const> material;
 };
 
-/// Adds a Mesh or a PointCloud for each part, under one root called `name`, and a camera and lights that show them.
-/// `point_size`: see set_point_sizes of io/points.hpp.
+/// Adds a Mesh, a LineSet or a PointCloud for each part, under one root called `name`, and a camera and lights that
+/// show them. `point_size`: see set_point_sizes of io/points.hpp.
 void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& scene,
                std::optional<double> point_size = std::nullopt);
 

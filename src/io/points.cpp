@@ -58,34 +58,44 @@ std::shared_ptr<Shape> make_shape(std::string name, std::shared_ptr<MeshGeometry
   if (!geometry->indices.empty()) {
     return std::make_shared<Mesh>(std::move(name), std::move(geometry), std::move(material));
   }
+  if (!geometry->lines.empty()) {
+    return std::make_shared<LineSet>(std::move(name), std::move(geometry), unset_radius, std::move(material));
+  }
   return std::make_shared<PointCloud>(std::move(name), std::move(geometry), unset_radius, std::move(material));
 }
 
 void set_point_sizes(Scene& scene, std::optional<double> size) {
   std::vector<std::shared_ptr<PointCloud>> clouds;
-  std::size_t count = 0;
+  std::vector<std::shared_ptr<LineSet>> line_sets;
+  std::size_t points = 0, line_ends = 0;
   for (auto const& shape : scene.shapes) {
-    auto cloud = std::dynamic_pointer_cast<PointCloud>(shape);
-    if (!cloud) continue;
-    count += cloud->geometry()->positions.size();
-    clouds.push_back(std::move(cloud));
+    if (auto cloud = std::dynamic_pointer_cast<PointCloud>(shape)) {
+      points += cloud->geometry()->positions.size();
+      clouds.push_back(std::move(cloud));
+    } else if (auto lines = std::dynamic_pointer_cast<LineSet>(shape)) {
+      line_ends += lines->ends().size();
+      line_sets.push_back(std::move(lines));
+    }
   }
-  if (clouds.empty()) return;
+  if (clouds.empty() && line_sets.empty()) return;
 
   auto const roots = scene.roots();
   GraphOrder const order = order_graph(roots);
   std::vector<double> const scales = length_scales(order, roots);
   Bounds const box = fold_bounds(roots).total();
   double const diagonal = glm::length(box.max - box.min);
-  double const thousandths = size.value_or(std::clamp(1200 / std::sqrt(double(count)), 0.25, 10.0));
-  // A point alone is a ball of a thousandth.
-  double const diameter = thousandths / 1000 * (diagonal > 1e3 * unset_radius ? diagonal : 1.0);
-  for (auto const& cloud : clouds) {
-    auto const node = order.index.find(cloud.get());
-    double const scale = node == order.index.end() ? 1 : scales[node->second];
-    double const radius = 0.5 * diameter / scale;
-    if (radius > 0 && std::isfinite(radius)) cloud->set_radius(radius);
-  }
+  auto const set_diameter = [&](auto const& shapes, double thousandths) {
+    // A point alone is a ball of a thousandth.
+    double const diameter = thousandths / 1000 * (diagonal > 1e3 * unset_radius ? diagonal : 1.0);
+    for (auto const& shape : shapes) {
+      auto const node = order.index.find(shape.get());
+      double const scale = node == order.index.end() ? 1 : scales[node->second];
+      double const radius = 0.5 * diameter / scale;
+      if (radius > 0 && std::isfinite(radius)) shape->set_radius(radius);
+    }
+  };
+  set_diameter(clouds, size.value_or(std::clamp(1200 / std::sqrt(double(points)), 0.25, 10.0)));
+  set_diameter(line_sets, size.value_or(std::clamp(250 / std::sqrt(double(line_ends)), 0.25, 4.0)));
 }
 
 }  // namespace lichtraum

@@ -4,14 +4,14 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "core/float3.hpp"
+
 namespace lichtraum {
 namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 constexpr std::size_t max_ear_corners = 256;  // cutting ears takes the square of it
-
-Vec3 to_vec3(Float3 const& p) { return {p[0], p[1], p[2]}; }
 
 void add_fan(std::span<std::uint32_t const> corners, Triangles& triangles) {
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) triangles.push_back({corners[0], corners[i], corners[i + 1]});

@@ -3,14 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/float3.hpp"
 
 namespace lichtraum {
-namespace {
-
-bool is_finite(Float3 const& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
-
-}  // namespace
 
 std::vector<std::uint32_t> to_triangle_list(std::vector<std::uint32_t> indices, int mode) {
   constexpr int strip = 5;
@@ -60,9 +56,9 @@ TriangleFaults remove_faulty_triangles(MeshGeometry& geometry) {
   return faults;
 }
 
-std::string left_out_message(std::size_t count, std::string_view what) {
-  return count == 1 ? fmt::format("1 triangle left out: it has {}", what)
-                    : fmt::format("{} triangles left out: they have {}", count, what);
+std::string left_out_message(std::size_t count, std::string_view what, std::string_view noun) {
+  return count == 1 ? fmt::format("1 {} left out: it has {}", noun, what)
+                    : fmt::format("{} {}s left out: they have {}", count, noun, what);
 }
 
 }  // namespace lichtraum

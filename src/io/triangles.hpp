@@ -21,7 +21,7 @@ struct TriangleFaults {
 /// Leaves out triangles that name a position that is not there or not finite.
 TriangleFaults remove_faulty_triangles(MeshGeometry& geometry);
 
-/// What is said of them: "2 triangles left out: they have <what>".
-std::string left_out_message(std::size_t count, std::string_view what);
+/// What is said of them: "2 triangles left out: they have <what>". `noun`: what one of them is.
+std::string left_out_message(std::size_t count, std::string_view what, std::string_view noun = "triangle");
 
 }  // namespace lichtraum

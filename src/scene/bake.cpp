@@ -4,8 +4,11 @@
 #include <atomic>
 #include <cmath>
 #include <glm/matrix.hpp>
+#include <iterator>
+#include <numeric>
 #include <optional>
 
+#include "core/float3.hpp"
 #include "core/huge_pages.hpp"
 #include "core/parallel_ranges.hpp"
 #include "scene/bake_attributes.hpp"
@@ -147,19 +150,25 @@ class Baker final : public ShapeVisitor {
   }
 
   void visit(PointCloud const& points) override {
-    if (auto const scale = similarity_scale(object_from_shape_)) {
-      add_points(points, object_.spheres, object_.sphere_colors, [&](Vec3 const& center, auto& primitive) {
-        store(object_from_shape_.point(center), primitive.center);
-        primitive.radius = float(*scale * points.radius());
-        return all_finite(primitive.center) && std::isnormal(primitive.radius);
-      });
-    } else {
-      add_points(points, object_.ellipsoids, object_.ellipsoid_colors, [&](Vec3 const& center, auto& primitive) {
-        Transform const shape_from_unit = Transform::translation(center) * Transform::scaling(Vec3(points.radius()));
-        primitive.unit_from_object = device_transform((object_from_shape_ * shape_from_unit).inverse());
-        return is_finite(primitive.unit_from_object);
-      });
+    std::vector<std::uint32_t> all(points.geometry()->positions.size());
+    std::iota(all.begin(), all.end(), 0u);
+    add_balls(*points.geometry(), all, points.radius(), points.material().get());
+  }
+
+  void visit(LineSet const& set) override {
+    MeshGeometry const& geometry = *set.geometry();
+    add_balls(geometry, set.ends(), set.radius(), set.material().get());
+    std::vector<std::uint32_t> kept;
+    for (std::size_t i = 0; i < set.line_count(); ++i) {
+      std::uint32_t const ends[] = {geometry.lines[2 * i], geometry.lines[2 * i + 1]};
+      Vec3 const p1 = to_vec3(geometry.positions[ends[0]]);
+      Vec3 const axis = to_vec3(geometry.positions[ends[1]]) - p1;
+      if (!set.is_line(i) || axis == Vec3(0)) continue;
+      std::size_t const before = object_.cylinders.size();
+      append_unit_shape(upright_frame(p1, axis, set.radius()), object_.cylinders);
+      if (object_.cylinders.size() > before) kept.insert(kept.end(), std::begin(ends), std::end(ends));
     }
+    bake_colors(geometry, set.material().get(), kept, 2, object_.cylinders.size(), object_.cylinder_colors, object_);
   }
 
   void visit(Composite const&) override {}  // no leaf: flatten unfolds it
@@ -182,23 +191,43 @@ class Baker final : public ShapeVisitor {
     }
   }
 
+  /// Around those of `vertices` that are finite.
+  void add_balls(MeshGeometry const& geometry, std::vector<std::uint32_t> const& vertices, double radius,
+                 Material const* material) {
+    if (auto const scale = similarity_scale(object_from_shape_)) {
+      auto const place = [&](Vec3 const& center, auto& primitive) {
+        store(object_from_shape_.point(center), primitive.center);
+        primitive.radius = float(*scale * radius);
+        return all_finite(primitive.center) && std::isnormal(primitive.radius);
+      };
+      add_placed(geometry, vertices, material, object_.spheres, object_.sphere_colors, place);
+    } else {
+      auto const place = [&](Vec3 const& center, auto& primitive) {
+        Transform const shape_from_unit = Transform::translation(center) * Transform::scaling(Vec3(radius));
+        primitive.unit_from_object = device_transform((object_from_shape_ * shape_from_unit).inverse());
+        return is_finite(primitive.unit_from_object);
+      };
+      add_placed(geometry, vertices, material, object_.ellipsoids, object_.ellipsoid_colors, place);
+    }
+  }
+
   /// `place(center, primitive)` says whether the primitive fits the device's numbers.
   template <class T, class Place>
-  void add_points(PointCloud const& points, BigVector<T>& list, BigVector<device::uint>& colors, Place const& place) {
-    std::vector<Float3> const& positions = points.geometry()->positions;
-    reserve_in_huge_pages(list, list.size() + positions.size());
+  void add_placed(MeshGeometry const& geometry, std::vector<std::uint32_t> const& vertices, Material const* material,
+                  BigVector<T>& list, BigVector<device::uint>& colors, Place const& place) {
+    reserve_in_huge_pages(list, list.size() + vertices.size());
     std::vector<std::uint32_t> kept;
-    kept.reserve(positions.size());
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      Vec3 const center(positions[i][0], positions[i][1], positions[i][2]);
+    kept.reserve(vertices.size());
+    for (std::uint32_t const i : vertices) {
+      Vec3 const center = to_vec3(geometry.positions[i]);
       if (!std::isfinite(center.x + center.y + center.z)) continue;  // no point
       T primitive{};
       primitive.tag = tag_;
       bool const fits = place(center, primitive);
       append(primitive, fits, list);
-      if (fits) kept.push_back(std::uint32_t(i));
+      if (fits) kept.push_back(i);
     }
-    bake_colors(points, kept, list.size(), colors, object_);
+    bake_colors(geometry, material, kept, 1, list.size(), colors, object_);
   }
 
   /// Mirroring would turn the winding round: then the last two corners change places.

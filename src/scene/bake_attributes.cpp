@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "core/float3.hpp"
 #include "core/huge_pages.hpp"
 #include "core/parallel_ranges.hpp"
 #include "lichtraum/error.hpp"
@@ -98,8 +99,6 @@ void check_float_count(std::size_t count) {
   throw Error(ErrorKind::scene, "the meshes' normals, colours and texture coordinates need more than 2^32 floats");
 }
 
-bool is_finite(Float3 const& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
-
 }  // namespace
 
 void bake_attributes(Mesh const& mesh, Transform const& object_from_mesh, std::vector<Float3> const& positions,
@@ -133,18 +132,18 @@ void bake_attributes(Mesh const& mesh, Transform const& object_from_mesh, std::v
   }
 }
 
-void bake_colors(PointCloud const& points, std::vector<std::uint32_t> const& kept, std::size_t count,
-                 BigVector<device::uint>& colors, FlatObject& object) {
-  std::vector<Float4> const& own = points.geometry()->colors;
-  if (own.empty() || !points.material() || !points.material()->pbr()) return;
+void bake_colors(MeshGeometry const& geometry, Material const* material, std::vector<std::uint32_t> const& vertices,
+                 std::size_t each, std::size_t count, BigVector<device::uint>& colors, FlatObject& object) {
+  if (geometry.colors.empty() || !material || !material->pbr()) return;
   std::size_t const first_float = object.vertex_data.size();
-  check_float_count(first_float + 4 * kept.size() + 1);
-  reserve_in_huge_pages(object.vertex_data, first_float + 4 * kept.size());
+  check_float_count(first_float + 4 * vertices.size() + 1);
+  reserve_in_huge_pages(object.vertex_data, first_float + 4 * vertices.size());
   reserve_in_huge_pages(colors, count);
-  colors.resize(count - kept.size(), 0);
-  for (std::uint32_t const point : kept) {
-    colors.push_back(device::uint(object.vertex_data.size() + 1));
-    object.vertex_data.insert(object.vertex_data.end(), own[point].begin(), own[point].end());
+  colors.resize(count - vertices.size() / each, 0);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (i % each == 0) colors.push_back(device::uint(object.vertex_data.size() + 1));
+    Float4 const& color = geometry.colors[vertices[i]];
+    object.vertex_data.insert(object.vertex_data.end(), color.begin(), color.end());
   }
 }
 

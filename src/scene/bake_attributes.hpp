@@ -16,10 +16,10 @@ inline constexpr std::size_t min_elements_of_thread = std::size_t(1) << 15;
 void bake_attributes(Mesh const& mesh, Transform const& object_from_mesh, std::vector<Float3> const& positions,
                      std::size_t const (&places)[3], std::size_t first, FlatObject& object);
 
-/// Appends the colours of points, where they have any that the material uses, for as many spheres or ellipsoids as the
-/// points that are `kept`: the last of `count`. `colors` is the list of the object that belongs to these.
-/// Throws Error{scene} for more than 2^32 floats of vertices.
-void bake_colors(PointCloud const& points, std::vector<std::uint32_t> const& kept, std::size_t count,
-                 BigVector<device::uint>& colors, FlatObject& object);
+/// Appends the colours that `vertices` of the geometry have, if any, and if the material uses them, for the last of
+/// `count` primitives: `each` for one of them (points: 1, lines: 2). `colors` is the list of the object that belongs to
+/// these. Throws Error{scene} for more than 2^32 floats of vertices.
+void bake_colors(MeshGeometry const& geometry, Material const* material, std::vector<std::uint32_t> const& vertices,
+                 std::size_t each, std::size_t count, BigVector<device::uint>& colors, FlatObject& object);
 
 }  // namespace lichtraum

@@ -3,7 +3,7 @@
 
 #include "core/format_numbers.hpp"
 #include "lichtraum/shapes.hpp"
-#include "scene/passage.hpp"
+#include "scene/cylinder_passage.hpp"
 
 namespace lichtraum {
 
@@ -22,26 +22,8 @@ Bounds Cylinder::bounds() const {
   return bounds;
 }
 
-// Seen along its axis a cylinder is a circle: what is `across` the axis meets that, what is `along` it meets the ends.
 bool Cylinder::closest_hit(Ray const& ray, double t_min, Hit& hit) const {
-  Vec3 const axis = unit_vector(p2_ - p1_);
-  double const height = glm::length(p2_ - p1_);
-  NearRay const near(object_from_world(ray), 0.5 * (p1_ + p2_), height + radius_);
-  AxisSplit const origin(near.ray.origin - p1_, axis);
-  AxisSplit const direction(near.ray.direction, axis);
-  Passage passage;
-  double const a = glm::dot(direction.across, direction.across);
-  double const distance = glm::length(origin.across);
-  double const moment = glm::length(glm::cross(origin.across, direction.across));
-  double const discriminant = a * radius_ * radius_ - moment * moment;
-  if (a > 0 ? !(discriminant >= 0) : !(distance <= radius_)) return false;
-  if (a > 0) {
-    double const half_b = -glm::dot(origin.across, direction.across);
-    auto const [t1, t2] = roots_of_quadratic(a, half_b, (distance - radius_) * (distance + radius_), discriminant);
-    passage.clip(t1, origin.across + t1 * direction.across, t2, origin.across + t2 * direction.across);
-  }
-  passage.clip_to_slab(0, height, origin.along, direction.along, axis);
-  return take_hit(*this, near.undo(passage), t_min, hit);
+  return take_hit(*this, cylinder_passage(object_from_world(ray), p1_, p2_, radius_), t_min, hit);
 }
 
 bool Cylinder::intersect(Ray const& ray, float& t) const { return intersect_closest(*this, ray, t); }

@@ -18,7 +18,8 @@ struct FlatObject : device::PrimitiveArrays {
   /// data; 0, as for those that are missing at the end: there is none.
   BigVector<device::uint> sphere_colors;
   BigVector<device::uint> ellipsoid_colors;
-  BigVector<float> vertex_data;  ///< what they count in
+  BigVector<device::uint> cylinder_colors;  ///< likewise; four floats for each of its ends
+  BigVector<float> vertex_data;             ///< what they count in
   /// Its part of FlatScene::shapes.
   std::size_t first_shape = 0;
   std::size_t shape_count = 0;

@@ -34,11 +34,15 @@ void count_edge(GraphNode& node, std::uint64_t paths) {
   ++node.edges_in;
 }
 
+std::uint64_t leaf_primitives(Shape const& shape) {
+  if (PointCloud const* const points = as_point_cloud(shape)) return points->geometry()->positions.size();
+  if (LineSet const* const lines = as_line_set(shape)) return lines->line_count() + lines->ends().size();
+  return as_mesh(shape)->geometry()->triangle_count();
+}
+
 void count_below(GraphNode& node, GraphOrder const& order) {
   if (!node.composite) {
-    PointCloud const* const points = as_point_cloud(*node.shape);
-    node.primitives =
-        points ? points->geometry()->positions.size() : as_mesh(*node.shape)->geometry()->triangle_count();
+    node.primitives = leaf_primitives(*node.shape);
     return;
   }
   for (auto const& child : node.composite->children()) {
@@ -63,6 +67,10 @@ Mesh const* as_mesh(Shape const& shape) {
 
 PointCloud const* as_point_cloud(Shape const& shape) {
   return shape.kind() == ShapeKind::point_cloud ? static_cast<PointCloud const*>(&shape) : nullptr;
+}
+
+LineSet const* as_line_set(Shape const& shape) {
+  return shape.kind() == ShapeKind::line_set ? static_cast<LineSet const*>(&shape) : nullptr;
 }
 
 GraphOrder order_graph(std::vector<std::shared_ptr<Shape const>> const& roots) {

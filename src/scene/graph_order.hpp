@@ -14,14 +14,15 @@ struct GraphNode {
   static constexpr std::uint64_t uncountable = std::uint64_t(1) << 62;
 
   Shape const* shape = nullptr;
-  Composite const* composite = nullptr;  ///< null for a mesh, or points
+  Composite const* composite = nullptr;  ///< null for a mesh, points or lines
   std::uint64_t occurrences = 0;         ///< paths from a root to this node
-  std::uint64_t primitives = 0;          ///< leaves, triangles of meshes and points below, one for each path
+  std::uint64_t primitives = 0;          ///< leaves, triangles of meshes, points and what lines are made of
   std::uint32_t edges_in = 0;            ///< how often composites (or the list of roots) name it
   bool is_tree = true;                   ///< no node below is named twice
 };
 
-/// Every composite, mesh and point cloud that can be reached from the roots: all that may hold more than one primitive.
+/// Every composite, mesh, point cloud and line set that can be reached from the roots: all that may hold more than one
+/// primitive.
 struct GraphOrder {
   std::vector<GraphNode> nodes;  ///< children before parents
   std::unordered_map<Shape const*, std::uint32_t> index;
@@ -37,8 +38,11 @@ GraphOrder order_graph(std::vector<std::shared_ptr<Shape const>> const& roots);
 Composite const* as_composite(Shape const& shape);
 Mesh const* as_mesh(Shape const& shape);
 PointCloud const* as_point_cloud(Shape const& shape);
+LineSet const* as_line_set(Shape const& shape);
 /// Whether `shape` has a node in the order.
-inline bool is_graph_node(Shape const& shape) { return as_composite(shape) || as_mesh(shape) || as_point_cloud(shape); }
+inline bool is_graph_node(Shape const& shape) {
+  return as_composite(shape) || as_mesh(shape) || as_point_cloud(shape) || as_line_set(shape);
+}
 
 /// The sum or product, at most `uncountable`.
 inline std::uint64_t saturating_add(std::uint64_t a, std::uint64_t b) {

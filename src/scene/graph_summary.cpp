@@ -16,6 +16,8 @@ void add(ShapeCounts& counts, ShapeCounts const& more) {
   }
   counts.mesh_triangles = saturating_add(counts.mesh_triangles, more.mesh_triangles);
   counts.points = saturating_add(counts.points, more.points);
+  counts.lines = saturating_add(counts.lines, more.lines);
+  counts.line_ends = saturating_add(counts.line_ends, more.line_ends);
 }
 
 /// The shape itself, without what is below it.
@@ -24,6 +26,10 @@ ShapeCounts one(Shape const& shape) {
   counts.of_kind[std::size_t(shape.kind())] = 1;
   if (Mesh const* const mesh = as_mesh(shape)) counts.mesh_triangles = mesh->geometry()->triangle_count();
   if (PointCloud const* const cloud = as_point_cloud(shape)) counts.points = cloud->geometry()->positions.size();
+  if (LineSet const* const lines = as_line_set(shape)) {
+    counts.lines = lines->line_count();
+    counts.line_ends = lines->ends().size();
+  }
   return counts;
 }
 
@@ -51,10 +57,11 @@ ShapeCounts count_each_once(std::vector<std::shared_ptr<Shape const>> const& roo
 }  // namespace
 
 std::uint64_t ShapeCounts::primitives() const {
-  std::uint64_t sum = saturating_add(mesh_triangles, points);
+  std::uint64_t sum = saturating_add(saturating_add(mesh_triangles, points), saturating_add(lines, line_ends));
   for (std::size_t i = 0; i < shape_kind_count; ++i) {
     auto const kind = ShapeKind(i);
-    bool const holds_others = kind == ShapeKind::mesh || kind == ShapeKind::point_cloud || kind == ShapeKind::composite;
+    bool const holds_others = kind == ShapeKind::mesh || kind == ShapeKind::point_cloud ||
+                              kind == ShapeKind::line_set || kind == ShapeKind::composite;
     if (!holds_others) sum = saturating_add(sum, of_kind[i]);
   }
   return sum;

@@ -4,14 +4,13 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/float3.hpp"
 #include "lichtraum/shapes.hpp"
 #include "scene/hit_triangle.hpp"
 #include "scene/leaf_hit.hpp"
 
 namespace lichtraum {
 namespace {
-
-Vec3 to_vec3(Float3 const& v) { return {v[0], v[1], v[2]}; }
 
 void check(MeshGeometry const& geometry) {
   std::size_t const count = geometry.positions.size();

@@ -5,6 +5,12 @@
 
 namespace lichtraum {
 
+namespace {
+
+glm::dvec4 to_dvec4(Float4 const& v) { return {v[0], v[1], v[2], v[3]}; }
+
+}  // namespace
+
 MeshPoint::MeshPoint(Hit const& hit) {
   if (Mesh const* const mesh = as_mesh(*hit.shape)) {
     geometry_ = mesh->geometry().get();
@@ -12,7 +18,13 @@ MeshPoint::MeshPoint(Hit const& hit) {
     weights_ = hit.barycentric;
   } else if (PointCloud const* const cloud = as_point_cloud(*hit.shape)) {
     auto const& colors = cloud->geometry()->colors;
-    if (!colors.empty()) own_color_ = &colors[hit.triangle];
+    if (!colors.empty()) own_color_ = to_dvec4(colors[hit.triangle]);
+  } else if (LineSet const* const set = as_line_set(*hit.shape)) {
+    auto const& colors = set->geometry()->colors;
+    std::uint32_t const* const ends = set->geometry()->lines.data() + 2 * hit.triangle;
+    if (!colors.empty()) {
+      own_color_ = hit.barycentric.x * to_dvec4(colors[ends[0]]) + hit.barycentric.y * to_dvec4(colors[ends[1]]);
+    }
   }
 }
 
@@ -32,7 +44,7 @@ bool MeshPoint::has(int set) const {
 }
 
 glm::dvec4 MeshPoint::color() const {
-  if (own_color_) return {(*own_color_)[0], (*own_color_)[1], (*own_color_)[2], (*own_color_)[3]};
+  if (own_color_) return *own_color_;
   return has_colors() ? interpolate<glm::dvec4>(geometry_->colors) : glm::dvec4(1);
 }
 

@@ -8,14 +8,14 @@
 namespace lichtraum {
 
 /// What the vertices of a mesh give the point of a hit, in the mesh's own frame; of a point cloud, its point's colour;
-/// of any other shape, nothing.
+/// of a line, the colour between its ends'; of any other shape, nothing.
 class MeshPoint {
  public:
   MeshPoint() = default;
   explicit MeshPoint(Hit const& hit);
 
   bool is_on_mesh() const { return geometry_ != nullptr; }
-  bool has_colors() const { return own_color_ || (geometry_ && !geometry_->colors.empty()); }
+  bool has_colors() const { return own_color_.has_value() || (geometry_ && !geometry_->colors.empty()); }
   glm::dvec4 color() const;            ///< all ones without
   std::optional<Vec3> normal() const;  ///< of any length
   std::optional<glm::dvec4> tangent() const;
@@ -35,7 +35,7 @@ class MeshPoint {
   bool has(int set) const;
 
   MeshGeometry const* geometry_ = nullptr;
-  Float4 const* own_color_ = nullptr;  ///< of a point in a point cloud
+  std::optional<glm::dvec4> own_color_;  ///< of a point in a point cloud, or on a line
   std::size_t first_index_ = 0;
   Vec3 weights_{0};
 };

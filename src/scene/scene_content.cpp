@@ -136,6 +136,7 @@ ContentHash content_of(FlatObject const& object) {
   hasher.add(object.triangle_attributes);
   hasher.add(object.sphere_colors);
   hasher.add(object.ellipsoid_colors);
+  hasher.add(object.cylinder_colors);
   hasher.add(object.vertex_data);
   return hasher.finish();
 }

@@ -190,9 +190,10 @@ TEST_CASE("what is broken is named by its JSON pointer, and the rest is drawn", 
     broken["mode"] = 7;
     expect("/meshes/1/primitives/0/mode: glTF has no mode 7");
   }
-  SECTION("lines") {
+  SECTION("lines of one end") {
     broken["mode"] = 3;
-    expect("/meshes/1/primitives/0: lines are not drawn");
+    broken["indices"] = writer.add_accessor("SCALAR", 1, std::vector<std::uint8_t>{0});
+    expect("/meshes/1/primitives/0: it holds no line");
   }
   SECTION("a cycle") {
     writer.json["nodes"][1] = {{"children", {1}}};

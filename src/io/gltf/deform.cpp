@@ -1,4 +1,5 @@
 #include "io/gltf/deform.hpp"
+#include "core/float3.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,6 @@
 namespace lichtraum::gltf {
 namespace {
 
-Vec3 to_vec3(Float3 const& v) { return {v[0], v[1], v[2]}; }
 Float3 to_float3(Vec3 const& v) { return {float(v.x), float(v.y), float(v.z)}; }
 
 Float3 to_unit_float3(Vec3 const& v) {

@@ -114,7 +114,7 @@ struct GltfAnimation::State {
     if (graph.drawn() == 0) {
       if (graph.faulty_primitives() > 0)
         findings.fail(DiagnosticCode::nothing_to_draw, "", "the model has nothing to draw");
-      findings.warn(DiagnosticCode::undrawn_primitive, "", "the scene shows no triangles and no points");
+      findings.warn(DiagnosticCode::undrawn_primitive, "", "the scene shows no triangles, lines or points");
     }
 
     set_point_sizes(result.scene, options.point_size);

@@ -8,6 +8,7 @@
 
 #include "io/gltf/draco.hpp"
 #include "io/gltf/values.hpp"
+#include "io/lines.hpp"
 #include "io/triangles.hpp"
 
 namespace lichtraum::gltf {
@@ -51,10 +52,6 @@ struct Primitives::Source {
 std::optional<Primitive> Primitives::read(int mesh, std::size_t number) {
   auto const& source_primitive = document_.model.meshes[std::size_t(mesh)].primitives[number];
   Source source{source_primitive, fmt::format("/meshes/{}/primitives/{}", mesh, number)};
-  if (source_primitive.mode >= TINYGLTF_MODE_LINE && source_primitive.mode <= TINYGLTF_MODE_LINE_STRIP) {
-    findings_.warn(DiagnosticCode::undrawn_primitive, source.pointer, "lines are not drawn");
-    return std::nullopt;
-  }
   if (source_primitive.mode > 6) {
     findings_.warn(DiagnosticCode::undrawn_primitive, source.pointer + "/mode",
                    fmt::format("glTF has no mode {}", source_primitive.mode));
@@ -166,7 +163,7 @@ std::optional<std::vector<std::uint32_t>> Primitives::read_indices(Source const&
     indices.resize(vertex_count);
     for (std::size_t i = 0; i < vertex_count; ++i) indices[i] = std::uint32_t(i);
   }
-  return to_triangle_list(std::move(indices), source.primitive.mode);
+  return indices;
 }
 
 std::shared_ptr<MeshGeometry const> Primitives::read_geometry(Source& source) {
@@ -179,10 +176,11 @@ std::shared_ptr<MeshGeometry const> Primitives::read_geometry(Source& source) {
   geometry->positions = read_attribute<3>(source, "POSITION", 0);
   if (geometry->positions.empty()) return nullptr;
   if (source.primitive.mode == TINYGLTF_MODE_POINTS) return read_points(source, std::move(geometry));
+  if (source.primitive.mode <= TINYGLTF_MODE_LINE_STRIP) return read_lines(source, std::move(geometry));
   std::size_t const count = geometry->positions.size();
   auto indices = read_indices(source, count);
   if (!indices) return nullptr;
-  geometry->indices = std::move(*indices);
+  geometry->indices = source.draco ? std::move(*indices) : to_triangle_list(std::move(*indices), source.primitive.mode);
 
   geometry->normals = read_attribute<3>(source, "NORMAL", count);
   remove_non_finite(geometry->normals);
@@ -242,6 +240,30 @@ std::shared_ptr<MeshGeometry const> Primitives::read_points(Source const& source
     if (!is_named[i]) geometry->positions[i].fill(std::numeric_limits<float>::quiet_NaN());
   }
   return geometry;
+}
+
+std::shared_ptr<MeshGeometry const> Primitives::read_lines(Source const& source,
+                                                           std::shared_ptr<MeshGeometry> geometry) {
+  std::size_t const count = geometry->positions.size();
+  geometry->colors = read_colors(source, count);
+  auto indices = read_indices(source, count);
+  if (!indices) return nullptr;
+  geometry->lines = to_line_list(std::move(*indices), source.primitive.mode);
+  LineFaults const faults = remove_faulty_lines(*geometry);
+  if (faults.out_of_range > 0) {
+    findings_.warn(
+        DiagnosticCode::geometry_left_out, source.pointer + "/indices",
+        left_out_message(faults.out_of_range, fmt::format("an index that is out of range ({})", count), "line"));
+  }
+  if (faults.non_finite > 0) {
+    findings_.warn(DiagnosticCode::geometry_left_out, source.place("POSITION"),
+                   left_out_message(faults.non_finite, "an end that is not finite", "line"));
+  }
+  if (!geometry->lines.empty()) return geometry;
+  if (faults.out_of_range + faults.non_finite == 0) {
+    findings_.warn(DiagnosticCode::undrawn_primitive, source.pointer, "it holds no line");
+  }
+  return nullptr;
 }
 
 std::vector<MorphTarget> Primitives::read_targets(Source const& source, std::size_t count) {

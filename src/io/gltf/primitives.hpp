@@ -43,8 +43,8 @@ class Primitives {
   Primitives(Document const& document, Buffers& buffers, Accessors& accessors, Findings& findings, Geometries& known)
       : document_(document), buffers_(buffers), accessors_(accessors), findings_(findings), known_(known) {}
 
-  /// Nothing when it has no triangles or points that can be read: a finding says why. The geometry of points has no
-  /// indices.
+  /// Nothing when it has no triangles, lines or points that can be read: a finding says why. The geometry of lines and
+  /// of points has no indices.
   std::optional<Primitive> read(int mesh, std::size_t primitive);
 
  private:
@@ -52,6 +52,8 @@ class Primitives {
   std::shared_ptr<MeshGeometry const> read_geometry(Source& source);
   bool decompress(Source& source);
   std::shared_ptr<MeshGeometry const> read_points(Source const& source, std::shared_ptr<MeshGeometry> geometry);
+  std::shared_ptr<MeshGeometry const> read_lines(Source const& source, std::shared_ptr<MeshGeometry> geometry);
+  /// As they stand; without any, all vertices in their order.
   std::optional<std::vector<std::uint32_t>> read_indices(Source const& source, std::size_t vertex_count);
   template <std::size_t N>
   std::vector<std::array<float, N>> read_attribute(Source const& source, std::string const& name, std::size_t count);

@@ -112,11 +112,9 @@ std::vector<std::optional<Primitive>> const& SceneGraph::primitives_of(int mesh)
     for (std::size_t i = 0; i < document_.model.meshes[std::size_t(mesh)].primitives.size(); ++i) {
       found->second.push_back(primitives_.read(mesh, i));
       auto const& primitive = found->second.back();
-      int const mode = document_.model.meshes[std::size_t(mesh)].primitives[i].mode;
       if (primitive) {
-        bool const are_points = mode == TINYGLTF_MODE_POINTS;
-        drawn_ += are_points ? primitive->geometry->positions.size() : primitive->geometry->triangle_count();
-      } else if (mode <= 0 || mode > 3) {
+        ++drawn_;
+      } else {
         ++faulty_primitives_;
       }
     }

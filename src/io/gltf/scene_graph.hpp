@@ -11,8 +11,8 @@
 
 namespace lichtraum::gltf {
 
-/// Turns the nodes of a model into composites and its meshes into Mesh and PointCloud shapes. A mesh that several nodes
-/// show is one shape with several parents, unless a skin or morph weights make it another one for each.
+/// Turns the nodes of a model into composites and its meshes into Mesh, LineSet and PointCloud shapes. A mesh that
+/// several nodes show is one shape with several parents, unless a skin or morph weights make it another one for each.
 class SceneGraph {
  public:
   SceneGraph(Document const& document, NodeTree const& tree, std::vector<NodePose> const& pose, Primitives& primitives,
@@ -24,7 +24,7 @@ class SceneGraph {
 
   /// Primitives that could not be read although they should hold triangles or points.
   std::size_t faulty_primitives() const { return faulty_primitives_; }
-  std::uint64_t drawn() const { return drawn_; }  ///< triangles and points, unique ones
+  std::uint64_t drawn() const { return drawn_; }  ///< primitives that show something, each once
 
  private:
   using Children = Composite::Children;

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/float3.hpp"
 #include "io/polygon.hpp"
 #include "io/text/numbers.hpp"
 #include "io/triangles.hpp"
@@ -17,8 +18,6 @@ namespace lichtraum::obj {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
-bool is_finite(Float3 const& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
 class ObjReader {
  public:

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <new>
 
 #include "core/read_file.hpp"
 #include "io/image/decode.hpp"
+#include "io/lines.hpp"
 #include "io/model_file.hpp"
 #include "io/model_scene.hpp"
 #include "io/ply/ply_data.hpp"
@@ -47,10 +47,48 @@ std::shared_ptr<Material> material_of(std::string const& texture_file, MeshGeome
   return std::make_shared<Material>("default", std::move(model));
 }
 
-bool has_faces(Header const& header) {
-  return std::any_of(header.elements.begin(), header.elements.end(), [](Element const& element) {
-    return element.count > 0 && (element.name == "face" || element.name == "tristrips");
-  });
+/// Leaves what can be drawn, with warnings, or says that there is nothing.
+void reduce(MeshGeometry& geometry, Drawn drawn, Diagnostics& diagnostics) {
+  auto const left_out = [&](std::size_t count, char const* why, char const* noun) {
+    if (count == 0) return;
+    diagnostics.add(Severity::warning, DiagnosticCode::geometry_left_out, {}, left_out_message(count, why, noun));
+  };
+  char const* missing = nullptr;
+  if (drawn == Drawn::triangles) {
+    TriangleFaults const faults = remove_faulty_triangles(geometry);
+    left_out(faults.out_of_range, "a vertex that is not there", "triangle");
+    left_out(faults.non_finite, "a corner that is not finite", "triangle");
+    if (geometry.indices.empty()) missing = "triangles";
+  } else if (drawn == Drawn::lines) {
+    geometry.normals = {};
+    geometry.texcoords = {};
+    LineFaults const faults = remove_faulty_lines(geometry);
+    left_out(faults.out_of_range, "a vertex that is not there", "line");
+    left_out(faults.non_finite, "an end that is not finite", "line");
+    if (geometry.lines.empty()) missing = "triangles and no lines";
+  } else {
+    if (std::size_t const count = reduce_to_points(geometry); count > 0) {
+      diagnostics.add(Severity::warning, DiagnosticCode::geometry_left_out, {},
+                      fmt::format("points that are not finite are left out: {}", count));
+    }
+    if (geometry.positions.empty()) missing = "triangles and no points";
+  }
+  if (missing) {
+    diagnostics.add(Severity::error, DiagnosticCode::nothing_to_draw, {},
+                    fmt::format("the model has nothing to draw: it has no {}", missing));
+  }
+}
+
+char const* part_name(Drawn drawn) {
+  switch (drawn) {
+    case Drawn::triangles:
+      return "mesh";
+    case Drawn::lines:
+      return "lines";
+    case Drawn::points:
+      return "points";
+  }
+  return "";
 }
 
 Model import(std::string_view bytes, std::string const& name, std::optional<fs::path> const& folder,
@@ -61,25 +99,7 @@ Model import(std::string_view bytes, std::string const& name, std::optional<fs::
   if (read_header(bytes, header, diagnostics)) {
     *geometry = read_data(bytes, header, diagnostics);
     diagnostics.begin_line({});
-    bool const is_cloud = !has_faces(header);
-    std::size_t const non_finite_points = is_cloud ? reduce_to_points(*geometry) : 0;
-    TriangleFaults const faults = remove_faulty_triangles(*geometry);
-    auto const left_out = [&](std::size_t count, char const* why) {
-      if (count > 0) {
-        diagnostics.add(Severity::warning, DiagnosticCode::geometry_left_out, {}, left_out_message(count, why));
-      }
-    };
-    left_out(faults.out_of_range, "a vertex that is not there");
-    left_out(faults.non_finite, "a corner that is not finite");
-    if (non_finite_points > 0) {
-      diagnostics.add(Severity::warning, DiagnosticCode::geometry_left_out, {},
-                      fmt::format("points that are not finite are left out: {}", non_finite_points));
-    }
-    if (is_cloud ? geometry->positions.empty() : geometry->indices.empty()) {
-      diagnostics.add(
-          Severity::error, DiagnosticCode::nothing_to_draw, {},
-          fmt::format("the model has nothing to draw: it has no triangles{}", is_cloud ? " and no points" : ""));
-    }
+    reduce(*geometry, header.draws(), diagnostics);
   }
   bool const has_failed = diagnostics.errors() > 0;
   Model model;
@@ -92,9 +112,8 @@ Model import(std::string_view bytes, std::string const& name, std::optional<fs::
   model.diagnostics = std::move(diagnostics).finish(0);
   check_static(options, name, model.diagnostics);
   if (has_failed) throw SceneError(std::move(model.diagnostics));
-  char const* const part = geometry->indices.empty() ? "points" : "mesh";
-  add_parts({{part, std::move(geometry), std::move(material)}}, fs::path(name).stem().string(), model.scene,
-            options.point_size);
+  add_parts({{part_name(header.draws()), std::move(geometry), std::move(material)}}, fs::path(name).stem().string(),
+            model.scene, options.point_size);
   return model;
 }
 

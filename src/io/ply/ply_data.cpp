@@ -15,8 +15,25 @@
 namespace lichtraum::ply {
 namespace {
 
-/// What a property of a vertex is: a place in a row of numbers.
-enum Slot : std::size_t { x, y, z, nx, ny, nz, u, v, red, green, blue, alpha, slot_count, none = slot_count };
+/// What a property of a vertex or an edge is: a place in a row of numbers.
+enum Slot : std::size_t {
+  x,
+  y,
+  z,
+  nx,
+  ny,
+  nz,
+  u,
+  v,
+  begin,
+  end,
+  red,
+  green,
+  blue,
+  alpha,
+  slot_count,
+  none = slot_count
+};
 
 struct SlotName {
   std::string_view name;
@@ -53,6 +70,8 @@ constexpr SlotName slot_names[] = {
     {"diffuse_red", red},
     {"diffuse_green", green},
     {"diffuse_blue", blue},
+    {"vertex1", begin},
+    {"vertex2", end},
 };
 
 Slot slot_of(std::string const& name) {
@@ -87,7 +106,7 @@ double full_scale(Type type) {
 template <class Source>
 class DataReader {
  public:
-  explicit DataReader(Source source) : source_(std::move(source)) {}
+  DataReader(Source source, bool reads_edges) : source_(std::move(source)), reads_edges_(reads_edges) {}
 
   MeshGeometry run(std::vector<Element> const& elements) {
     for (Element const& element : elements) {
@@ -95,6 +114,7 @@ class DataReader {
       bool const is_whole = element.name == "vertex"                           ? vertices(element)
                             : element.name == "face" && has_list(element)      ? faces(element, false)
                             : element.name == "tristrips" && has_list(element) ? faces(element, true)
+                            : element.name == "edge" && reads_edges_           ? edges(element)
                                                                                : skip(element);
       if (!is_whole) break;  // told already
     }
@@ -107,45 +127,74 @@ class DataReader {
     return false;
   }
 
-  bool vertices(Element const& element) {
-    std::array<bool, slot_count> has{};
+  /// How the properties of an element become a row.
+  struct Columns {
     std::vector<Slot> slots;
     std::vector<double> scales;
-    for (Property const& property : element.properties) {
-      slots.push_back(property.is_list ? none : slot_of(property.name));
-      scales.push_back(full_scale(property.type));
-      if (slots.back() != none) has[slots.back()] = true;
+    std::array<bool, slot_count + 1> has{};
+
+    explicit Columns(Element const& element) {
+      for (Property const& property : element.properties) {
+        slots.push_back(property.is_list ? none : slot_of(property.name));
+        scales.push_back(slots.back() >= red && slots.back() != none ? full_scale(property.type) : 1);
+        has[slots.back()] = true;
+      }
     }
+    bool has_colors() const { return has[red] && has[green] && has[blue]; }
+  };
+
+  bool read_row(Element const& element, Columns const& columns) {
+    for (std::size_t k = 0; k < columns.slots.size(); ++k) {
+      Property const& property = element.properties[k];
+      double& value = row_[columns.slots[k]];
+      if (!(property.is_list ? skip_list(property) : source_.number(property.type, value))) return false;
+      if (columns.scales[k] != 1) value /= columns.scales[k];
+    }
+    return true;
+  }
+
+  Float4 color_of_row() const {
+    return {linear(row_[red]), linear(row_[green]), linear(row_[blue]), finite(row_[alpha])};
+  }
+
+  bool vertices(Element const& element) {
+    Columns const columns(element);
+    auto const& has = columns.has;
     if (!has[x] || !has[y] || !has[z]) {
       source_.warn("the vertices have no x, y and z");
       return skip(element);
     }
     bool const has_normals = has[nx] && has[ny] && has[nz];
     bool const has_texcoords = has[u] && has[v];
-    bool const has_colors = has[red] && has[green] && has[blue];
     if (has_texcoords) geometry_.texcoords.emplace_back();
     // A header may promise more than the file holds.
     std::uint64_t const possible = source_.capacity(Type::uint8) / element.properties.size();
     geometry_.positions.reserve(std::size_t(std::min(element.count, possible)));
-    std::array<double, slot_count + 1> row{};
-    row[alpha] = 1;
+    row_[alpha] = 1;
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      for (std::size_t k = 0; k < slots.size(); ++k) {
-        Property const& property = element.properties[k];
-        if (property.is_list) {
-          if (!skip_list(property)) return ends_early(element, i);
-          continue;
-        }
-        if (!source_.number(property.type, row[slots[k]])) return ends_early(element, i);
-        if (slots[k] >= red) row[slots[k]] /= scales[k];
-      }
-      geometry_.positions.push_back({float(row[x]), float(row[y]), float(row[z])});
-      if (has_normals) geometry_.normals.push_back(unit({row[nx], row[ny], row[nz]}));
-      if (has_texcoords) geometry_.texcoords[0].push_back({finite(row[u]), finite(1 - row[v])});
-      if (has_colors) {
-        geometry_.colors.push_back({linear(row[red]), linear(row[green]), linear(row[blue]), finite(row[alpha])});
-      }
+      if (!read_row(element, columns)) return ends_early(element, i);
+      geometry_.positions.push_back({float(row_[x]), float(row_[y]), float(row_[z])});
+      if (has_normals) geometry_.normals.push_back(unit({row_[nx], row_[ny], row_[nz]}));
+      if (has_texcoords) geometry_.texcoords[0].push_back({finite(row_[u]), finite(1 - row_[v])});
+      if (columns.has_colors()) geometry_.colors.push_back(color_of_row());
     }
+    return true;
+  }
+
+  bool edges(Element const& element) {
+    Columns const columns(element);
+    if (!columns.has[begin] || !columns.has[end]) {
+      source_.warn("the edges have no vertex1 and vertex2");
+      return skip(element);
+    }
+    std::vector<Float4> colors;
+    row_[alpha] = 1;
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      if (!read_row(element, columns)) return ends_early(element, i);
+      for (Slot const slot : {begin, end}) geometry_.lines.push_back(vertex_number(row_[slot]));
+      if (columns.has_colors()) colors.insert(colors.end(), 2, color_of_row());
+    }
+    if (columns.has_colors()) geometry_ = give_own_ends(geometry_, std::move(colors));
     return true;
   }
 
@@ -182,7 +231,7 @@ class DataReader {
         for (std::uint64_t k = 0; k < count; ++k) {
           double index = 0;
           if (!source_.number(property.type, index)) return ends_early(element, i);
-          corners_.push_back(index >= 0 && index < double(no_vertex) ? std::uint32_t(index) : no_vertex);
+          corners_.push_back(vertex_number(index));
         }
         if (are_strips) {
           add_strips();
@@ -192,6 +241,22 @@ class DataReader {
       }
     }
     return true;
+  }
+
+  static std::uint32_t vertex_number(double value) {
+    return value >= 0 && value < double(no_vertex) ? std::uint32_t(value) : no_vertex;
+  }
+
+  /// Each line has its colours at both ends, whatever meets it there.
+  static MeshGeometry give_own_ends(MeshGeometry const& shared, std::vector<Float4> colors) {
+    MeshGeometry own;
+    for (std::uint32_t const vertex : shared.lines) {
+      bool const is_there = vertex < shared.positions.size();
+      own.lines.push_back(is_there ? std::uint32_t(own.positions.size()) : no_vertex);
+      own.positions.push_back(is_there ? shared.positions[vertex] : Float3{0, 0, 0});
+    }
+    own.colors = std::move(colors);
+    return own;
   }
 
   void add_polygon(Element const& element, std::uint64_t number) {
@@ -261,7 +326,9 @@ class DataReader {
   }
 
   Source source_;
+  bool reads_edges_;
   MeshGeometry geometry_;
+  std::array<double, slot_count + 1> row_{};  // of a vertex or an edge; what none of its properties is stays
   std::array<float, 256> linear_bytes_ = make_linear_bytes();
   bool has_told_small_ = false;
   std::vector<std::uint32_t> corners_;  // of one face; these are kept for their memory
@@ -272,12 +339,13 @@ class DataReader {
 }  // namespace
 
 MeshGeometry read_data(std::string_view bytes, Header const& header, Diagnostics& diagnostics) {
+  bool const reads_edges = header.draws() == Drawn::lines;
   if (header.encoding == Encoding::ascii) {
     AsciiSource source(bytes.substr(header.data_offset), header.data_line, diagnostics);
-    return DataReader(std::move(source)).run(header.elements);
+    return DataReader(std::move(source), reads_edges).run(header.elements);
   }
   BinarySource source(bytes, header.data_offset, header.encoding == Encoding::big_endian, diagnostics);
-  return DataReader(std::move(source)).run(header.elements);
+  return DataReader(std::move(source), reads_edges).run(header.elements);
 }
 
 }  // namespace lichtraum::ply

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <charconv>
 #include <optional>
 
@@ -150,6 +152,14 @@ std::size_t size_of(Type type) {
 
 bool read_header(std::string_view bytes, Header& header, Diagnostics& diagnostics) {
   return HeaderReader(header, diagnostics).run(bytes);
+}
+
+Drawn Header::draws() const {
+  auto const has = [this](std::string_view name) {
+    return std::any_of(elements.begin(), elements.end(),
+                       [&](Element const& e) { return e.count > 0 && e.name == name; });
+  };
+  return has("face") || has("tristrips") ? Drawn::triangles : has("edge") ? Drawn::lines : Drawn::points;
 }
 
 }  // namespace lichtraum::ply

@@ -27,6 +27,8 @@ struct Element {
   std::vector<Property> properties;
 };
 
+enum class Drawn { triangles, lines, points };
+
 /// What stands before the data (Turk 1994, "The PLY Polygon File Format").
 struct Header {
   Encoding encoding = Encoding::ascii;
@@ -34,6 +36,9 @@ struct Header {
   std::string texture_file;     ///< of a "comment TextureFile", which many scanners' programs write; empty: none
   std::size_t data_offset = 0;  ///< in bytes
   std::size_t data_line = 1;    ///< the line of the first data, counted from 1
+
+  /// Faces where there are any, else edges, else vertices.
+  Drawn draws() const;
 };
 
 /// Reads the header. Reports what is wrong in it as an error and returns false then.

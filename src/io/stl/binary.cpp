@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/float3.hpp"
 #include "io/stl/facets.hpp"
 #include "io/triangles.hpp"
 
@@ -28,8 +29,6 @@ Float3 corner_at(std::string_view bytes, std::size_t at) {
   for (std::size_t i = 0; i < 3; ++i) corner[i] = std::bit_cast<float>(uint32_at(bytes, at + 4 * i));
   return corner;
 }
-
-bool is_finite(Float3 const& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
 }  // namespace
 

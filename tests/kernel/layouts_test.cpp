@@ -2,6 +2,7 @@
 
 #include <glm/gtc/constants.hpp>
 #include <map>
+#include <optional>
 
 #include "compile/scene_buffers.hpp"
 #include "layout_scenes.hpp"
@@ -110,33 +111,63 @@ std::vector<Vec3> mesh_corners(Vec3 const& center, int n, BigVector<device::Tria
   return corners;
 }
 
-/// How many of about `count` rays from within a closed mesh, aimed at its vertices and edges, meet nothing.
-std::size_t count_leaks(Vec3 const& center, std::size_t count, Traversal traversal) {
+/// A closed mesh around `center`, there or as an instance.
+struct PlacedMesh {
+  Vec3 center = Vec3(0);
+  std::optional<Transform> world_from_mesh = {};
+};
+
+/// How many of about `count` rays from within a closed mesh, aimed at its vertices and edges, meet nothing: where the
+/// closest hit is looked for, and where any is.
+std::size_t count_leaks(PlacedMesh const& mesh, std::size_t count, Traversal traversal) {
   FlatScene scene;
-  scene.objects.resize(1);
-  std::vector<Vec3> const corners = mesh_corners(center, 40, scene.objects[0].triangles);
+  scene.objects.resize(mesh.world_from_mesh ? 2 : 1);
+  std::vector<Vec3> const corners = mesh_corners(mesh.center, 40, scene.objects.back().triangles);
+  if (mesh.world_from_mesh) scene.instances.push_back({1, *mesh.world_from_mesh});
   scene.materials = {std::make_shared<Material>(), std::make_shared<Material>()};
   LayoutProbe const probe(std::move(scene), traversal);
+  Transform const world_from_mesh = mesh.world_from_mesh.value_or(Transform());
   Random random(3);
   std::size_t leaks = 0;
   std::size_t const batch = std::min<std::size_t>(count, 1 << 18) / packet_size;
   for (std::size_t done = 0; done < count; done += batch * packet_size) {
     Rays rays;
     for (std::size_t i = 0; i < batch; ++i) {
-      Vec3 const origin = center + random.in_cube(0.3);
+      Vec3 const origin = world_from_mesh.point(mesh.center + random.in_cube(0.3));
       Vec3 const from(float(origin.x), float(origin.y), float(origin.z));
       std::size_t const near = random.index(corners.size() / 4);
       rays.add_packet(from, [&] {
         std::size_t const quad = (near + random.index(3)) % (corners.size() / 4);
         Vec3 const a = corners[4 * quad + random.index(4)], b = corners[4 * quad + random.index(4)];
         double const s = random.index(3) == 0 ? 0 : random.uniform();
-        return a + s * (b - a) - from;
+        return world_from_mesh.point(a + s * (b - a)) - from;
       });
     }
     for (ProbeHit const& hit : probe.closest(rays)) leaks += std::isfinite(hit.t) ? 0 : 1;
+    for (device::uint const hidden : probe.hidden(rays, 1e6f)) leaks += hidden == 3 ? 0 : 1;
   }
   return leaks;
 }
+
+/// Scales from 1e-4 to 1e4, sheared, mirrored, flattened, and as far away as a million times their size.
+std::vector<Transform> nasty_transforms() {
+  Mat4 shear(1);
+  shear[1][0] = 3;
+  shear[2][1] = -2;
+  Transform const sheared = Transform::from_matrix(shear);
+  Transform const turned = Transform::rotation(37, Vec3(1, 2, 3));
+  auto const moved = [](Vec3 const& offset, Transform const& t) { return Transform::translation(offset) * t; };
+  return {turned * Transform::scaling(Vec3(1e-4)),
+          turned * Transform::scaling(Vec3(1e4)),
+          turned * Transform::scaling(Vec3(1, 1e-3, 20)),
+          turned * sheared,
+          Transform::scaling(Vec3(-1, 1, 1)) * turned,
+          moved(Vec3(1e6, -3e5, 2e5), turned),
+          moved(Vec3(70, 1, -100), turned * Transform::scaling(Vec3(1e-4))),
+          moved(Vec3(1e9, 0, 1e8), sheared * Transform::scaling(Vec3(-1e4, 1e4, 1e4)))};
+}
+
+constexpr Traversal all_layouts[] = {Traversal::scalar, Traversal::wide, Traversal::packet};
 
 }  // namespace
 
@@ -215,95 +246,27 @@ TEST_CASE("as much light gets through to a ray among others in turn as alone", "
 
 TEST_CASE("no ray slips through a closed mesh", "[kernel][layouts]") {
   NEEDS_OPENCL_DEVICE();
-  for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
-    CHECK(count_leaks(Vec3(0), scaled_count(1 << 20), traversal) == 0);
-    CHECK(count_leaks(Vec3(1e5, -1e5, 1e5), scaled_count(1 << 18), traversal) == 0);
+  for (Traversal const traversal : all_layouts) {
+    CHECK(count_leaks({}, scaled_count(1 << 19), traversal) == 0);
+    CHECK(count_leaks({Vec3(1e5, -1e5, 1e5)}, scaled_count(1 << 17), traversal) == 0);
+  }
+}
+
+TEST_CASE("no ray slips through an instance, however it is scaled, sheared and moved", "[kernel][layouts]") {
+  NEEDS_OPENCL_DEVICE();
+  for (Traversal const traversal : all_layouts) {
+    auto const transforms = nasty_transforms();
+    for (std::size_t i = 0; i < transforms.size(); ++i) {
+      INFO("transform " << i);
+      CHECK(count_leaks({Vec3(0), transforms[i]}, scaled_count(1 << 14), traversal) == 0);
+    }
   }
 }
 
 TEST_CASE("none of 10^8 rays slips through a closed mesh", "[kernel][layouts][long][.]") {
   NEEDS_OPENCL_DEVICE();
   for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
-    CHECK(count_leaks(Vec3(0), 100'000'000, traversal) == 0);
-    CHECK(count_leaks(Vec3(1e5, -1e5, 1e5), 100'000'000, traversal) == 0);
-  }
-}
-
-TEST_CASE("odd scenes are traced in every layout", "[kernel][layouts]") {
-  NEEDS_OPENCL_DEVICE();
-  auto const scene_of = [](BigVector<device::TrianglePrimitive> triangles) {
-    FlatScene scene;
-    scene.objects.resize(1);
-    scene.objects[0].triangles = std::move(triangles);
-    scene.materials = {std::make_shared<Material>(), std::make_shared<Material>()};
-    return scene;
-  };
-  auto const one = tagged_triangle({-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, 0);
-  auto broken = one;
-  broken.vertices[1][2] = float_nan;
-  auto infinite = one;
-  infinite.vertices[2][0] = float_infinity;
-  Rays rays;
-  Random random(1);
-  rays.add_packet({0, 0, 2}, [&] { return Vec3(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), -1); });
-  rays.add_packet({0, 0, 2}, [&] { return Vec3(0); });
-  rays.add_packet({0, 0, 2}, [&] { return Vec3(0, 0, -1); });
-  rays.add_packet({0, 0, 0}, [&] { return Vec3(random.uniform(-1, 1), random.uniform(-1, 1), 0); });  // in its plane
-
-  struct Case {
-    char const* name;
-    BigVector<device::TrianglePrimitive> triangles;
-    bool is_seen;
-  };
-  std::vector<Case> cases{
-      {"nothing", {}, false},
-      {"one triangle", {one}, true},
-      {"NaN and infinite vertices", {broken, infinite}, false},
-      {"one between broken ones", {broken, one, infinite}, true},
-      {"identical triangles", BigVector<device::TrianglePrimitive>(scaled_count(100'000) + 9, one), true}};
-  for (Case const& c : cases) {
-    INFO(c.name);
-    for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
-      INFO("grouping " << int(traversal.grouping));
-      auto const hits = LayoutProbe(scene_of(c.triangles), traversal).closest(rays);
-      std::size_t wrong = 0;
-      for (std::size_t i = 0; i < rays.size(); ++i) {
-        bool const seen = c.is_seen && (i < packet_size || (i >= 2 * packet_size && i < 3 * packet_size));
-        wrong += std::isfinite(hits[i].t) != seen ? 1 : 0;
-      }
-      CHECK(wrong == 0);
-    }
-  }
-}
-
-// Too deep a tree for Oclgrind, which would take minutes and gigabytes.
-TEST_CASE("a traversal never needs more stack than the host computes", "[kernel][layouts]") {
-  NEEDS_OPENCL_DEVICE();
-  // Distances grow so fast that the tree is as deep as it gets.
-  FlatScene scene;
-  scene.objects.resize(1);
-  for (device::uint i = 0; i < 3000; ++i) {
-    double const x = std::pow(1.02, double(i % 1500));
-    scene.objects[0].triangles.push_back(tagged_triangle({x, -x, 0}, {x, x, -x}, {x * 1.0001, x, x}, i));
-  }
-  scene.materials = {std::make_shared<Material>(), std::make_shared<Material>()};
-  Rays const rays = [] {
-    Rays r;
-    Random random(1);
-    for (std::size_t i = 0; i < scaled_count(50); ++i)
-      r.add_packet({-1, 0, 0}, [&] { return Vec3(1, 0, 0) + random.in_cube(1); });
-    return r;
-  }();
-  auto const expected = LayoutProbe(scene, Traversal::scalar).closest(rays);
-  constexpr float t_max = 1e6f;
-  for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
-    LayoutProbe const probe(scene, traversal);
-    CHECK(probe.scene().stack_size > 50);  // it is a hard case
-    CHECK(count_different(probe.closest(rays), expected) == 0);
-    CHECK(count_different(probe.closest_in_turn(rays), expected) == 0);
-    auto const visible = LayoutProbe(scene, Traversal::scalar).visibility(rays, t_max);
-    CHECK(probe.visibility_in_turn(rays, t_max) == visible);
-    CHECK(std::ranges::count(visible, 0.f) > 0);
-    CHECK(std::ranges::count(visible, 1.f) > 0);
+    CHECK(count_leaks({}, 100'000'000, traversal) == 0);
+    CHECK(count_leaks({Vec3(1e5, -1e5, 1e5)}, 100'000'000, traversal) == 0);
   }
 }

@@ -21,8 +21,7 @@ using Float4 = std::array<float, 4>;
 struct MeshGeometry {
   std::vector<Float3> positions;
   std::vector<std::uint32_t> indices;  ///< three per triangle, into the attributes; counter-clockwise seen from outside
-
-  std::vector<std::uint32_t> lines;  ///< two per line, into the attributes; what a Mesh shows does not depend on them
+  std::vector<std::uint32_t> lines;    ///< two per line, into the attributes; what a Mesh shows does not depend on them
 
   std::vector<Float3> normals;                 ///< unit length, outward; empty: flat, as the triangles lie
   std::vector<Float4> tangents;                ///< xyz unit length, w = +1 or -1: the sign of the bitangent

@@ -184,7 +184,7 @@ TEST_CASE("what is broken is named by its JSON pointer, and the rest is drawn", 
   }
   SECTION("a corner that is not a number") {
     broken["attributes"]["POSITION"] = writer.add_vec3({0, 0, 0, 1, NAN, 0, 0, 1, 0});
-    expect("/meshes/1/primitives/0/attributes/POSITION: 1 triangle left out: it has a corner that is not finite");
+    expect("/meshes/1/primitives/0/attributes/POSITION: 1 triangle left out: it has a vertex that is not finite");
   }
   SECTION("an unknown mode") {
     broken["mode"] = 7;

@@ -79,7 +79,7 @@ TEST_CASE("PLY: edges may have colours of their own", "[unit][ply][lines]") {
 TEST_CASE("PLY: edges that cannot be drawn are told of, and those beside faces are left out", "[unit][ply][lines]") {
   Model const model = import_edges("0 0 0 1 2 3\n1e39 4 0 1 2 3\n1 0 0 1 2 3\n", 3, "0 1\n0 2\n-1 2\n0 3\n", 5);
   CHECK_THAT(shown(model.diagnostics), contains_text("2 lines left out: they have a vertex that is not there") &&
-                                           contains_text("1 line left out: it has an end that is not finite") &&
+                                           contains_text("1 line left out: it has a vertex that is not finite") &&
                                            contains_text("the data ends in edge 4 of 5"));
   CHECK(lines_of(model.scene, "lines").geometry()->lines == Lines{0, 2});
   CHECK_THROWS_AS(import_edges("0 0 0 1 2 3\n", 1, "0 7\n", 1), SceneError);
@@ -123,7 +123,7 @@ TEST_CASE("glTF: faulty lines are left out, and lines below a scaled node have t
   Model const model = testing::import_model(writer, options);
   CHECK(shown(model.diagnostics) ==
         "/meshes/0/primitives/0/indices: 1 line left out: it has an index that is out of range (4)\n"
-        "/meshes/0/primitives/0/attributes/POSITION: 1 line left out: it has an end that is not finite\n");
+        "/meshes/0/primitives/0/attributes/POSITION: 1 line left out: it has a vertex that is not finite\n");
   LineSet const& set = lines_of(model.scene, "mesh_0");
   CHECK(set.geometry()->lines == Lines{0, 1});
   CHECK(4 * 2 * set.radius() == Approx(0.1 * 4));

@@ -96,7 +96,7 @@ TEST_CASE("OBJ: what is wrong is told with its place and left out", "[unit][obj]
       {triangle + "v 1 2\n", "m.obj:5:6: expected 3 numbers, found 2\n"},
       {triangle + "v 1 1e99 nan\n", "m.obj:5:5: '1e99' is too large\n"},
       {triangle + "v nan 1 1\nf 1 2 4\nf 4 2 3 1\n",
-       "m.obj:0:0: 3 triangles left out: they have a corner that is not finite\n"
+       "m.obj:0:0: 3 triangles left out: they have a vertex that is not finite\n"
        "m.obj:5:3: 'nan' is not a finite number\n"},
       {triangle + "f 1 2 9\n",
        "m.obj:0:0: 1 triangle left out: it has a vertex that is not there\n"

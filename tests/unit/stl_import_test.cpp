@@ -139,10 +139,10 @@ TEST_CASE("STL: faults of binary files are told with their byte; what is whole i
   Facet faulty = binary_facet;
   faulty[11] = std::numeric_limits<float>::quiet_NaN();
   CHECK(warnings(binary(3, {binary_facet, faulty, faulty})) ==
-        "0:0: byte 134: 2 triangles left out: they have a corner that is not finite\n");
+        "0:0: byte 134: 2 triangles left out: they have a vertex that is not finite\n");
   faulty[11] = -std::numeric_limits<float>::infinity();
   CHECK(error_of(binary(1, {faulty})) ==
-        "0:0: byte 84: 1 triangle left out: it has a corner that is not finite\n"
+        "0:0: byte 84: 1 triangle left out: it has a vertex that is not finite\n"
         "0:0: the model has nothing to draw: it has no triangles\n");
   CHECK(error_of(binary(0, {})) == "0:0: the model has nothing to draw: it has no triangles\n");
   CHECK_THAT(error_of(binary(0, {binary_facet})),

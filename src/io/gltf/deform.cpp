@@ -1,11 +1,12 @@
 #include "io/gltf/deform.hpp"
-#include "core/float3.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
+
+#include "core/float3.hpp"
 
 namespace lichtraum::gltf {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "io/faulty_geometry.hpp"
 #include "io/gltf/draco.hpp"
 #include "io/gltf/values.hpp"
 #include "io/lines.hpp"
@@ -192,21 +193,25 @@ std::shared_ptr<MeshGeometry const> Primitives::read_geometry(Source& source) {
   }
   geometry->colors = read_colors(source, count);
 
-  TriangleFaults const faults = remove_faulty_triangles(*geometry);
+  return remove_faulty_parts(source, geometry->indices, 3, "triangle", geometry->positions) ? geometry : nullptr;
+}
+
+bool Primitives::remove_faulty_parts(Source const& source, std::vector<std::uint32_t>& indices, std::size_t corners,
+                                     char const* noun, std::vector<Float3> const& positions) {
+  GeometryFaults const faults = remove_faulty(indices, corners, positions);
   if (faults.out_of_range > 0) {
     findings_.warn(DiagnosticCode::geometry_left_out, source.pointer + "/indices",
-                   left_out_message(faults.out_of_range, fmt::format("an index that is out of range ({})", count)));
+                   left_out_message(faults.out_of_range,
+                                    fmt::format("an index that is out of range ({})", positions.size()), noun));
   }
   if (faults.non_finite > 0) {
     findings_.warn(DiagnosticCode::geometry_left_out, source.place("POSITION"),
-                   left_out_message(faults.non_finite, "a corner that is not finite"));
+                   left_out_message(faults.non_finite, "a vertex that is not finite", noun));
   }
-  if (geometry->indices.empty()) {
-    if (faults.out_of_range + faults.non_finite == 0)
-      findings_.warn(DiagnosticCode::undrawn_primitive, source.pointer, "it holds no triangle");
-    return nullptr;
+  if (indices.empty() && faults.out_of_range + faults.non_finite == 0) {
+    findings_.warn(DiagnosticCode::undrawn_primitive, source.pointer, fmt::format("it holds no {}", noun));
   }
-  return geometry;
+  return !indices.empty();
 }
 
 std::shared_ptr<MeshGeometry const> Primitives::read_points(Source const& source,
@@ -249,21 +254,7 @@ std::shared_ptr<MeshGeometry const> Primitives::read_lines(Source const& source,
   auto indices = read_indices(source, count);
   if (!indices) return nullptr;
   geometry->lines = to_line_list(std::move(*indices), source.primitive.mode);
-  LineFaults const faults = remove_faulty_lines(*geometry);
-  if (faults.out_of_range > 0) {
-    findings_.warn(
-        DiagnosticCode::geometry_left_out, source.pointer + "/indices",
-        left_out_message(faults.out_of_range, fmt::format("an index that is out of range ({})", count), "line"));
-  }
-  if (faults.non_finite > 0) {
-    findings_.warn(DiagnosticCode::geometry_left_out, source.place("POSITION"),
-                   left_out_message(faults.non_finite, "an end that is not finite", "line"));
-  }
-  if (!geometry->lines.empty()) return geometry;
-  if (faults.out_of_range + faults.non_finite == 0) {
-    findings_.warn(DiagnosticCode::undrawn_primitive, source.pointer, "it holds no line");
-  }
-  return nullptr;
+  return remove_faulty_parts(source, geometry->lines, 2, "line", geometry->positions) ? geometry : nullptr;
 }
 
 std::vector<MorphTarget> Primitives::read_targets(Source const& source, std::size_t count) {

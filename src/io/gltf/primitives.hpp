@@ -53,6 +53,9 @@ class Primitives {
   bool decompress(Source& source);
   std::shared_ptr<MeshGeometry const> read_points(Source const& source, std::shared_ptr<MeshGeometry> geometry);
   std::shared_ptr<MeshGeometry const> read_lines(Source const& source, std::shared_ptr<MeshGeometry> geometry);
+  /// Of `indices`, `corners` for each triangle or line, as `noun` says. False: none is left.
+  bool remove_faulty_parts(Source const& source, std::vector<std::uint32_t>& indices, std::size_t corners,
+                           char const* noun, std::vector<Float3> const& positions);
   /// As they stand; without any, all vertices in their order.
   std::optional<std::vector<std::uint32_t>> read_indices(Source const& source, std::size_t vertex_count);
   template <std::size_t N>

@@ -22,7 +22,7 @@ class SceneGraph {
   /// Adds everything to `scene`, children before parents, below one root called `name`.
   void build(std::string const& name, Scene& scene);
 
-  /// Primitives that could not be read although they should hold triangles or points.
+  /// Primitives that could not be read although they should hold triangles, lines or points.
   std::size_t faulty_primitives() const { return faulty_primitives_; }
   std::uint64_t drawn() const { return drawn_; }  ///< primitives that show something, each once
 

@@ -12,7 +12,6 @@
 #include "core/float3.hpp"
 #include "io/polygon.hpp"
 #include "io/text/numbers.hpp"
-#include "io/triangles.hpp"
 
 namespace lichtraum::obj {
 namespace {
@@ -247,7 +246,7 @@ class ObjReader {
     }
     diagnostics_.begin_line({});
     if (out_of_range > 0) left_out(out_of_range, "a vertex that is not there");
-    if (non_finite > 0) left_out(non_finite, "a corner that is not finite");
+    if (non_finite > 0) left_out(non_finite, "a vertex that is not finite");
     if (missing_attributes_ > 0) {
       diagnostics_.add(
           Severity::warning, DiagnosticCode::missing_vertex, {},

@@ -3,13 +3,12 @@
 #include <new>
 
 #include "core/read_file.hpp"
+#include "io/faulty_geometry.hpp"
 #include "io/image/decode.hpp"
-#include "io/lines.hpp"
 #include "io/model_file.hpp"
 #include "io/model_scene.hpp"
 #include "io/ply/ply_data.hpp"
 #include "io/points.hpp"
-#include "io/triangles.hpp"
 #include "lichtraum/ply.hpp"
 
 namespace lichtraum {
@@ -49,22 +48,23 @@ std::shared_ptr<Material> material_of(std::string const& texture_file, MeshGeome
 
 /// Leaves what can be drawn, with warnings, or says that there is nothing.
 void reduce(MeshGeometry& geometry, Drawn drawn, Diagnostics& diagnostics) {
-  auto const left_out = [&](std::size_t count, char const* why, char const* noun) {
-    if (count == 0) return;
-    diagnostics.add(Severity::warning, DiagnosticCode::geometry_left_out, {}, left_out_message(count, why, noun));
+  auto const remove = [&](std::vector<std::uint32_t>& indices, std::size_t corners, char const* noun) {
+    GeometryFaults const faults = remove_faulty(indices, corners, geometry.positions);
+    auto const report = [&](std::size_t count, char const* what) {
+      if (count == 0) return;
+      diagnostics.add(Severity::warning, DiagnosticCode::geometry_left_out, {}, left_out_message(count, what, noun));
+    };
+    report(faults.out_of_range, "a vertex that is not there");
+    report(faults.non_finite, "a vertex that is not finite");
   };
   char const* missing = nullptr;
   if (drawn == Drawn::triangles) {
-    TriangleFaults const faults = remove_faulty_triangles(geometry);
-    left_out(faults.out_of_range, "a vertex that is not there", "triangle");
-    left_out(faults.non_finite, "a corner that is not finite", "triangle");
+    remove(geometry.indices, 3, "triangle");
     if (geometry.indices.empty()) missing = "triangles";
   } else if (drawn == Drawn::lines) {
     geometry.normals = {};
     geometry.texcoords = {};
-    LineFaults const faults = remove_faulty_lines(geometry);
-    left_out(faults.out_of_range, "a vertex that is not there", "line");
-    left_out(faults.non_finite, "an end that is not finite", "line");
+    remove(geometry.lines, 2, "line");
     if (geometry.lines.empty()) missing = "triangles and no lines";
   } else {
     if (std::size_t const count = reduce_to_points(geometry); count > 0) {

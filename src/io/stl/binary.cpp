@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "core/float3.hpp"
+#include "io/faulty_geometry.hpp"
 #include "io/stl/facets.hpp"
-#include "io/triangles.hpp"
 
 namespace lichtraum::stl {
 namespace {
@@ -73,7 +73,7 @@ std::vector<Solid> read_binary(std::string_view bytes, Diagnostics& diagnostics)
       first_at = at;
     }
   }
-  if (non_finite > 0) warn(first_at, left_out_message(non_finite, "a corner that is not finite"));
+  if (non_finite > 0) warn(first_at, left_out_message(non_finite, "a vertex that is not finite"));
   return {std::move(solid)};
 }
 

@@ -112,9 +112,8 @@ DEVICE_STRUCT_SIZE(SceneConstants, 100);
 /* SceneConstants.features: what some of the scene has. What none of it has costs no time. */
 #define SCENE_TRANSPARENCY 1u /* a material lets light through */
 #define SCENE_CUTOUTS 2u      /* a material is there, or lets light through, in some points only */
-#define SCENE_ATTRIBUTES \
-  4u                 /* vertices have normals, colours or texture coordinates, or points and lines have colours */
-#define SCENE_PBR 8u /* a material is derived from a physically based one */
+#define SCENE_ATTRIBUTES 4u   /* vertices have normals, texture coordinates or colours, also of points and lines */
+#define SCENE_PBR 8u          /* a material is derived from a physically based one */
 #define SCENE_LIGHT_KINDS 16u /* a light is not LIGHT_CONSTANT */
 #define SCENE_RARE_SHAPES 32u /* a shape is of a kind from FIRST_RARE_SHAPE on */
 #define SCENE_ENVIRONMENT 64u /* light arrives from infinitely far away */

@@ -67,16 +67,12 @@ TEST_CASE("a large model that a scene includes looks as the reference tracer see
   CHECK(flat.objects[0].primitive_count() == 2);
 
   RenderRequest request = whole_picture(scene.cameras.front(), {96, 72});
-  Image const expected = render_reference(scene, request);
+  check_layouts(scene, request, "included model");
   request.planes = {FilmPlane::object};
   Film const expected_ids = film_on(reference_device(), scene, request);
   for (DeviceInfo const& device : opencl_devices()) {
-    for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
-      INFO("device " << device.index << ", traversal " << int(traversal.grouping));
-      request.planes = {FilmPlane::radiance};
-      check_picture(render_on(device, scene, request, traversal), expected,
-                    fmt::format("included model, device {}, traversal {}", device.index, int(traversal.grouping)));
-      request.planes = {FilmPlane::object};
+    for (auto const& [name, traversal] : layouts) {
+      INFO("device " << device.index << ", " << name);
       Film const ids = film_on(device, scene, request, traversal);
       auto const actual = ids.numbers(FilmPlane::object), wanted = expected_ids.numbers(FilmPlane::object);
       std::size_t differing = 0;

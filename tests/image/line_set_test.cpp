@@ -61,12 +61,5 @@ transform eye translate 0 0.5 6
   Scene const& scene = script.scene();
   RenderRequest request = whole_picture(scene.cameras.front(), {160, 120});
   request.max_depth = 2;
-  Image const expected = render_reference(scene, request);
-  for (DeviceInfo const& device : opencl_devices()) {
-    for (auto const& [name, traversal] : {std::pair{"scalar", Traversal::scalar}, std::pair{"wide", Traversal::wide},
-                                          std::pair{"packet", Traversal::packet}}) {
-      check_picture(render_on(device, scene, request, traversal), expected,
-                    fmt::format("lines, device {}, {}", device.index, name));
-    }
-  }
+  check_layouts(scene, request, "lines");
 }

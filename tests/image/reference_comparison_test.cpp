@@ -210,9 +210,6 @@ RenderRequest request_of(Variant const& variant, Scene const& scene) {
   return request;
 }
 
-std::pair<char const*, Traversal> const layouts[] = {
-    {"scalar", Traversal::scalar}, {"wide", Traversal::wide}, {"packet", Traversal::packet}};
-
 /// The whole scene, scaled and moved, with what looks at it and what lights it.
 Scene placed(std::string const& text, double scale, Vec3 const& offset) {
   Scene scene = scene_of(text);
@@ -244,13 +241,7 @@ TEST_CASE("whole pictures on every OpenCL device, in every layout, agree with th
       red = Material(red.name(), glowing);
       RenderRequest const request = request_of(variant, scene);
       Development const development{0, variant.tone_map, variant.transfer};
-      Image const expected = render_reference(scene, request, development);
-      for (DeviceInfo const& device : opencl_devices()) {
-        for (auto const& [name, traversal] : layouts) {
-          check_picture(render_on(device, scene, request, traversal, development), expected,
-                        fmt::format("{}, device {}, {}", variant.name, device.index, name));
-        }
-      }
+      check_layouts(scene, request, variant.name, development);
     }
   }
 }

@@ -21,9 +21,6 @@ using nlohmann::json;
 
 namespace {
 
-std::pair<char const*, Traversal> const layouts[] = {
-    {"scalar", Traversal::scalar}, {"wide", Traversal::wide}, {"packet", Traversal::packet}};
-
 using Rgba = std::array<std::uint8_t, 4>;
 Rgba const red{255, 0, 0, 255}, green{0, 255, 0, 255}, blue{0, 0, 255, 255}, half_white{255, 255, 255, 128};
 
@@ -83,13 +80,7 @@ TEST_CASE("textured meshes look alike on the reference renderer and on every dev
   for (int const depth : {0, 4}) {
     RenderRequest request = whole_picture(scene.cameras.front(), *scene.cameras.front().resolution());
     request.max_depth = depth;
-    Image const expected = render_reference(scene, request);
-    for (DeviceInfo const& device : opencl_devices()) {
-      for (auto const& [name, traversal] : layouts) {
-        check_picture(render_on(device, scene, request, traversal), expected,
-                      fmt::format("textured at depth {}, device {}, {}", depth, device.index, name));
-      }
-    }
+    check_layouts(scene, request, fmt::format("textured at depth {}", depth));
   }
 }
 

@@ -124,4 +124,15 @@ std::vector<DeviceInfo> const& opencl_devices() {
   return devices;
 }
 
+void check_layouts(Scene const& scene, RenderRequest const& request, std::string const& name,
+                   Development const& development) {
+  Image const expected = render_reference(scene, request, development);
+  for (DeviceInfo const& device : opencl_devices()) {
+    for (auto const& [layout, traversal] : layouts) {
+      check_picture(render_on(device, scene, request, traversal, development), expected,
+                    fmt::format("{}, device {}, {}", name, device.index, layout));
+    }
+  }
+}
+
 }  // namespace lichtraum::test

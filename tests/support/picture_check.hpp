@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "lichtraum/renderer.hpp"
 
@@ -33,6 +34,14 @@ Image render_reference(Scene const& scene, RenderRequest const& request, Develop
 
 /// Every OpenCL device of this machine, found once.
 std::vector<DeviceInfo> const& opencl_devices();
+
+inline constexpr std::pair<char const*, Traversal> layouts[] = {
+    {"scalar", Traversal::scalar}, {"wide", Traversal::wide}, {"packet", Traversal::packet}};
+
+/// Checks that the reference renderer's picture comes from every OpenCL device, in every layout. `name`: of the
+/// pictures that a failure leaves.
+void check_layouts(Scene const& scene, RenderRequest const& request, std::string const& name,
+                   Development const& development = {});
 
 }  // namespace lichtraum::test
 

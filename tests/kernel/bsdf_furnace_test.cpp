@@ -91,7 +91,7 @@ TEST_CASE("white furnace: a coat with a normal of its own adds no light", "[kern
   }
 }
 
-TEST_CASE("white furnace: stretched metals and dielectrics keep nearly all light", "[kernel][bsdf][statistics]") {
+TEST_CASE("white furnace: stretched metals and dielectrics keep nearly all light", "[kernel][bsdf][statistics][long]") {
   NEEDS_OPENCL_DEVICE();
   BsdfProbe const probe;
   for (double const metallic : {0.0, 1.0}) {
@@ -102,7 +102,7 @@ TEST_CASE("white furnace: stretched metals and dielectrics keep nearly all light
   }
 }
 
-TEST_CASE("white furnace: what sheen reflects is missing below it", "[kernel][bsdf][statistics]") {
+TEST_CASE("white furnace: what sheen reflects is missing below it", "[kernel][bsdf][statistics][long]") {
   NEEDS_OPENCL_DEVICE();
   BsdfProbe const probe;
   auto const cloth = [](double roughness, double color) {

@@ -32,6 +32,7 @@ from ._native import version as __version__
 from ._nodes import Box, Camera, Cone, Cylinder, Group, Light, Mesh, Model, Plane, Shape, Sphere
 from ._render import Renderer, load, render
 from ._scene import Scene
+from ._texture import Texture
 
 __all__ = [
     "Box",
@@ -59,6 +60,7 @@ __all__ = [
     "SceneWarning",
     "Shape",
     "Sphere",
+    "Texture",
     "UsageError",
     "__version__",
     "load",

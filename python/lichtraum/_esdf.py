@@ -10,7 +10,7 @@ from typing import Any
 import numpy
 
 from ._errors import UsageError
-from ._materials import WHITE, Material, Phong
+from ._materials import WHITE, Material, Pbr, Phong
 from ._nodes import Camera, Light, Mesh, Shape
 from ._values import Color, color
 
@@ -82,6 +82,8 @@ class Writer:
             self._open.add(id(shape))
             words = shape.words(self)
             self._open.remove(id(shape))
+            if isinstance(shape.material, Pbr) and shape.material.has_textures() and not shape.has_texcoords:
+                raise UsageError(f"a texture needs texture coordinates, and this {shape.kind} has none: take a Mesh with texcoords")
             material = [] if shape.material is None else [self._material(shape.material)]
             name = self._shapes[id(shape)] = self._name(shape.name, shape.kind)
             self._line("define", "shape", shape.kind, name, *words, *material)
@@ -153,9 +155,11 @@ class Writer:
 def _ply(mesh: Mesh) -> bytes:
     rows = numpy.empty(len(mesh.faces), dtype=[("count", "u1"), ("corners", "<i4", 3)])
     rows["count"], rows["corners"] = 3, mesh.faces
+    columns = [("x y z", mesh.vertices), ("nx ny nz", mesh.normals), ("u v", mesh.texcoords)]
+    given = [(names, values) for names, values in columns if values is not None]
     head = (
         f"ply\nformat binary_little_endian 1.0\nelement vertex {len(mesh.vertices)}\n"
-        "property float x\nproperty float y\nproperty float z\n"
-        f"element face {len(mesh.faces)}\nproperty list uchar int vertex_indices\nend_header\n"
+        + "".join(f"property float {name}\n" for names, _ in given for name in names.split())
+        + f"element face {len(mesh.faces)}\nproperty list uchar int vertex_indices\nend_header\n"
     )
-    return head.encode() + mesh.vertices.tobytes() + rows.tobytes()
+    return head.encode() + numpy.hstack([values for _, values in given]).tobytes() + rows.tobytes()

@@ -67,7 +67,7 @@ class LoadedScene:
         return LoadedShape(self, name)
 
     def set_material(self, name: str, material: Material) -> None:
-        """Gives all that has the material of this name another one, without textures. Raises UsageError."""
+        """Gives all that has the material of this name another one, with no textures but its own. Raises UsageError."""
         _native.set_material(self._native, name, *material.native())
         self._materials[name] = material
 

@@ -4,11 +4,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Optional, Union
 
+from ._errors import UsageError
+from ._texture import Texture
 from ._values import Color, color, number
 
+if TYPE_CHECKING:
+    from . import _native
+
 Fields = dict[str, list[float]]
+Textures = dict[str, "_native.Texture"]
 
 
 @dataclass(frozen=True)
@@ -34,19 +40,20 @@ class Phong:
                 words.append(f"{name}={value!r}")
         return words + (["emission", *color(self.emission)] if any(color(self.emission)) else [])
 
-    def native(self) -> tuple[str, Fields]:
-        """The model, and its fields as the library calls them."""
+    def native(self) -> tuple[str, Fields, Textures]:
+        """The model, and its fields and textures as the library calls them."""
         colors = {"ka": self.ambient, "kd": self.diffuse, "ks": self.specular, "emission": self.emission}
         numbers = {"m": self.exponent, "reflect": self.reflect, "transmit": self.transmit, "ior": self.ior}
         made: Fields = {name: [*color(value)] for name, value in colors.items()}
-        return "phong", made | {name: [number(value)] for name, value in numbers.items()}
+        return "phong", made | {name: [number(value)] for name, value in numbers.items()}, {}
 
 
 @dataclass(frozen=True)
 class Pbr:
-    """glTF's material (docs/GLTF.md), without textures: what is left out is as glTF has it. Colours are linear red, green
-    and blue, or one number for all; shares are 0 to 1. eSDF does not have it, so scenes with it can be drawn, but not
-    saved."""
+    """glTF's material (docs/GLTF.md): what is left out is as glTF has it. Colours are linear red, green and blue, or one
+    number for all; shares are 0 to 1. Both are multiplied with their texture, if there is one, in the channels that glTF
+    says. A base colour's texture that is not opaque everywhere shows what is behind. eSDF does not have this material, so
+    scenes with it can be drawn, but not saved."""
 
     base_color: Color = 1.0
     metallic: float = 1.0
@@ -71,26 +78,64 @@ class Pbr:
     iridescence_ior: float = 1.3
     diffuse_transmission: float = 0.0
     diffuse_transmission_color: Color = 1.0
+    iridescence_thickness_minimum: float = 100.0  #: nanometres
+    iridescence_thickness_maximum: float = 400.0
     double_sided: bool = False
     unlit: bool = False
+    normal_scale: float = 1.0
+    clearcoat_normal_scale: float = 1.0
+    occlusion_strength: float = 1.0
+    base_color_texture: Optional[Texture] = None
+    metallic_roughness_texture: Optional[Texture] = None
+    normal_texture: Optional[Texture] = None
+    occlusion_texture: Optional[Texture] = None
+    emissive_texture: Optional[Texture] = None
+    specular_texture: Optional[Texture] = None
+    specular_color_texture: Optional[Texture] = None
+    transmission_texture: Optional[Texture] = None
+    clearcoat_texture: Optional[Texture] = None
+    clearcoat_roughness_texture: Optional[Texture] = None
+    clearcoat_normal_texture: Optional[Texture] = None
+    sheen_color_texture: Optional[Texture] = None
+    sheen_roughness_texture: Optional[Texture] = None
+    anisotropy_texture: Optional[Texture] = None
+    diffuse_transmission_texture: Optional[Texture] = None
+    diffuse_transmission_color_texture: Optional[Texture] = None
+    iridescence_texture: Optional[Texture] = None
+    iridescence_thickness_texture: Optional[Texture] = None
 
-    def native(self) -> tuple[str, Fields]:
-        """The model, and its fields as the library calls them."""
+    def has_textures(self) -> bool:
+        return any(getattr(self, field.name) is not None for field in fields(self) if field.name in _TEXTURES)
+
+    def native(self) -> tuple[str, Fields, Textures]:
+        """The model, and its fields and textures as the library calls them."""
         made: Fields = {}
+        textures: Textures = {}
         for field in fields(self):
             value = getattr(self, field.name)
-            if field.name in _COLORS:
+            if field.name in _TEXTURES:
+                if value is not None:
+                    textures[field.name] = _texture(field.name, value)
+            elif field.name in _COLORS:
                 made[field.name] = [*color(value, least=0)]
             elif field.name in _LEAST:
                 value = math.inf if value == math.inf else number(value)
                 made[field.name] = [number(value, least=_LEAST[field.name]) if value != math.inf else value]
             else:
                 made[field.name] = [number(value, least=0, most=1)]
-        if made["alpha"][0] < 1:
+        base = textures.get("base_color_texture")
+        if made["alpha"][0] < 1 or (base is not None and base.has_alpha):
             made["alpha_mode"] = [2]  # AlphaMode::blend
-        return "pbr", made
+        return "pbr", made, textures
 
 
+def _texture(name: str, value: Any) -> _native.Texture:
+    if not isinstance(value, Texture):
+        raise UsageError(f"{name}: expected a lichtraum.Texture, not {type(value).__name__}")
+    return value._native
+
+
+_TEXTURES = tuple(field.name for field in fields(Pbr) if field.name.endswith("_texture"))
 _COLORS = ("base_color", "emissive", "specular_color", "attenuation_color", "sheen_color", "diffuse_transmission_color")
 #: Those that are no shares, and what they are at least.
 _LEAST = {
@@ -100,6 +145,10 @@ _LEAST = {
     "dispersion": 0.0,
     "anisotropy_rotation": -math.inf,
     "iridescence_ior": 1.0,
+    "iridescence_thickness_minimum": 0.0,
+    "iridescence_thickness_maximum": 0.0,
+    "normal_scale": 0.0,
+    "clearcoat_normal_scale": 0.0,
 }
 
 Material = Union[Phong, Pbr]

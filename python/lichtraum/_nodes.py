@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Iterable, Optional
 
 import numpy
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ._errors import UsageError
 from ._materials import WHITE, Fields, Material
@@ -25,6 +25,7 @@ class Shape(ABC):
         self.material = material
         self.name = name
         self.transforms: list[list[Any]] = []
+        self.has_texcoords = False  #: which textures need
 
     def translate(self, offset: Vector) -> None:
         """Moves it, after what was done before."""
@@ -116,10 +117,19 @@ class Plane(Shape):
 
 
 class Mesh(Shape):
-    """Triangles: vertices (N, 3), faces (M, 3) of their numbers from 0, counter-clockwise seen from outside. Copied."""
+    """Triangles: vertices (N, 3), faces (M, 3) of their numbers from 0, counter-clockwise seen from outside. With normals
+    (N, 3), outward, it looks smooth. Texture coordinates (N, 2) are (0, 0) at the picture's lower left corner and (1, 1) at
+    the upper right one, as OBJ and trimesh have them. Copied."""
 
     def __init__(
-        self, vertices: ArrayLike, faces: ArrayLike, material: Material = WHITE, *, name: Optional[str] = None
+        self,
+        vertices: ArrayLike,
+        faces: ArrayLike,
+        material: Material = WHITE,
+        *,
+        normals: Optional[ArrayLike] = None,
+        texcoords: Optional[ArrayLike] = None,
+        name: Optional[str] = None,
     ) -> None:
         super().__init__(material, name)
         self.vertices = numpy.array(vertices, dtype="<f4")
@@ -134,11 +144,27 @@ class Mesh(Shape):
         if not numpy.isfinite(self.vertices).all():
             raise UsageError("vertices: expected finite numbers")
         self.faces = corners.astype("<i4")
+        self.normals = self._of_vertices("normals", normals, 3)
+        self.texcoords = self._of_vertices("texcoords", texcoords, 2)
+        self.has_texcoords = texcoords is not None
+
+    def _of_vertices(self, what: str, given: Optional[ArrayLike], width: int) -> Optional[NDArray[numpy.float32]]:
+        if given is None:
+            return None
+        array = numpy.array(given, dtype="<f4")
+        if array.shape != (len(self.vertices), width):
+            shape = " x ".join(map(str, array.shape))
+            raise UsageError(f"{what}: expected an array of {len(self.vertices)} x {width}, not of {shape}")
+        if not numpy.isfinite(array).all():
+            raise UsageError(f"{what}: expected finite numbers")
+        return array
 
     @classmethod
     def from_trimesh(cls, mesh: Any, material: Material = WHITE, *, name: Optional[str] = None) -> Mesh:
-        """Of a trimesh.Trimesh, or of anything with `vertices` and `faces`; colours and normals are left out."""
-        return cls(mesh.vertices, mesh.faces, material, name=name)
+        """Of a trimesh.Trimesh, or of anything with `vertices` and `faces`, with the texture coordinates of its `visual.uv`.
+        Colours, normals and materials are left out."""
+        texcoords = getattr(getattr(mesh, "visual", None), "uv", None)
+        return cls(mesh.vertices, mesh.faces, material, texcoords=texcoords, name=name)
 
     kind = "mesh"
 
@@ -154,6 +180,7 @@ class Model(Shape):
     ) -> None:
         super().__init__(material, name)
         self.path = os.path.abspath(os.fspath(path))
+        self.has_texcoords = True  # for all we know
 
     kind = "mesh"
 

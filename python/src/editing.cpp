@@ -42,11 +42,13 @@ void read_field(Rgb& field, std::vector<double> const& numbers) {
 void read_field(double& field, std::vector<double> const& numbers) { field = numbers.at(0); }
 void read_field(bool& field, std::vector<double> const& numbers) { field = numbers.at(0) != 0; }
 void read_field(AlphaMode& field, std::vector<double> const& numbers) { field = AlphaMode(int(numbers.at(0))); }
+void read_field(TextureSlot& field, MadeTexture const& made) { field.texture = made.texture; }
 
 /// Takes fields by their names, and knows whether all were taken.
+template <class Value>
 class FieldReader {
  public:
-  explicit FieldReader(Fields const& fields) : fields_(fields) {}
+  explicit FieldReader(std::map<std::string, Value> const& fields) : fields_(fields) {}
   template <class Field>
   void operator()(char const* name, Field& field) {
     auto const found = fields_.find(name);
@@ -59,13 +61,13 @@ class FieldReader {
   }
 
  private:
-  Fields const& fields_;
+  std::map<std::string, Value> const& fields_;
   std::size_t count_ = 0;
 };
 
 #define LICHTRAUM_READ(name, ...) reader(#name, model.name);
 #define LICHTRAUM_READ_MODE(type, name, initial) reader(#name, model.name);
-#define LICHTRAUM_NO_TEXTURE(...)
+#define LICHTRAUM_READ_TEXTURE(name, ...) texture_reader(#name, model.name);
 PhongModel phong_of(Fields const& fields) {
   PhongModel model;
   FieldReader reader(fields);
@@ -73,16 +75,18 @@ PhongModel phong_of(Fields const& fields) {
   reader.expect_all();
   return model;
 }
-PbrModel pbr_of(Fields const& fields) {
+PbrModel pbr_of(Fields const& fields, Textures const& textures) {
   PbrModel model;
   FieldReader reader(fields);
-  PBR_FIELDS(LICHTRAUM_READ, LICHTRAUM_READ, LICHTRAUM_READ, LICHTRAUM_NO_TEXTURE, LICHTRAUM_READ_MODE)
+  FieldReader texture_reader(textures);
+  PBR_FIELDS(LICHTRAUM_READ, LICHTRAUM_READ, LICHTRAUM_READ, LICHTRAUM_READ_TEXTURE, LICHTRAUM_READ_MODE)
   reader.expect_all();
+  texture_reader.expect_all();
   return model;
 }
 #undef LICHTRAUM_READ
 #undef LICHTRAUM_READ_MODE
-#undef LICHTRAUM_NO_TEXTURE
+#undef LICHTRAUM_READ_TEXTURE
 
 Light light_of(std::string const& name, std::string const& kind, Fields const& fields) {
   auto const vector = [&](char const* field) { return triple(fields.at(field)); };
@@ -113,12 +117,14 @@ void transform(ReadScene& read, std::string const& shape, std::string const& how
   checked([&] { (*found)->apply(step); });
 }
 
-void set_material(ReadScene& read, std::string const& name, std::string const& model, Fields const& fields) {
+void set_material(ReadScene& read, std::string const& name, std::string const& model, Fields const& fields,
+                  Textures const& textures) {
   std::lock_guard const lock(*read.mutex);
   auto* const found = read.scene.materials.find(name);
   if (!found) throw no_such("material", name);
   Material const made = checked([&] {
-    return model == "pbr" ? Material((*found)->name(), pbr_of(fields)) : Material((*found)->name(), phong_of(fields));
+    return model == "pbr" ? Material((*found)->name(), pbr_of(fields, textures))
+                          : Material((*found)->name(), phong_of(fields));
   });
   // The shapes hold this one. Copied, not moved: its equal name stays where it is, and the registry looks at it there.
   **found = made;

@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "session.hpp"
+#include "texture.hpp"
 
 namespace lichtraum::python {
 
 /// Numbers by the names of fields: three of a colour or a vector, one of all else.
 using Fields = std::map<std::string, std::vector<double>>;
+using Textures = std::map<std::string, MadeTexture>;
 
 // Each throws Error{usage} for a name that the scene does not have and for values that make no sense, and then changes
 // nothing.
@@ -19,8 +21,9 @@ using Fields = std::map<std::string, std::vector<double>>;
 void transform(ReadScene& read, std::string const& shape, std::string const& how, std::vector<double> const& numbers);
 
 /// Another one instead, for all shapes that have it: `model` is "phong" or "pbr", with the fields of PhongModel or
-/// PbrModel. Textures go.
-void set_material(ReadScene& read, std::string const& name, std::string const& model, Fields const& fields);
+/// PbrModel. Of textures it has only these.
+void set_material(ReadScene& read, std::string const& name, std::string const& model, Fields const& fields,
+                  Textures const& textures);
 
 /// Instead of one of that name, or besides the others; `kind` as in Light::kind.
 void set_light(ReadScene& read, std::string const& name, std::string const& kind, Fields const& fields);

@@ -1,3 +1,4 @@
+#include <nanobind/ndarray.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -8,6 +9,11 @@
 namespace nb = nanobind;
 
 namespace lichtraum::python {
+namespace {
+
+using Texels = nb::ndarray<std::uint8_t const, nb::shape<-1, -1, 4>, nb::c_contig, nb::device::cpu>;
+
+}  // namespace
 
 void bind_editing(nb::module_& module) {
   nb::class_<Step>(module, "Step", "One transform.")
@@ -20,8 +26,17 @@ void bind_editing(nb::module_& module) {
   using Release = nb::call_guard<nb::gil_scoped_release>;  // whoever draws the scene may take long
   module.def("transform", &transform, nb::arg("scene"), nb::arg("shape"), nb::arg("how"), nb::arg("numbers"),
              Release());
+  nb::class_<MadeTexture>(module, "Texture", "A picture for materials.").def_ro("has_alpha", &MadeTexture::has_alpha);
+  module.def(
+      "make_texture",
+      [](Texels const& texels, std::string const& wrap, std::string const& filter) {
+        return make_texture(texels.data(), int(texels.shape(1)), int(texels.shape(0)), wrap, filter);
+      },
+      nb::sig("def make_texture(texels: numpy.typing.NDArray[numpy.uint8], wrap: str, filter: str) -> Texture"),
+      nb::arg("texels"), nb::arg("wrap"), nb::arg("filter"));
+  module.def("read_texture", &read_texture, nb::arg("path"), nb::arg("wrap"), nb::arg("filter"), Release());
   module.def("set_material", &set_material, nb::arg("scene"), nb::arg("name"), nb::arg("model"), nb::arg("fields"),
-             Release());
+             nb::arg("textures"), Release());
   module.def("set_light", &set_light, nb::arg("scene"), nb::arg("name"), nb::arg("kind"), nb::arg("fields"), Release());
   module.def("remove_light", &remove_light, nb::arg("scene"), nb::arg("name"), Release());
   module.def("set_camera", &set_camera, nb::arg("scene"), nb::arg("name"), nb::arg("fov_x_degrees"), nb::arg("steps"),

@@ -1,0 +1,42 @@
+"""Pictures on surfaces."""
+
+from __future__ import annotations
+
+import os
+from typing import Union
+
+import numpy
+from numpy.typing import ArrayLike
+
+from . import _native
+from ._errors import UsageError
+
+_LARGEST = 16384  # texels a side
+
+
+class Texture:
+    """A picture on a surface: the name of a PNG, JPEG or WebP file, or an array of 8-bit numbers, first row at the top:
+    height x width (grey), with 3 for red, green and blue, or with 4 for alpha as well. Copied; a file is read now, and one
+    with a side longer than 4096 is halved until it fits. Colours are stored in sRGB, all else is linear.
+
+    `wrap`: how it goes on beyond its edges: "repeat", "mirror" or "clamp". `filter`: "linear" or "nearest".
+    """
+
+    def __init__(
+        self, picture: Union[str, os.PathLike[str], ArrayLike], *, wrap: str = "repeat", filter: str = "linear"
+    ) -> None:
+        if isinstance(picture, (str, os.PathLike)):
+            self._native = _native.read_texture(os.fspath(picture), wrap, filter)
+            return
+        texels = numpy.asarray(picture)
+        if texels.dtype != numpy.uint8:
+            raise UsageError(f"a texture's numbers are 8 bits from 0 to 255 (uint8), not {texels.dtype}")
+        if texels.ndim == 2:
+            texels = numpy.repeat(texels[:, :, None], 3, axis=2)
+        if texels.ndim != 3 or texels.shape[2] not in (3, 4) or not all(0 < side <= _LARGEST for side in texels.shape[:2]):
+            shape = " x ".join(map(str, texels.shape))
+            raise UsageError(f"a texture is an array of height x width x 3 or 4, at most {_LARGEST} a side, not of {shape}")
+        if texels.shape[2] == 3:
+            opaque = numpy.full((*texels.shape[:2], 1), 255, dtype=numpy.uint8)
+            texels = numpy.concatenate((texels, opaque), axis=2)
+        self._native = _native.make_texture(numpy.ascontiguousarray(texels), wrap, filter)

@@ -27,6 +27,8 @@ set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "pocl-opencl-icd | opencl-icd")
 
 set(CPACK_DEBIAN_APPLICATION_PACKAGE_NAME lichtraum)
 set(CPACK_DEBIAN_APPLICATION_PACKAGE_SECTION graphics)
+# The window's letters on a screen with a scale factor; without it those of Dear ImGui, larger, in steps.
+set(CPACK_DEBIAN_APPLICATION_PACKAGE_RECOMMENDS "pocl-opencl-icd | opencl-icd, fonts-dejavu-core")
 set(CPACK_DEBIAN_APPLICATION_PACKAGE_SUGGESTS ffmpeg)
 set(CPACK_COMPONENT_APPLICATION_DESCRIPTION
   "Draws scenes in eSDF, a language of plain text, and models in glTF, OBJ, PLY

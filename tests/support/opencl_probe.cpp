@@ -83,7 +83,8 @@ struct ProbeProgram::State {
 };
 
 ProbeProgram::ProbeProgram(std::string const& file, std::string const& options) : state_(std::make_unique<State>()) {
-  std::string const kernel_dir = LICHTRAUM_SOURCE_DIR "/kernels";
+  char const* const changed_kernels = std::getenv("LICHTRAUM_KERNEL_DIR");
+  std::string const kernel_dir = changed_kernels ? changed_kernels : LICHTRAUM_SOURCE_DIR "/kernels";
   std::ifstream stream((file == "render.cl" ? kernel_dir : LICHTRAUM_SOURCE_DIR "/tests/kernel") + "/" + file);
   if (!stream) throw std::runtime_error("cannot read " + file);
   std::string const source((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());

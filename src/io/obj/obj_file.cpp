@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "core/float3.hpp"
+#include "io/faulty_geometry.hpp"
 #include "io/polygon.hpp"
 #include "io/text/numbers.hpp"
 

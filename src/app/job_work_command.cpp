@@ -5,6 +5,7 @@
 #include <optional>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "app/arguments.hpp"
 #include "app/device_class.hpp"
@@ -52,6 +53,7 @@ class UnitWorker {
         renderer_(renderer),
         device_(std::move(device)),
         allowed_class_(allow_mixed ? "" : plan_.device.hash),
+        is_whole_(std::size_t(plan_.unit_count())),
         wanted_(wanted),
         bar_(console),
         console_(console) {}
@@ -76,11 +78,18 @@ class UnitWorker {
     return {std::max(range.first, picture * each), std::min(range.end, (picture + count) * each)};
   }
 
+  /// Whether the unit's file is there. One that was is not opened again: shared folders are slow.
+  bool is_whole(std::int64_t unit) {
+    auto known = is_whole_[std::size_t(unit)];
+    if (!known) known = farm::looks_whole(folder_, unit, allowed_class_);
+    return known;
+  }
+
   /// Whether a unit of these pictures is missing.
-  bool has_work(UnitRange const& range, int picture, int count) const {
+  bool has_work(UnitRange const& range, int picture, int count) {
     UnitRange const part = of_pictures(range, picture, count);
     for (std::int64_t unit = part.first; unit < part.end; ++unit) {
-      if (!farm::looks_whole(folder_, unit, allowed_class_)) return true;
+      if (!is_whole(unit)) return true;
     }
     return false;
   }
@@ -116,7 +125,7 @@ class UnitWorker {
 
   void draw_picture(RenderRequest request, UnitRange const& range) {
     for (std::int64_t number = range.first; number < range.end; ++number) {
-      if (farm::looks_whole(folder_, number, allowed_class_)) continue;
+      if (is_whole(number)) continue;
       draw_unit(request, number);
     }
   }
@@ -148,6 +157,7 @@ class UnitWorker {
   Renderer& renderer_;
   farm::DeviceClass device_;
   std::string allowed_class_;
+  std::vector<bool> is_whole_;  // by number: those that were found so
   std::int64_t wanted_;
   std::int64_t drawn_ = 0;
   std::uint64_t rays_ = 0;

@@ -288,6 +288,14 @@ TEST_CASE("no memory is taken for what an OpenEXR header claims and its file can
   std::string const tiles = "tiles" + std::string(1, '\0') + "tiledesc" + std::string(1, '\0') + bytes_of(9) +
                             bytes_of(1) + bytes_of(1) + std::string(1, '\0');
   CHECK(contains(refusal(std::string(tall).insert(8, tiles)), "9 x 2147483647 pixels in 19327352823 blocks"));
+
+  // A block of pixels, before it is decompressed.
+  std::string wide = whole;
+  for (char const* const window : {"dataWindow", "displayWindow"}) {
+    std::size_t const value = wide.find(window) + std::strlen(window) + 1 + std::strlen("box2i") + 1 + 4;
+    wide.replace(value + 8, 4, bytes_of(134217727));
+  }
+  CHECK(contains(refusal(wide), "blocks of pixels of"));
 }
 
 TEST_CASE("values that are no light are counted, and the first is named", "[unit][environment]") {

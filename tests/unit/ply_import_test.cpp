@@ -124,6 +124,8 @@ TEST_CASE("PLY: faults of the header are errors at their place", "[unit][ply]") 
   CHECK(error_of("ply\nformat weird 1.0\n") ==
         "2:8: format: expected ascii, binary_little_endian or binary_big_endian, found 'weird'\n");
   CHECK(error_of("ply\nelement vertex -1\n") == "2:16: element: expected a name and a number, found '-1'\n");
+  CHECK(error_of("ply\nformat ascii 1.0\n" + vertex_header + vertex_header) ==
+        "7:9: the element 'vertex' is there twice\n");
   CHECK(error_of("ply\nproperty float x\n") == "2:1: a property before the first element\n");
   CHECK(error_of("ply\nelement a 1\nproperty half x\n") == "3:10: PLY has no type 'half'\n");
   CHECK(error_of("ply\nelement a 1\nproperty list float int x\n") ==

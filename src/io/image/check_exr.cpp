@@ -15,6 +15,11 @@ namespace {
 
 constexpr std::uint32_t several_parts = 0x1000;  // of the version's flags
 constexpr double entry_bytes = 8;                // of the table of where blocks of pixels begin
+/// Of a block's pixels, which OpenEXR takes some three times before it reads any. Room for 32,768 pixels a line in
+/// blocks of 256 lines, which a file may hold in a few bytes if they are all the same.
+constexpr double usual_block_bytes = 1 << 28;
+constexpr double greatest_compression = 1100;  // of larger ones; zlib's is 1032
+constexpr double value_bytes = 4;              // of a pixel in a channel, at most
 
 /// "OpenEXR File Layout" (openexr.com), the section "Header". Numbers are little-endian.
 class Reader {
@@ -60,7 +65,11 @@ struct Part {
   double tile_width = 0, tile_height = 0;  // 0: blocks are of whole lines
   double lines = 1;                        // in a block
   double said = 0;
+  double channels = 0;
 
+  double block_bytes() const {
+    return value_bytes * channels * (tile_width > 0 ? tile_width * tile_height : width * lines);
+  }
   double blocks() const {
     if (tile_width > 0) return std::ceil(width / tile_width) * std::ceil(height / tile_height);
     return std::ceil(height / lines);
@@ -82,6 +91,11 @@ void note(Part& part, std::string_view name, std::string_view value) {
   } else if (name == "compression") {
     auto const kind = std::size_t(static_cast<unsigned char>(reader.take(1)[0]));
     if (kind < lines_of_compression.size()) part.lines = lines_of_compression[kind];
+  } else if (name == "channels") {
+    while (!reader.text().empty()) {
+      reader.take(16);  // the values' type, whether they are linear, and the distances of samples
+      ++part.channels;
+    }
   } else if (name == "chunkCount") {
     part.said = reader.number();
   }
@@ -108,6 +122,10 @@ bool check_part(Reader& reader, std::uint64_t file_bytes) {
     throw std::runtime_error(
         fmt::format("its header tells of {:.0f} x {:.0f} pixels in {:.0f} blocks, and the file has {} bytes",
                     part.width, part.height, blocks, file_bytes));
+  }
+  if (part.block_bytes() > std::max(usual_block_bytes, greatest_compression * double(file_bytes))) {
+    throw std::runtime_error(fmt::format("its header tells of blocks of pixels of {:.0f} MB, and the file has {} bytes",
+                                         part.block_bytes() / 1e6, file_bytes));
   }
   return true;
 }

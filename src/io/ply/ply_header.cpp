@@ -83,7 +83,11 @@ class HeaderReader {
 
   bool element(std::string_view rest) {
     Element element;
-    element.name = next_token(rest);
+    Token const name = next_token(rest);
+    element.name = name;
+    bool const is_known = std::any_of(header_.elements.begin(), header_.elements.end(),
+                                      [&](Element const& other) { return other.name == element.name; });
+    if (is_known) return fail(name, fmt::format("the element {} is there twice", in_quotes(name)));
     Token const count = next_token(rest);
     auto const [end, error] = std::from_chars(count.data(), count.data() + count.size(), element.count);
     if (error != std::errc() || end != count.data() + count.size()) {

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "accel/bvh.hpp"
+#include "accel/crowding.hpp"
 #include "accel/primitive_bounds.hpp"
 #include "accel/wide_layout.hpp"
 #include "compile/emissive_shapes.hpp"
@@ -107,6 +108,7 @@ class Compiler {
     world.content.add(bounds);
     world.content.add(object.is_unbounded);
     buffers_.instances.push_back(placed);
+    instances_crowding_.push_back(object.crowding);
     buffers_.flat_instances.push_back(device::uint(number));
   }
 
@@ -222,7 +224,9 @@ class Compiler {
     left_out += std::uint64_t(std::count_if(instances.begin(), instances.end(), is_unrepresentable));
     if (left_out > 0) std::erase_if(all, is_unrepresentable);
     Bvh bvh = build_bvh(all, unbounded);
+    double const crowds = crowding(bvh, instances_crowding_);
     CompiledObject object = buffers_.layout == TreeLayout::binary ? add_binary(std::move(bvh)) : add_wide(bvh);
+    object.crowding = crowds;
     object.is_unbounded = !unbounded.empty();
     object.unrepresentable = left_out;
     return object;
@@ -339,6 +343,7 @@ class Compiler {
 
   SceneBuffers const* previous_;
   SceneBuffers buffers_;
+  std::vector<double> instances_crowding_;            // by number, of the object that each places
   BigVector<device::TriangleAttributes> attributes_;  // of the triangles taken so far, as those are counted
   BigVector<device::uint> sphere_colors_;             // of the spheres
 };
@@ -360,6 +365,7 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tre
   SceneBuffers& buffers = compiler.buffers();
   buffers.root_node = built.root_node;
   buffers.world_bounds = built.bounds;
+  buffers.crowding = built.crowding;
   std::size_t deepest_object = 0;
   for (CompiledObject const& object : objects) deepest_object = std::max(deepest_object, object.stack_size);
   buffers.stack_size = built.stack_size + deepest_object;

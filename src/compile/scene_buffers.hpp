@@ -36,6 +36,7 @@ struct CompiledObject {
   DeviceBounds bounds;                ///< of what has an end
   bool is_unbounded = false;          ///< something has none
   std::size_t stack_size = 0;         ///< that a traversal of it needs; for the wide layout
+  double crowding = 0;                ///< see accel/crowding.hpp
   std::uint64_t unrepresentable = 0;  ///< of its primitives, whose bounds do not fit a float
 };
 
@@ -52,6 +53,7 @@ struct SceneBuffers : device::GeometryArrays {
   ShadingTables shading;
   TreeLayout layout = TreeLayout::binary;  ///< which arrays are filled
   std::size_t stack_size = 0;              ///< that a traversal needs; for the wide layout
+  double crowding = 0;                     ///< of the world's hierarchy, with those below (accel/crowding.hpp)
 
   std::vector<std::uint32_t> flat_instances;  ///< where `instances` are in FlatScene::instances; stays on the host
 

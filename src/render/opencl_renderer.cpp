@@ -34,10 +34,21 @@ constexpr double first_budget = 1 << 14;
 /// One tile's ray counters take 16 bytes a pixel and should stay in the cache.
 constexpr double max_budget = 1 << 18;
 
+/// And the least; below, launches would count.
+constexpr double min_budget = 64;
+/// How many leaves the rays of one tile may test, whatever the tiles before it took: with those of a million triangles
+/// in one place, a fifth of a second in packets of rays.
+constexpr double max_leaf_tests = 8e7;
+
+/// The greatest work of a tile in a scene, by its crowding (accel/crowding.hpp).
+double greatest_budget(double crowding) {
+  return std::clamp(max_leaf_tests / std::max(crowding, 1.0), min_budget, max_budget);
+}
+
 /// How much work the next tile gets, from how long the last one took.
-double next_budget(double budget, double seconds) {
+double next_budget(double budget, double seconds, double greatest) {
   double const ideal = budget * tile_seconds / std::max(seconds, 1e-6);
-  return std::clamp(ideal, std::max(64.0, budget / 64), std::min(max_budget, budget * 16));
+  return std::clamp(ideal, std::max(min_budget, budget / 64), std::min(greatest, budget * 16));
 }
 
 /// What the planes hold where nothing is, as the device has it.
@@ -210,12 +221,14 @@ class OpenClRenderer final : public Renderer {
     statistics.program_ms += 1e3 * seconds_since(start);
     auto const trace_start = Clock::now();
     bool is_going_on = true;
+    double const greatest = greatest_budget(scene_->buffers->crowding);
+    work.budget = std::min(work.budget, greatest);
     TilePlan plan(region, samples.count(), samples.first);
     while (!plan.is_done() && is_going_on) {
       auto const tile_start = Clock::now();
       device::Tile const tile = plan.next(work.budget);
       statistics.rays += tracer_.trace(tile);
-      work.budget = next_budget(work.budget, seconds_since(tile_start));
+      work.budget = next_budget(work.budget, seconds_since(tile_start), greatest);
       work.pixel_samples_done += double(tile.width) * double(tile.height) * double(tile.sample_count);
       if (progress) {
         is_going_on =

@@ -2,31 +2,28 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/vec3.hpp>
 
 namespace lichtraum {
 namespace {
 
 using device::BvhChild;
 
-/// Of the leaves below a node.
-struct Leaves {
-  double tests = 0;
-  double area = 0;  ///< half of it, by test
-
-  void add(Leaves const& other) {
-    tests += other.tests;
-    area += other.area;
-  }
-};
-
-double half_area(glm::dvec3 const& size) { return size.x * size.y + size.y * size.z + size.z * size.x; }
-
-DeviceBounds bounds_of(BvhChild const& child) {
-  return {{child.min[0], child.min[1], child.min[2]}, {child.max[0], child.max[1], child.max[2]}};
+/// As a double: that of what has no end is no float.
+double half_area(BvhChild const& box) {
+  double const x = double(box.max[0]) - box.min[0];
+  double const y = double(box.max[1]) - box.min[1];
+  double const z = double(box.max[2]) - box.min[2];
+  return x * y + y * z + z * x;
 }
 
-double half_area(DeviceBounds const& bounds) { return half_area(glm::dvec3(bounds.max) - glm::dvec3(bounds.min)); }
+BvhChild box_of_both(BvhChild const& a, BvhChild const& b) {
+  BvhChild both = a;
+  for (int axis = 0; axis < 3; ++axis) {
+    both.min[axis] = std::min(a.min[axis], b.min[axis]);
+    both.max[axis] = std::max(a.max[axis], b.max[axis]);
+  }
+  return both;
+}
 
 double tests_in(Bvh const& bvh, BvhChild const& leaf, std::span<double const> of_instances) {
   if (of_instances.empty()) return 1;  // and the references, which take time to fetch, do not matter
@@ -38,26 +35,20 @@ double tests_in(Bvh const& bvh, BvhChild const& leaf, std::span<double const> of
 
 double crowding(Bvh const& bvh, std::span<double const> of_instances) {
   // From the last node to the first, the subtrees below a node are what was summed last.
-  std::array<Leaves, BVH_MAX_DEPTH + 1> open;
+  std::array<double, BVH_MAX_DEPTH + 1> open;  // half the area of their leaves, by test
   std::size_t size = 0;
   double most = 0;
   for (std::size_t i = bvh.nodes.size(); i-- > 0;) {
     auto const& children = bvh.nodes[i].children;
-    Leaves below;
-    DeviceBounds bounds;
+    double below = 0;
     for (BvhChild const& child : children) {
       if (is_absent(child)) continue;
-      bounds.add(bounds_of(child));
-      if (child.count == 0) {
-        below.add(open[--size]);
-      } else {
-        double const tests = tests_in(bvh, child, of_instances);
-        below.add({tests, tests * half_area(bounds_of(child))});
-      }
+      below += child.count == 0 ? open[--size] : tests_in(bvh, child, of_instances) * half_area(child);
     }
     open[size++] = below;
-    double const area = bounds.is_empty() ? 0 : half_area(bounds);
-    most = std::max(most, area > 0 ? below.area / area : below.tests);
+    // An absent child has min > max, and so adds nothing.
+    double const area = half_area(box_of_both(children[0], children[1]));
+    if (below > most * area) most = below / area;
   }
   return most;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <future>
 #include <iterator>
 #include <memory>
 #include <span>
@@ -15,6 +16,7 @@
 #include "compile/light_table.hpp"
 #include "compile/material_table.hpp"
 #include "core/parallel_ranges.hpp"
+#include "core/start_threads.hpp"
 #include "lichtraum/error.hpp"
 #include "scene/device_conversion.hpp"
 
@@ -224,9 +226,12 @@ class Compiler {
     left_out += std::uint64_t(std::count_if(instances.begin(), instances.end(), is_unrepresentable));
     if (left_out > 0) std::erase_if(all, is_unrepresentable);
     Bvh bvh = build_bvh(all, unbounded);
-    double const crowds = crowding(bvh, instances_crowding_);
-    CompiledObject object = buffers_.layout == TreeLayout::binary ? add_binary(std::move(bvh)) : add_wide(bvh);
-    object.crowding = crowds;
+    // Beside what follows, some of which takes one thread.
+    auto crowds = std::async(thread_if_any, [&] { return crowding(bvh, instances_crowding_); });
+    bool const is_binary = buffers_.layout == TreeLayout::binary;
+    if (is_binary) crowds.wait();  // as the hierarchy goes
+    CompiledObject object = is_binary ? add_binary(std::move(bvh)) : add_wide(bvh);
+    object.crowding = crowds.get();
     object.is_unbounded = !unbounded.empty();
     object.unrepresentable = left_out;
     return object;

@@ -40,15 +40,12 @@ TEST_CASE("crowding is small where boxes lie beside each other", "[unit][crowdin
   CHECK(crowding_of({cube(0, 0, 0, 0)}) == Approx(1));
 }
 
-TEST_CASE("crowding counts what instances stand for, and boxes without a surface", "[unit][crowding]") {
+TEST_CASE("crowding counts what instances stand for, and what every ray meets", "[unit][crowding]") {
   CHECK(crowding_of({cube(0, 0, 0, 0, PRIMITIVE_INSTANCE)}, {500}) == Approx(500));
   CHECK(crowding_of({cube(0, 0, 0, 0, PRIMITIVE_INSTANCE), cube(0, 0, 0, 1, PRIMITIVE_INSTANCE)}, {500, 0}) ==
         Approx(501));
-  std::vector<BuildPrimitive> points;
-  for (device::uint i = 0; i < 64; ++i) {
-    DeviceBounds bounds;
-    add_point(bounds, Vec3(1, 2, 3));
-    points.push_back({bounds, {PRIMITIVE_SPHERE, i}});
-  }
-  CHECK(crowding_of(points) == Approx(16));
+  std::vector<BuildPrimitive> planes;
+  for (device::uint i = 0; i < 64; ++i) planes.push_back({{}, {PRIMITIVE_PLANE, i}});
+  std::vector<BuildPrimitive> one{cube(0, 0, 0, 0)};
+  CHECK(crowding(build_bvh(one, planes)) == Approx(64));
 }

@@ -87,6 +87,6 @@ def run(root, names, verdict_on, options):
 
 
 def failed_test(output):
-    """The name of the last test case of which Catch2 reports a failure, or None."""
+    """The name of the last test case of which Catch2 reports a failure, or None. Long names are printed in several lines."""
     names = re.findall(r"^-{79}\n(\S.*?)\n-{79}\n", output, re.M | re.S)
-    return names[-1] if names else None
+    return " ".join(names[-1].split()) if names else None

@@ -48,6 +48,12 @@ __kernel void shadow(SCENE_PARAMETERS, __global float4 const* points, float4 con
 
 #else
 
+static inline BenchHit packet_hit(Packet const* p, uint ray) {
+  BenchHit const out = {((float const*)p->t)[ray], ((uint const*)p->primitive)[ray] & WIDE_INDEX_MASK};
+  BenchHit const none = {INFINITY, 0xffffffffu};
+  return out.t < INFINITY ? out : none;
+}
+
 /* One work-item a packet. */
 __kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, uint const width,
                       float const pixels_per_ray, __global BenchHit* hits) {
@@ -61,19 +67,15 @@ __kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, ui
     uint const first = group * PACKET_LANES;
     float16 const px = (lane_columns() + ((float)(x + batch_column(first)) + 0.5f)) * pixels_per_ray;
     float16 const py = (lane_rows() + ((float)(y + batch_row(first)) + 0.5f)) * pixels_per_ray;
-    packet.direction[group][0] =
-        fma(py, (float16)(camera->step_y.x), fma(px, (float16)(camera->step_x.x), (float16)(camera->corner.x)));
-    packet.direction[group][1] =
-        fma(py, (float16)(camera->step_y.y), fma(px, (float16)(camera->step_x.y), (float16)(camera->corner.y)));
-    packet.direction[group][2] =
-        fma(py, (float16)(camera->step_y.z), fma(px, (float16)(camera->step_x.z), (float16)(camera->corner.z)));
+    packet.direction[group] = add_scaled(add_scaled(broadcast3(camera->corner.xyz), px, broadcast3(camera->step_x.xyz)),
+                                         py, broadcast3(camera->step_y.xyz));
     packet.limit[group] = (float16)(INFINITY);
   }
   trace_packet_closest(&scene, &packet);
   for (uint ray = 0u; ray < BATCH; ++ray) {
     uint const column = x + batch_column(ray);
     uint const row = y + batch_row(ray);
-    hits[row * width + column] = bench_hit(&scene, packet_hit(&packet, ray));
+    hits[row * width + column] = packet_hit(&packet, ray);
   }
 }
 
@@ -99,7 +101,7 @@ __kernel void shadow(SCENE_PARAMETERS, __global float4 const* points, float4 con
   trace_packet_any(&scene, &packet);
   for (uint ray = 0u; ray < BATCH; ++ray) {
     uint const i = (y + batch_row(ray)) * width + x + batch_column(ray);
-    occluded[i] = packet_is_occluded(&packet, ray) ? 1 : 0;
+    occluded[i] = ((float const*)packet.t)[ray] == -INFINITY ? 1 : 0;
   }
 }
 

@@ -18,8 +18,8 @@ constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// Not square, not a multiple of anything, no row or column like another.
-Image sample_image() {
-  Image image(Resolution{37, 23});
+Image sample_image(Resolution const& size = {37, 23}) {
+  Image image(size);
   std::mt19937 random(1);
   std::uniform_real_distribution<float> value(0, 1);
   for (float& v : image.data()) v = value(random);
@@ -58,7 +58,8 @@ void require_nearest(DecodedImage const& decoded, Image const& image, int max) {
 }  // namespace
 
 TEST_CASE("lossless integer formats store the nearest value", "[unit][image]") {
-  Image const image = sample_image();
+  Resolution const size = GENERATE(Resolution{37, 23}, Resolution{211, 97});  // the second is written in parts
+  Image const image = sample_image(size);
   for (int const bits : {8, 16}) {
     int const max = bits == 8 ? 255 : 65535;
     ImageEncoding encoding = with_bits(bits);

@@ -37,11 +37,11 @@ std::unique_ptr<RowEncoder<Film>> begin_pfm(Resolution const& size, PlaneSet con
 /// A file in memory.
 class MemorySink final : public ByteSink {
  public:
+  explicit MemorySink(std::size_t expected_size = 0) { bytes_.reserve(expected_size); }
   void write(std::string_view bytes) override {
-    std::size_t const end = position_ + bytes.size();
-    if (end > bytes_.size()) bytes_.resize(end);
-    bytes.copy(bytes_.data() + position_, bytes.size());
-    position_ = end;
+    if (position_ > bytes_.size()) bytes_.resize(position_);
+    bytes_.replace(position_, bytes.size(), bytes);
+    position_ += bytes.size();
   }
   void seek(std::uint64_t position) override { position_ = position; }
   std::string take() { return std::move(bytes_); }

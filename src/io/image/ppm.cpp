@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <span>
+
 #include "io/image/encoders.hpp"
 #include "io/image/quantize.hpp"
 
@@ -32,11 +36,17 @@ class PpmRows final : public RowEncoder<Image> {
     sink_.write(text);
   }
   void add_bytes(Image const& rows) {
-    std::size_t const count = rows.data().size();
-    std::string bytes(count * (is_wide_ ? 2 : 1), '\0');
-    auto* const pixels = reinterpret_cast<unsigned char*>(bytes.data());
-    is_wide_ ? quantize_16(rows.data().data(), count, pixels) : quantize_8(rows.data().data(), count, pixels);
-    sink_.write(bytes);
+    // As much at a time as stays in the cache.
+    std::array<unsigned char, 1 << 15> bytes;
+    std::size_t const bytes_per_value = is_wide_ ? 2 : 1;
+    std::span<float const> values = rows.data();
+    while (!values.empty()) {
+      auto const part = values.first(std::min(values.size(), bytes.size() / bytes_per_value));
+      is_wide_ ? quantize_16(part.data(), part.size(), bytes.data())
+               : quantize_8(part.data(), part.size(), bytes.data());
+      sink_.write({reinterpret_cast<char const*>(bytes.data()), part.size() * bytes_per_value});
+      values = values.subspan(part.size());
+    }
   }
 
   ByteSink& sink_;
@@ -52,7 +62,8 @@ std::unique_ptr<RowEncoder<Image>> begin_ppm(Resolution const& size, bool /*has_
 }
 
 std::string encode_ppm(Image const& image, ImageEncoding const& encoding) {
-  MemorySink sink;
+  constexpr std::size_t header_size = 32;  // or less
+  MemorySink sink(header_size + image.data().size() * (encoding.bits == 16 ? 2 : 1));
   PpmRows(image.size(), encoding, sink).add(image);
   return sink.take();
 }

@@ -33,6 +33,14 @@ struct EsdfDialect {
   friend bool operator==(EsdfDialect const&, EsdfDialect const&) = default;
 };
 
+/// A statement that defined something other than a shape, moved a camera, or asked for a picture.
+struct EsdfStatement {
+  enum class Kind { material, light, environment, camera, camera_transform, render };
+  std::size_t line = 0;  ///< from 1
+  Kind kind = Kind::material;
+  std::string name;  ///< of a render its camera's
+};
+
 struct EsdfOptions : EsdfDialect {
   std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the scene's that may be read
   std::size_t max_diagnostics = 100;
@@ -42,6 +50,8 @@ struct EsdfOptions : EsdfDialect {
   std::function<std::shared_ptr<EnvironmentMap const>(std::string const&)> find_environment = environment_map;
   /// Changes each scene before it is shown, and then perhaps once more; may be empty.
   std::function<void(Scene&)> adjust;
+  /// Told of each such statement when it is executed, so by `play` once more; may be empty.
+  std::function<void(EsdfStatement const&)> on_statement;
 };
 
 /// A checked eSDF file. eSDF is imperative: a `render` draws the scene as defined up to its line.

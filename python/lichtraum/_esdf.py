@@ -12,15 +12,7 @@ import numpy
 from ._errors import UsageError
 from ._materials import WHITE, Material, Pbr, Phong
 from ._nodes import Camera, Light, Mesh, Shape
-from ._values import Color, color
-
-
-def _text(word: Any) -> str:
-    return word if isinstance(word, str) else repr(float(word))
-
-
-def _has_space(path: str) -> bool:
-    return any(letter.isspace() or letter == "#" for letter in path)
+from ._values import Color, color, is_word, text_of
 
 
 class Writer:
@@ -42,12 +34,12 @@ class Writer:
         self._meshes: dict[int, str] = {}
 
     def _line(self, *words: Any) -> None:
-        self._lines.append(" ".join(_text(word) for word in words))
+        self._lines.append(text_of([*words]))
 
     def _name(self, wanted: str | None, kind: str) -> str:
         """Of a shape or a light."""
         if wanted is not None:
-            if not wanted or any(letter.isspace() for letter in wanted) or "#" in wanted:
+            if not is_word(wanted):
                 raise UsageError(f"{wanted!r} cannot be a name: it has spaces or a #")
             if wanted in self._names:
                 raise UsageError(f"there are two things that are called {wanted!r}")
@@ -124,7 +116,7 @@ class Writer:
     def path_of(self, path: str) -> str:
         """As seen from the scene's file. Of one that eSDF cannot name, a link's."""
         relative = os.path.relpath(path, self._folder.resolve())
-        if not _has_space(relative):
+        if is_word(relative):
             return relative
         if not self._only_drawn:
             raise UsageError(f"{relative}: eSDF cannot name a file with spaces or a # in its path")
@@ -141,12 +133,12 @@ class Writer:
         for other in os.listdir(folder):
             os.symlink(os.path.join(folder, other), links / other)
         plain = "model" + os.path.splitext(file)[1]
-        if _has_space(plain):
+        if not is_word(plain):
             raise UsageError(f"{path}: there is no such kind of model")
-        if _has_space(file):
+        if not is_word(file):
             (links / plain).unlink(missing_ok=True)
             os.symlink(path, links / plain)
-        return f"{links.name}/{plain if _has_space(file) else file}"
+        return f"{links.name}/{plain if not is_word(file) else file}"
 
     def text(self) -> str:
         return "\n".join(self._lines) + "\n"

@@ -4,30 +4,31 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from . import _native
-from ._errors import FileError, UsageError
-from ._materials import Material, Phong
+from ._edited_text import EditedText
+from ._errors import FileError, SceneError, UsageError
+from ._materials import Material
 from ._nodes import Camera, Light
-from ._values import Color, Vector, rotation, scaling, translation
+from ._values import Color, Vector, Words, rotation, scaling, translation
+from ._waiting import wait_for
 
 if TYPE_CHECKING:
     from ._native import Diagnostic
-
-Line = list[Any]
 
 
 class LoadedScene:
     """A scene or a model that was read: see `load`. It can be drawn many times, and be changed in between."""
 
-    def __init__(self, native: _native.Scene, path: str, is_dialect: bool = False) -> None:
-        self._native = native
-        self._path = path
-        self._is_dialect = is_dialect
-        self._moves: list[Line] = []
+    def __init__(self, path: str, how: _native.Options, how_saved: _native.Options) -> None:
+        """`how` it is read, and what of that holds for files that are saved of it."""
+        self._native = wait_for(lambda _: _native.read_scene(path, how))
+        self._path, self._how, self._how_saved = path, how, how_saved
+        self._moves: list[tuple[str, Words]] = []
         self._materials: dict[str, Material] = {}
-        self._lights: dict[str, Light | None] = {}
+        self._lights: dict[str, Light] = {}
+        self._removed_lights: set[str] = set()
         self._cameras: dict[str, Camera] = {}
 
     @property
@@ -79,7 +80,8 @@ class LoadedScene:
     def remove_light(self, name: str) -> None:
         """Raises UsageError for a name that is not in `lights`."""
         _native.remove_light(self._native, name)
-        self._lights[name] = None
+        self._lights.pop(name, None)
+        self._removed_lights.add(name)
 
     def set_camera(self, name: str, camera: Camera) -> None:
         """Puts a camera in the place of the one of this name, or beside the others: `render(scene, camera=name)`. Raises
@@ -88,58 +90,59 @@ class LoadedScene:
         _native.set_camera(self._native, name, float(camera.fov_x_degrees), steps, *map(int, camera.size))
         self._cameras[name] = camera
 
-    def _move(self, name: str, step: Line) -> None:
+    def _move(self, name: str, step: Words) -> None:
         _native.transform(self._native, name, step[0], step[1:])
-        self._moves.append(["transform", name, *step])
+        self._moves.append((name, step))
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes its eSDF file with the changes, as it is now: with one `render`, the last. Its comments stay. Raises
-        FileError, and UsageError for what eSDF cannot say: models' files, Pbr, spot and directional lamps; and for files
-        that the scene reads from its own folder, if this is another one."""
+        """Writes its eSDF file with the changes: what `render(scene)` draws, as the only picture. All other lines stay, with
+        their comments. What was written is read again, without the options of `load` but `allow_path`, and only kept if
+        it gives the same pictures to the byte.
+
+        Raises FileError, and UsageError for what eSDF cannot say: models' files, Pbr, spot and directional lamps; files that
+        the scene reads from its own folder, if this is another one; scenes that only options make what they are."""
         target = Path(path)
         if self._native.is_model:
             raise UsageError(f"{self._path}: a model is not saved as eSDF; lt.Scene([lt.Model(...)]) holds one")
-        if self._is_dialect:
-            raise UsageError(f"{self._path}: a scene that was read with transform_order or rotation cannot be saved")
+        temporary = target.with_name(target.name + ".partial")
         try:
-            text = Path(self._path).read_text(encoding="utf-8", errors="surrogateescape")
-            same_folder = os.path.realpath(target.parent) == os.path.realpath(Path(self._path).parent)
-            new = "\n".join(self._saved_lines(text.splitlines(), same_folder)) + "\n"
-            temporary = target.with_name(target.name + ".partial")
-            temporary.write_text(new, encoding="utf-8", errors="surrogateescape")
+            text = self._edited(Path(self._path).read_bytes())
+            temporary.write_bytes(text)
+            self._check(temporary, target)
             os.replace(temporary, target)
         except OSError as error:
             raise FileError(f"cannot save {self._path!r} as {str(target)!r}: {error.strerror}") from error
+        finally:
+            if temporary.exists():
+                temporary.unlink()
 
-    def _saved_lines(self, lines: list[str], same_folder: bool) -> list[str]:
-        new = {("material", name): _material_line(name, material) for name, material in self._materials.items()}
-        new |= {("light", name): _light_line(name, light) for name, light in self._lights.items()}
-        cameras = {("camera", name): _camera_lines(name, camera) for name, camera in self._cameras.items()}
-        kept, seen, last_render = [], set(), ""
-        for line in lines:
-            words = line.split("#")[0].split()
-            if words[:1] == ["render"]:
-                last_render = line
-                continue
-            if not same_folder and _names_a_file(words):
-                raise UsageError(f"{self._path}: {' '.join(words[:4])} reads a file of its folder: save it there")
-            if words[:1] == ["transform"] and ("camera", words[1]) in cameras:
-                continue
-            thing = _defined(words)
-            if thing in new or thing in cameras:
-                seen.add(thing)
-                kept += [new[thing]] if thing in new else cameras[thing]
-            else:
-                kept.append(line)
-        for thing, made in new.items():
-            if thing[0] == "material" and thing not in seen:
-                raise UsageError(f"{self._path}: the line that defines material {thing[1]!r} cannot be found")
-            if thing not in seen and not made.startswith("#"):
-                kept.append(made)
-        for thing, several in cameras.items():
-            kept += several if thing not in seen else []
-        kept += [_text(move) for move in self._moves]
-        return kept + [last_render] if last_render else kept
+    def _edited(self, source: bytes) -> bytes:
+        statements = wait_for(lambda _: _native.statements_of(source, self._path, self._how))
+        text = EditedText(source.decode("utf-8", "surrogateescape"), statements, self._native.has_brightness)
+        for name, material in self._materials.items():
+            text.set_material(name, material)
+        for name in self._removed_lights:
+            text.remove_light(name)
+        for name, light in self._lights.items():
+            text.set_light(name, light, at_end=name in self._removed_lights)
+        for name, camera in self._cameras.items():
+            text.set_camera(name, camera)
+        for name, step in self._moves:
+            text.move(name, step)
+        return text.text().encode("utf-8", "surrogateescape")
+
+    def _check(self, saved: Path, target: Path) -> None:
+        refused = f"{self._path} cannot be saved as {target}"
+        is_elsewhere = os.path.realpath(target.parent) != os.path.realpath(Path(self._path).parent)
+        hint = "; files that it reads are looked for beside it: save it in its own folder" if is_elsewhere else ""
+        try:
+            again = wait_for(lambda _: _native.read_scene(str(saved), self._how_saved))
+        except SceneError as error:
+            first = error.diagnostics[0]
+            raise UsageError(f"{refused}: line {first.line} would be wrong: {first.message}{hint}") from error
+        if _native.identity_of(again) != _native.identity_of(self._native):
+            why = "eSDF cannot say these changes, options such as rotation made it what it is, or its file was changed"
+            raise UsageError(f"{refused}: read again, it would be another scene: {why}{hint}")
 
     def __repr__(self) -> str:
         return f"<lichtraum.LoadedScene {self.name!r}>"
@@ -167,41 +170,3 @@ class LoadedShape:
     def __repr__(self) -> str:
         return f"<lichtraum.LoadedShape {self.name!r}>"
 
-
-def _text(words: Line) -> str:
-    return " ".join(word if isinstance(word, str) else repr(float(word)) for word in words)
-
-
-def _material_line(name: str, material: Material) -> str:
-    if not isinstance(material, Phong):
-        raise UsageError(f"material {name!r}: eSDF has no material like Pbr")
-    return _text(["define", "material", name, *material.words()])
-
-
-def _light_line(name: str, light: Light | None) -> str:
-    if light is None:
-        return f"# {name} was removed"
-    words = light.words(name)
-    if words is None:
-        raise UsageError(f"light {name!r}: eSDF has no {light.kind} lamp")
-    return _text(words)
-
-
-def _camera_lines(name: str, camera: Camera) -> list[str]:
-    size = [str(int(side)) for side in camera.size]
-    first = _text(["define", "camera", name, camera.fov_x_degrees, *size])
-    return [first, *(_text(["transform", name, *step]) for step in camera.transforms())]
-
-
-def _names_a_file(words: list[str]) -> bool:
-    if words[:3] == ["define", "light", "environment"]:
-        return len(words) > 4 and words[4] != "studio" and not words[4].replace(".", "").isdigit()
-    return words[:3] == ["define", "shape", "mesh"]
-
-
-def _defined(words: list[str]) -> tuple[str, str]:
-    """The kind and the name of what a line defines."""
-    words = words[1:] if words[:1] == ["define"] else words
-    if len(words) > 2 and words[0] == "light" and words[1] in ("diffuse", "ambient"):
-        return "light", words[2]
-    return (words[0], words[1]) if len(words) > 1 and words[0] in ("material", "light", "camera") else ("", "")

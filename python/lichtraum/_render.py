@@ -139,8 +139,7 @@ def load(path: Path, /, **options: Unpack[RenderOptions]) -> LoadedScene:
     for name in options:
         if name not in reading:
             raise TypeError(f"{name!r} says nothing about reading: it is for render")
-    how = parsed(dict(options))
-    is_dialect = any(options.get(name) is not None for name in ("transform_order", "rotation"))
-    scene = LoadedScene(wait_for(lambda _: _native.read_scene(os.fspath(path), how)), os.fspath(path), is_dialect)
+    how, how_saved = parsed(dict(options)), parsed({"allow_path": options.get("allow_path")})
+    scene = LoadedScene(os.fspath(path), how, how_saved)
     _warn(scene.diagnostics)
     return scene

@@ -10,7 +10,7 @@ from typing import Iterable, Optional, Union
 from ._errors import FileError, UsageError
 from ._esdf import Writer
 from ._nodes import Camera, Group, Light, Model, Shape
-from ._values import Color
+from ._values import Color, is_word
 
 Item = Union[Shape, Light]
 
@@ -47,7 +47,7 @@ class Scene:
         self._write(Path(path))
 
     def _write(self, path: Path, *, only_drawn: bool = False) -> Writer:
-        if any(letter.isspace() or letter == "#" for letter in path.name):
+        if not is_word(path.name):
             raise UsageError(f"{path.name!r}: eSDF cannot name files with spaces or a #, such as the meshes beside it")
         writer = Writer(path.parent, path.stem + "_mesh_", only_drawn=only_drawn)
         temporary = path.with_name(path.name + ".partial")

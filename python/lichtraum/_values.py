@@ -9,6 +9,17 @@ from ._errors import UsageError
 
 Vector = Sequence[float]
 Color = Union[float, Sequence[float]]
+#: Of an eSDF statement: texts and numbers.
+Words = list[Any]
+
+
+def text_of(words: Words) -> str:
+    return " ".join(word if isinstance(word, str) else repr(float(word)) for word in words)
+
+
+def is_word(name: str) -> bool:
+    """Whether eSDF can name something, or a file, so."""
+    return bool(name) and not any(letter.isspace() or letter == "#" for letter in name)
 
 
 def number(value: Any, *, least: float = -math.inf, most: float = math.inf) -> float:

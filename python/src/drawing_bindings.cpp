@@ -38,6 +38,9 @@ void bind_drawing(nb::module_& module) {
       .def_ro("name", &ReadScene::name)
       .def_ro("is_model", &ReadScene::is_model)
       .def_ro("diagnostics", &ReadScene::diagnostics)
+      .def_prop_ro(
+          "has_brightness",
+          [](ReadScene const& read) { return read.scene.tone_map == ToneMap::reinhard; })  // of a lamp, in eSDF
       .def_prop_ro("cameras", [](ReadScene const& read) { return names_in(read, &Scene::cameras); })
       .def_prop_ro("shapes", [](ReadScene const& read) { return names_in(read, &Scene::shapes); })
       .def_prop_ro("materials", [](ReadScene const& read) { return names_in(read, &Scene::materials); })

@@ -30,7 +30,10 @@ Transform transform_of(std::string const& how, std::vector<double> const& number
   return checked([&] {
     if (how == "translate") return Transform::translation(triple(numbers));
     if (how == "scale") return Transform::scaling(triple(numbers));
-    if (how == "rotate") return Transform::rotation(numbers.at(0), triple(numbers, 1));
+    if (how == "rotate") {
+      Vec3 const axis = triple(numbers, 1);
+      return Transform::rotation(numbers.at(0), axis / glm::length(axis));  // rounded as the statement's
+    }
     throw Error(ErrorKind::usage, fmt::format("there is no transform '{}'", how));
   });
 }

@@ -5,11 +5,32 @@
 
 #include "bindings.hpp"
 #include "editing.hpp"
+#include "saving.hpp"
 
 namespace nb = nanobind;
 
 namespace lichtraum::python {
 namespace {
+
+/// As EsdfStatement::Kind calls it.
+char const* kind_name(EsdfStatement const& statement) {
+  using Kind = EsdfStatement::Kind;
+  switch (statement.kind) {
+    case Kind::material:
+      return "material";
+    case Kind::light:
+      return "light";
+    case Kind::environment:
+      return "environment";
+    case Kind::camera:
+      return "camera";
+    case Kind::camera_transform:
+      return "camera_transform";
+    case Kind::render:
+      return "render";
+  }
+  return "";
+}
 
 using Texels = nb::ndarray<std::uint8_t const, nb::shape<-1, -1, 4>, nb::c_contig, nb::device::cpu>;
 
@@ -41,6 +62,20 @@ void bind_editing(nb::module_& module) {
   module.def("remove_light", &remove_light, nb::arg("scene"), nb::arg("name"), Release());
   module.def("set_camera", &set_camera, nb::arg("scene"), nb::arg("name"), nb::arg("fov_x_degrees"), nb::arg("steps"),
              nb::arg("width"), nb::arg("height"), Release());
+
+  nb::class_<EsdfStatement>(module, "Statement", "A line of eSDF, from 1, and whose name it has.")
+      .def_ro("line", &EsdfStatement::line)
+      .def_prop_ro("kind", [](EsdfStatement const& statement) { return kind_name(statement); })
+      .def_ro("name", &EsdfStatement::name);
+  module.def(
+      "statements_of",
+      [](nb::bytes const& text, std::string const& path, app::RenderOptions const& options) {
+        std::string copy(text.c_str(), text.size());
+        nb::gil_scoped_release const released;
+        return statements_of(std::move(copy), path, options);
+      },
+      nb::arg("text"), nb::arg("path"), nb::arg("options"));
+  module.def("identity_of", &identity_of, nb::arg("scene"), Release());
 }
 
 }  // namespace lichtraum::python

@@ -85,6 +85,69 @@ def test_all_changes_at_once(renderer, loaded, tmp_path):
     assert np.array_equal(pixels(renderer, loaded), pixels(renderer, tmp_path / "scene.sdf"))
 
 
+DIALECT = """\ufeff// material red is below\x0crender eye never.png
+define material red 0.3 0 0  0.9 0.1 0.1  0.6 0.6 0.6  40 # render eye never.png
+define material grey 0.3 0.3 0.3  0.5 0.5 0.5  0 0 0  1\r
+define shape sphere eye 0 0 -5 1 red
+define shape sphere ball 1 1 -5 1 grey
+ambient 0.1 0.1 0.2
+define ambient sky 0.1 0.1 0.1 2\rdefine light lamp 5 8 2  0.9 0.9 0.8 3
+define light diffuse far -5 8 2  0.1 0.1 0.2
+define camera other 60 32 24 0 0.5 0 0 0 -1
+define camera second 30 aperture=0.1 focus=5
+define transform other rotate 5 z
+define transform second translate 0 0 4
+define render other one.png samples=4
+transform eye translate 0.2 0 0
+define renderer second two.png 40 24 integrator=path
+transform ball scale 2
+"""
+
+
+@pytest.mark.parametrize("change", [
+    lambda s: s.shape("eye").rotate(30, (1, 2, 0.3)),
+    lambda s: s.set_material("red", GREEN),
+    lambda s: s.set_light("ambient light 1", lt.Light.ambient((0.3, 0, 0))),
+    lambda s: s.remove_light("ambient light 1"),
+    lambda s: s.set_light("sky", lt.Light.ambient(0.3)),
+    lambda s: s.set_light("sky", lt.Light.point((1, 5, 3), 0.3, radius=0.5)),
+    lambda s: [s.set_light("lamp", lt.Light.point((1, 9, 3), 0.3)), s.remove_light("sky")],
+    lambda s: [s.remove_light("far"), s.set_light("more", lt.Light.point((1, 9, 3))), s.set_light("far", lt.Light.ambient(0.1))],
+    lambda s: s.set_camera("other", lt.Camera(40, eye=(2, 1, 0), target=(0, 0, -5), up=(0.1, 1, 0))),
+    lambda s: s.set_camera("second", lt.Camera(40, eye=(2, 1, 0), target=(0, 0, -5))),
+])
+def test_any_form_is_changed_where_it_stands(renderer, tmp_path, change):
+    (tmp_path / "dialect.sdf").write_bytes(DIALECT.encode())
+    scene = lt.load(tmp_path / "dialect.sdf")
+    change(scene)
+    scene.save(tmp_path / "saved.sdf")
+    saved = tmp_path / "saved.sdf"
+    for camera in (None, "other", "second"):
+        how = {"camera": camera, "size": (64, 48), "progress": False}
+        assert renderer.render(scene, **how).encoded("png") == renderer.render(saved, **how).encoded("png")
+    kept = set(DIALECT.removeprefix("\ufeff").replace("\r", "\n").split("\n"))
+    assert len(kept - set(saved.read_bytes().decode().split("\n"))) <= 4
+    assert renderer.render(scene, progress=False).encoded("png") == renderer.render(saved, progress=False).encoded("png")
+
+
+@pytest.mark.parametrize("change, message", [
+    (lambda s: s.set_camera("ball", lt.Camera(40, eye=(0, 0, 2))), "another scene"),  # 'transform ball' moves the shape
+    (lambda s: s.set_camera("a b", lt.Camera()), "no spaces"),
+    (lambda s: s.set_light("ambient light 1", lt.Light.point((0, 5, 0))), "no spaces"),
+    (lambda s: [s.remove_light("sky"), s.remove_light("lamp")], "another scene"),  # eSDF's tone map hangs on them
+    (lambda s: Path(s.name).write_text(SCENE), "another scene"),
+])
+def test_what_would_be_another_scene_is_not_saved(tmp_path, monkeypatch, change, message):
+    monkeypatch.chdir(tmp_path)
+    Path("dialect.sdf").write_bytes(DIALECT.encode())
+    scene = lt.load("dialect.sdf")
+    change(scene)
+    Path("saved.sdf").write_text("before")
+    with pytest.raises(lt.UsageError, match=message):
+        scene.save("saved.sdf")
+    assert Path("saved.sdf").read_text() == "before" and sorted(os.listdir()) == ["dialect.sdf", "saved.sdf"]
+
+
 def test_long_names_of_materials_are_still_found(renderer, tmp_path):
     name = "a_name_that_is_longer_than_what_a_string_holds_in_itself"
     (tmp_path / "long.sdf").write_text(SCENE.replace("red", name))
@@ -201,8 +264,11 @@ def test_what_esdf_cannot_say_is_not_saved(loaded, tmp_path):
     with pytest.raises(lt.UsageError, match="folder"):
         lt.load(tmp_path / "mesh.sdf").save(tmp_path / "below" / "other.sdf")
     lt.load(tmp_path / "mesh.sdf").save(tmp_path / "other.sdf")
-    with pytest.raises(lt.UsageError, match="rotation"):
-        lt.load(tmp_path / "mesh.sdf", rotation="left").save(tmp_path / "left.sdf")
+    (tmp_path / "turned.sdf").write_text(SCENE.replace("translate 0 0.5 0", "rotate 10 0 1 0"))
+    lt.load(tmp_path / "turned.sdf", rotation="right").save(tmp_path / "right.sdf")
+    with pytest.raises(lt.UsageError, match="another scene: .* rotation"):
+        lt.load(tmp_path / "turned.sdf", rotation="left").save(tmp_path / "left.sdf")
+    assert not (tmp_path / "left.sdf").exists() and not list(tmp_path.glob("*.partial"))
     with pytest.raises(lt.FileError, match="nowhere"):
         lt.load(tmp_path / "scene.sdf").save(Path("/nowhere/scene.sdf"))
 

@@ -106,9 +106,14 @@ LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& gi
   auto const adjust = scene_adjustment(reading.environment, is_model, options);
   if (!is_model) {
     auto const find_map = [maps = options.environments](std::string const& source) { return maps->find(source, {}); };
-    EsdfOptions const esdf{reading.dialect, reading.allowed_paths, EsdfOptions().max_diagnostics,
-                           options.on_read, options.models,        find_map,
-                           adjust};
+    EsdfOptions const esdf{reading.dialect,
+                           reading.allowed_paths,
+                           EsdfOptions().max_diagnostics,
+                           options.on_read,
+                           options.models,
+                           find_map,
+                           adjust,
+                           {}};
     return LoadedScene(bytes_ ? EsdfScript::from_text(*bytes_, name_, esdf) : EsdfScript::from_file(name_, esdf));
   }
   auto const adjusted = [&](Model model) {

@@ -247,24 +247,32 @@ void Interpreter::define(Token name, std::shared_ptr<Shape> shape) {
   scene.shapes.insert_or_replace(std::move(shape));
 }
 
+void Interpreter::tell(EsdfStatement::Kind kind, std::string_view name) const {
+  if (options.on_statement) options.on_statement({diagnostics_.line().number, kind, std::string(name)});
+}
+
 void Interpreter::define(Token name, std::shared_ptr<Material> material) {
+  tell(EsdfStatement::Kind::material, name);
   if (scene.materials.insert(material)) return;
   report_duplicate(Kind::material, name);
   scene.materials.insert_or_replace(std::move(material));
 }
 
 void Interpreter::define(Token name, Camera camera) {
+  tell(EsdfStatement::Kind::camera, name);
   if (scene.cameras.contains(name)) report_duplicate(Kind::camera, name);
   scene.cameras.insert_or_replace(std::move(camera));
 }
 
 void Interpreter::define(Token name, Light light) {
+  tell(EsdfStatement::Kind::light, name);
   bool const is_environment = scene.environment && scene.environment->name == name;
   if (is_environment || scene.lights.contains(name)) report_duplicate(Kind::light, name);
   scene.lights.insert_or_replace(std::move(light));
 }
 
 void Interpreter::define(Token name, EnvironmentLight environment) {
+  tell(EsdfStatement::Kind::environment, name);
   if (scene.environment && scene.environment->name != name) {
     std::string const& first = scene.environment->name;
     std::size_t const line = find_definition(Kind::light, first, false);
@@ -278,6 +286,7 @@ void Interpreter::define(Token name, EnvironmentLight environment) {
 
 void Interpreter::render(RenderCommand command) {
   command.location = {source.name, diagnostics_.line().number, 1};
+  tell(EsdfStatement::Kind::render, command.camera);
   has_rendered_ = true;
   scene.renders.push_back(std::move(command));
   if (draw_ && options.adjust) options.adjust(scene);

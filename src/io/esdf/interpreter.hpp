@@ -101,6 +101,9 @@ class Interpreter {
     known->second = diagnostics_.last();
   }
 
+  /// Tells whoever wants to know (options.on_statement) what the current line did.
+  void tell(EsdfStatement::Kind kind, std::string_view name) const;
+
   /// Adds the command to the scene and draws it, when somebody wants to see it drawn.
   void render(RenderCommand command);
 

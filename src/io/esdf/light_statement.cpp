@@ -264,7 +264,8 @@ void define_ambient(Interpreter& interpreter, Statement const& statement) {
   if (has_name) {
     interpreter.define(statement[0], Light::ambient(std::string(statement[0]), la));
   } else {
-    interpreter.scene.lights.insert(Light::ambient(free_ambient_name(interpreter.scene), la));
+    std::string const name = free_ambient_name(interpreter.scene);
+    interpreter.define(name, Light::ambient(name, la));
   }
 }
 

@@ -178,6 +178,7 @@ void transform(Interpreter& interpreter, Statement const& statement) {
     (*shape)->set_world_from_object(after);
   } else {
     camera->set_world_from_camera(after);
+    interpreter.tell(EsdfStatement::Kind::camera_transform, name);
   }
 }
 

@@ -27,6 +27,10 @@ os.execv(sys.argv[1], sys.argv[1:])
 """
 
 
+#: Those of this process that draw, and in which folder.
+_children: dict[subprocess.Popen[bytes], str] = {}
+
+
 class Work(NamedTuple):
     """What is the same for all tasks of a job."""
 
@@ -76,15 +80,25 @@ def draw_batch(work: Work, first: int, last: int) -> Outcome:
     if obstacle:
         return Outcome(65, f"worker on {socket.gethostname()}: {obstacle}", 0.0)
     program = [PROGRAM, "job", "work", work.folder, f"--units={first}..{last}", "--quiet", *work.options]
-    child = subprocess.run(
-        [sys.executable, "-c", _CHILD, *program],
+    child = subprocess.Popen(
+        [sys.executable, "-I", "-S", "-c", _CHILD, *program],
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
     )
-    if child.returncode != 0 and child.returncode not in NEVER:
+    _children[child] = work.folder
+    stderr = child.communicate()[1]
+    was_ended = _children.pop(child, None) is None
+    if child.returncode != 0 and child.returncode not in NEVER and not was_ended:
         time.sleep(_PAUSE_SECONDS)
-    text = message_of(child.stderr.decode(errors="replace"))
+    text = message_of(stderr.decode(errors="replace"))
     if child.returncode < 0:
         text = f"'lichtraum job work' was ended by signal {-child.returncode} in units {first}..{last}. {text}".strip()
     return Outcome(child.returncode, f"worker on {socket.gethostname()}: {text}", time.monotonic() - begin)
+
+
+def end_children(folder: str) -> None:
+    """Of the workers in this process."""
+    for child in [child for child, other in _children.copy().items() if other == folder]:
+        if _children.pop(child, None) is not None:
+            child.kill()

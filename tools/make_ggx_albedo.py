@@ -13,7 +13,7 @@ import albedo_table
 
 SIZE = 48
 STEPS_U, STEPS_V = 128, 64
-MIN_ALPHA = 0.001  # as kernels/bsdf/ggx.clh
+MIN_ALPHA = 0.001  # as kernels/shared/pbr_material.h
 
 
 def albedo(cosine, alpha):

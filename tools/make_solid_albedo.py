@@ -13,7 +13,7 @@ import albedo_table
 IORS, ROUGHNESSES, COSINES = 10, 16, 16
 LARGEST = 0.5  # of (ior - 1) / (ior + 1): ior 3
 STEPS_U, STEPS_V = 64, 32
-LEAST_ROUGHNESS = math.sqrt(0.001)  # MIN_ALPHA of kernels/bsdf/ggx.clh
+LEAST_ROUGHNESS = math.sqrt(0.001)  # MIN_ALPHA of kernels/shared/pbr_material.h
 
 
 def albedo(eta, f0, alpha, cosine):

@@ -14,6 +14,9 @@ DEVICE_NAMESPACE_BEGIN
 #define PBR_FILTERS 8u      /* how much light it lets through changes from point to point */
 #define PBR_VARIES_MORE 16u /* textures change what Phong's coefficients know nothing of: sheen, anisotropy, ... */
 
+/* GGX's least alpha: sharper highlights than this would lose too many digits. */
+#define MIN_ALPHA 0.001f
+
 #define ALPHA_OPAQUE 0u
 #define ALPHA_MASK 1u
 #define ALPHA_BLEND 2u

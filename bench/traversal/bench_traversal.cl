@@ -140,11 +140,11 @@ __kernel void any_hit(SCENE_PARAMETERS, __global float4 const* origins, __global
   size_t const begin = get_global_id(0) * FREE_RAYS_PER_ITEM;
   for (size_t first = begin; first < begin + FREE_RAYS_PER_ITEM; first += BATCH) {
     RayBatch rays;
-    float visibility[MOST_RAYS];
+    float3 visibility[MOST_RAYS];
     load_batch(origins, directions, first, BATCH, t_max, &rays);
     trace_visibility_batch(&scene, &rays, visibility);
     for (uint i = 0u; i < BATCH; ++i) {
-      occluded[first + i] = visibility[i] < 1.f ? 1 : 0;
+      occluded[first + i] = visibility[i].x < 1.f ? 1 : 0;
     }
   }
 }

@@ -13,6 +13,7 @@ DEVICE_NAMESPACE_BEGIN
 #define PBR_CUTOUT 4u       /* at some points nothing is there: traversal has to ask */
 #define PBR_FILTERS 8u      /* how much light it lets through changes from point to point */
 #define PBR_VARIES_MORE 16u /* textures change what Phong's coefficients know nothing of: sheen, anisotropy, ... */
+#define PBR_PANE 32u        /* where it is smooth and lets light through, that goes straight on */
 
 /* GGX's least alpha: sharper highlights than this would lose too many digits. */
 #define MIN_ALPHA 0.001f

@@ -118,6 +118,7 @@ DEVICE_STRUCT_SIZE(SceneConstants, 100);
 #define SCENE_RARE_SHAPES 32u /* a shape is of a kind from FIRST_RARE_SHAPE on */
 #define SCENE_ENVIRONMENT 64u /* light arrives from infinitely far away */
 #define SCENE_TANGENTS 128u   /* a material is anisotropic, or its coat has a normal of its own */
+#define SCENE_PANES 256u      /* light goes straight on through a wall (materials/pane.clh); for paths only */
 /* What remains where no model and no rare shape is: what eSDF's usual shapes, materials and lights can have. */
 #define SCENE_WITHOUT_MODELS SCENE_TRANSPARENCY
 

@@ -124,10 +124,12 @@ struct TileTracer::State {
   }
 
   KnownKernel& kernel_for(device::FrameParameters const& parameters, Integrator integrator, PlaneSet const& wanted) {
+    // Panes are the paths' business.
+    device::uint const features = integrator == Integrator::path ? tables->features : tables->features & ~SCENE_PANES;
     RenderProgram const program{
         grouping,
         wanted != PlaneSet{FilmPlane::radiance},
-        (tables->features & ~SCENE_WITHOUT_MODELS) == 0,
+        (features & ~SCENE_WITHOUT_MODELS) == 0,
         integrator,
         integrator == Integrator::whitted ? ray_stack_size(parameters.max_depth) : ray_stack_size(0),
         traversal_stack_size(scene->stack_size)};

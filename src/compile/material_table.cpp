@@ -71,7 +71,7 @@ static_assert(int(AlphaMode::opaque) == ALPHA_OPAQUE && int(AlphaMode::mask) == 
 
 device::uint flags_of(PbrModel const& m) {
   return PBR_IS_PRESENT | (varies(m) ? PBR_VARIES : 0u) | (has_cutouts(m) ? PBR_CUTOUT : 0u) |
-         (filters(m) ? PBR_FILTERS : 0u) | (varies_more(m) ? PBR_VARIES_MORE : 0u);
+         (filters(m) ? PBR_FILTERS : 0u) | (varies_more(m) ? PBR_VARIES_MORE : 0u) | (may_be_pane(m) ? PBR_PANE : 0u);
 }
 
 /// `slot_of` has the device's slot for a member of the model.
@@ -92,6 +92,9 @@ device::PbrMaterial pbr_material(PbrModel const& m, SlotOf const& slot_of) {
 #undef LICHTRAUM_MODE
   return out;
 }
+
+/// Of glass that does not refract; as in kernels/materials/pane.clh.
+bool is_pane(PhongModel const& m) { return float(m.transmit) > 0 && float(m.ior) == 1 && m.emission == Rgb(0); }
 
 using DeviceSlot = device::TextureSlot device::PbrMaterial::*;
 
@@ -117,11 +120,12 @@ device::PbrMaterial pbr_material(PbrModel const& model, device::PbrMaterial cons
 device::uint features_of(Material const& material) {
   device::uint features = float(material.transmit()) > 0 ? SCENE_TRANSPARENCY : 0;
   PbrModel const* const pbr = material.pbr();
-  if (!pbr) return features;
+  if (!pbr) return features | (is_pane(material.phong()) ? SCENE_PANES : 0u);
   features |= SCENE_PBR;
   if (has_cutouts(*pbr) || filters(*pbr)) features |= SCENE_CUTOUTS;
   if (filters(*pbr)) features |= SCENE_TRANSPARENCY;
   if (needs_tangents(*pbr)) features |= SCENE_TANGENTS;
+  if (may_be_pane(*pbr)) features |= SCENE_PANES;
   return features;
 }
 

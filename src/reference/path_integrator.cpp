@@ -21,14 +21,14 @@ Vec3 uniform_direction(ReferenceRandom& random) {
 }
 
 /// The share of a light that gets to the ray's origin.
-double visibility(ReferenceScene const& scene, Ray const& ray, double t_max) {
-  double share = 1;
+Rgb visibility(ReferenceScene const& scene, Ray const& ray, double t_max) {
+  Rgb share(1);
   double t_min = 0;
-  while (share > 0) {
+  while (share != Rgb(0)) {
     Hit hit;
     hit.t = t_max;
     if (!find_closest(scene, ray, t_min, hit)) break;
-    share *= uncovered_share(hit);
+    share *= find_scattering_point(ray, hit).straight();
     t_min = hit.t;
   }
   return share;
@@ -123,6 +123,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
     bool const is_ground = depth == 0 && ground && ground.distance(ray) < hit.t;
     bool const is_in_gloss =
         mirrored && depth == 1;  // where the open ground mirrors its background, and counts nothing
+    Rgb const in_gloss = sees_environment ? environment.radiance(ray.direction) : background;
     if (!is_hit && !is_ground) {
       if (is_in_gloss) return sample;
       Rgb const from_afar = environment       ? environment.radiance(ray.direction)
@@ -142,13 +143,22 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
                                                        : find_scattering_point(ray, hit);
     if (entered) throughput *= attenuation(*entered, hit.t);
     bool const is_hidden_back = depth == 0 && !point.from_outside && !point.shows_back;
-    if (is_hidden_back || random.uniform() >= point.opacity) {
+    if (is_hidden_back) {
+      ray = {point.below(), ray.direction};
+      continue;
+    }
+    double const scatters = point.chance_to_scatter();
+    if (random.uniform() >= scatters) {
+      Rgb const weight = point.straight() / (1 - scatters);
+      if (is_in_gloss) add((weight - 1.0) * throughput * in_gloss, false);
+      throughput *= weight;
       ray = {point.below(), ray.direction};
       continue;
     }
     if (depth == 1) throughput *= thrown_share;
-    if (is_in_gloss) add(-throughput * (sees_environment ? environment.radiance(ray.direction) : background), false);
-    if (depth == 0 && !is_ground) sample.surface = {1, point.albedo(), point.normal};
+    if (is_in_gloss) add(-throughput * in_gloss, false);
+    throughput /= 1 - point.chance_to_pass;
+    if (depth == 0 && !is_ground) sample.surface = {1, throughput * point.albedo(), point.normal};
     if (!entered && point.solid && !point.from_outside) throughput *= attenuation(*point.solid, hit.t);
     add(throughput * point.emission, depth > 1);
     if (is_ground) thrown_share = Rgb(1) / glm::max(point.bsdf.diffuse, Rgb(1));

@@ -14,6 +14,8 @@
 namespace lichtraum {
 namespace {
 
+double largest(Rgb const& color) { return std::max({color.r, color.g, color.b}); }
+
 Rgb color_of(float const (&values)[3]) { return {values[0], values[1], values[2]}; }
 
 void set_phong(PhongModel const& phong, ReferenceScatteringPoint& point) {
@@ -25,6 +27,30 @@ void set_phong(PhongModel const& phong, ReferenceScatteringPoint& point) {
   bsdf.mirror = phong.reflect;
   bsdf.glass = phong.transmit;
   point.emission = phong.emission;
+  if (phong.transmit > 0 && phong.ior == 1 && phong.emission == Rgb(0)) {
+    double const all = phong.reflect + phong.transmit + largest(bsdf.diffuse) + largest(phong.ks);
+    point.passed = Rgb(phong.transmit);
+    point.chance_to_pass = phong.transmit / std::max(all, 1.0);
+    bsdf.glass = 0;
+  }
+}
+
+/// Light goes straight on through a wall that is thin and smooth, if nothing else is to it: by Schlick's formula, and
+/// by the surface's own normal.
+void open_pane(PbrModel const& material, Hit const& hit, ReferenceScatteringPoint& point) {
+  ReferenceBsdf& bsdf = point.bsdf;
+  bool const is_triangle = hit.shape->kind() == ShapeKind::triangle || hit.shape->kind() == ShapeKind::mesh;
+  bool const has_more = bsdf.coat > 0 || material.clearcoat > 0 || material.iridescence > 0 ||
+                        material.sheen_color != Rgb(0) || material.anisotropy > 0 ||
+                        material.diffuse_transmission > 0 || material.emissive != Rgb(0);
+  if (!is_triangle || has_more || material.thickness > 0 || bsdf.alpha > smooth_alpha) return;
+  double const cosine = std::min(glm::dot(point.geometric_normal, point.to_viewer), 1.0);
+  double const grazing = square(square(1 - cosine)) * (1 - cosine);
+  Rgb const reflected = glm::mix(bsdf.f0, bsdf.f90, grazing);
+  Rgb const left = glm::max(Rgb(1) - reflected, Rgb(0));
+  point.passed = left * bsdf.transmitted;
+  point.chance_to_pass = std::min({left.r, left.g, left.b}) * largest(bsdf.transmitted);
+  bsdf.transmitted = Rgb(0);
 }
 
 /// KHR_materials_iridescence: the film's colour at the viewer's angle, as the F0 by which Schlick's formula gets there.
@@ -52,7 +78,8 @@ void cover_with_film(PbrModel const& material, MeshPoint const& at, ReferenceSca
 }
 
 /// glTF 2.0, appendix B.
-void set_pbr(PbrModel const& material, MeshPoint const& at, ReferenceScatteringPoint& point) {
+void set_pbr(PbrModel const& material, Hit const& hit, ReferenceScatteringPoint& point) {
+  MeshPoint const at(hit);
   device::PbrPoint const p = evaluate(material, at);
   point.opacity = p.alpha;
   point.shows_back = material.double_sided || p.transmission > 0;
@@ -82,6 +109,7 @@ void set_pbr(PbrModel const& material, MeshPoint const& at, ReferenceScatteringP
   bsdf.coat_alpha = std::max(square(std::clamp(coat_roughness, 0., 1.)), smooth_alpha);
   if (transmission > 0 && material.thickness > 0) point.solid = &material;
   cover_with_film(material, at, point);
+  open_pane(material, hit, point);
 }
 
 }  // namespace
@@ -112,17 +140,11 @@ ReferenceScatteringPoint find_scattering_point(Ray const& ray, Hit const& hit) {
   if (!(glm::dot(point.normal, point.to_viewer) > 1e-4)) point.normal = point.geometric_normal;
   Material const& material = material_of(*hit.shape);
   if (PbrModel const* const pbr = material.pbr()) {
-    set_pbr(*pbr, MeshPoint(hit), point);
+    set_pbr(*pbr, hit, point);
   } else {
     set_phong(material.phong(), point);
   }
   return point;
-}
-
-double uncovered_share(Hit const& hit) {
-  PbrModel const* const pbr = material_of(*hit.shape).pbr();
-  if (!pbr || pbr->alpha_mode != AlphaMode::blend) return 0;
-  return 1 - std::clamp(base_alpha(*pbr, MeshPoint(hit)), 0.0, 1.0);
 }
 
 void check_is_known(Material const& material) {

@@ -11,11 +11,17 @@ struct ReferenceScatteringPoint : ReferencePoint {
   ReferenceBsdf bsdf;
   Rgb emission{0};
   double opacity = 1;               ///< the share of rays that meet the surface; the others go straight on
+  Rgb passed{0};                    ///< of the light that meets it, what goes straight on through a pane ...
+  double chance_to_pass = 0;        ///< ... and with what probability a path does
   bool shows_back = true;           ///< false: seen from behind, it is not there for the camera
   PbrModel const* solid = nullptr;  ///< the body that the surface encloses, if light gets into it
 
   /// By the normal of shading, unless that faces away from the viewer.
   ReferenceScattering scattering() const { return {bsdf, normal, to_viewer, from_outside}; }
+  /// What goes straight on of all the light that gets there: where nothing is, and through panes.
+  Rgb straight() const { return 1.0 - opacity + opacity * passed; }
+  /// The probability with which a path is scattered.
+  double chance_to_scatter() const { return opacity * (1 - chance_to_pass); }
   /// What the film's plane holds.
   Rgb albedo() const;
   /// Whether a direction is on the same side by both normals; through others, light would leak.
@@ -28,10 +34,6 @@ Rgb attenuation(PbrModel const& solid, double distance);
 
 /// As find_reference_point.
 ReferenceScatteringPoint find_scattering_point(Ray const& ray, Hit const& hit);
-
-/// How much light gets straight through where a hit is, on its way from a light: past what blends, but through no
-/// glass.
-double uncovered_share(Hit const& hit);
 
 /// Throws Error{no_device} for a material of which paths of the reference tracer would show something wrong.
 void check_is_known(Material const& material);

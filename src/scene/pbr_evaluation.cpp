@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "core/square.hpp"
 #include "scene/device_conversion.hpp"
+#include "shared/pbr_material.h"
 
 namespace lichtraum {
 namespace {
@@ -34,6 +36,14 @@ bool has_cutouts(PbrModel const& m) { return m.alpha_mode != AlphaMode::opaque; 
 bool filters(PbrModel const& m) {
   return m.alpha_mode == AlphaMode::blend ||
          (m.transmission > 0 && (m.transmission_texture || m.metallic_roughness_texture));
+}
+
+bool may_be_pane(PbrModel const& m) {
+  bool const is_thin = m.transmission > 0 && !(m.thickness > 0);
+  bool const is_smooth = m.metallic_roughness_texture || square(m.roughness) <= double(MIN_ALPHA);
+  bool const is_bare = !(m.clearcoat > 0 || m.sheen_color != Rgb(0) || m.iridescence > 0);
+  bool const has_other_lobes = m.anisotropy > 0 || m.diffuse_transmission > 0 || m.emissive != Rgb(0);
+  return !m.unlit && is_thin && is_smooth && is_bare && !has_other_lobes;
 }
 
 bool needs_tangents(PbrModel const& m) {

@@ -17,6 +17,10 @@ bool has_cutouts(PbrModel const& material);
 /// Whether textures or vertices decide how much light it lets through.
 bool filters(PbrModel const& material);
 
+/// Whether light may go straight on through it in some points: a smooth wall without thickness that has nothing on it
+/// and does not shine.
+bool may_be_pane(PbrModel const& material);
+
 /// What a slot shows at a point: all ones where it is empty, or where the mesh lacks its texture coordinates.
 glm::dvec4 texel_at(TextureSlot const& slot, MeshPoint const& point, TexelContent content);
 

@@ -50,7 +50,7 @@ static void probe_stream(Scene const* scene, __global float4 const* origins, __g
     if (query == QUERY_CLOSEST) {
       hits[numbers[place]] = probe_hit(scene, result.hit);
     } else {
-      visibility[numbers[place]] = result.visibility;
+      visibility[numbers[place]] = result.visibility.x;
     }
     if (next < end) {
       start_ray(scene, &stream, place, make_ray(origins[next].xyz, directions[next].xyz), t_max);
@@ -78,14 +78,14 @@ __kernel void probe_hidden(SCENE_PARAMETERS, __global float4 const* origins, __g
   Scene const scene = SCENE_FROM_PARAMETERS;
   size_t const i = get_global_id(0);
   Ray const ray = make_ray(origins[i].xyz, directions[i].xyz);
-  hidden[i] = (trace_any(&scene, ray, t_max) ? 1u : 0u) | (trace_visibility(&scene, ray, t_max) == 0.f ? 2u : 0u);
+  hidden[i] = (trace_any(&scene, ray, t_max) ? 1u : 0u) | (trace_visibility(&scene, ray, t_max).x == 0.f ? 2u : 0u);
 }
 
 __kernel void probe_visibility(SCENE_PARAMETERS, __global float4 const* origins, __global float4 const* directions,
                                float const t_max, __global float* visibility) {
   Scene const scene = SCENE_FROM_PARAMETERS;
   size_t const i = get_global_id(0);
-  visibility[i] = trace_visibility(&scene, make_ray(origins[i].xyz, directions[i].xyz), t_max);
+  visibility[i] = trace_visibility(&scene, make_ray(origins[i].xyz, directions[i].xyz), t_max).x;
 }
 
 #ifdef TRACE_PACKETS

@@ -40,7 +40,7 @@ __kernel void probe_visibility(SCENE_PARAMETERS, __global float4 const* origins,
   Scene const scene = SCENE_FROM_PARAMETERS;
   size_t const i = get_global_id(0);
   Ray const ray = make_ray(origins[i].xyz, directions[i].xyz);
-  visibility[i] = trace_visibility(&scene, ray, 1.f);
+  visibility[i] = trace_visibility(&scene, ray, 1.f).x;
   any[i] = trace_any(&scene, ray, 1.f) ? 1u : 0u;
 }
 

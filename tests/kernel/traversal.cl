@@ -26,5 +26,5 @@ __kernel void probe_trace_visibility(SCENE_PARAMETERS, __global ProbeRay const* 
                                      __global float* visibility) {
   size_t const i = get_global_id(0);
   Scene const scene = SCENE_FROM_PARAMETERS;
-  visibility[i] = trace_visibility(&scene, load_ray(rays[i]), t_max[i]);
+  visibility[i] = trace_visibility(&scene, load_ray(rays[i]), t_max[i]).x;
 }

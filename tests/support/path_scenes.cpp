@@ -216,6 +216,64 @@ define light diffuse key 2 4 4  0.4 0.4 0.4
   return {"sheets that shine and blend", std::move(scene), 4, true};
 }
 
+/// Panes before lamps, lights and sky, and one behind the other: tinted, half transparent, metal in part, in an
+/// instance that is stretched, and of eSDF's glass that does not refract, as a sheet and as bodies.
+Scene things_behind_panes() {
+  Scene scene = scene_of(std::string(things) + R"(
+define material eye_glass 0 0 0  0.4 0.2 0.1  0.1 0.1 0.1  20 reflect=0.1 transmit=0.6
+define material bubble 0 0 0  0 0 0  0 0 0  1 transmit=0.7
+define material lamp 0 0 0  0 0 0  0 0 0  1
+define shape box floor -4 -1.2 -4  4 -1 3 floor
+define shape sphere ball -0.6 -0.5 -0.4 0.5 floor
+define shape triangle tinted1 -2.6 -1 0.9  0.4 -1 0.9  0.4 2 0.9 a
+define shape triangle tinted2 -2.6 -1 0.9  0.4 2 0.9  -2.6 2 0.9 a
+define shape triangle veil -0.5 -0.8 0.2  1.6 -1 0.5  0.6 1.6 0.3 b
+define shape triangle partly -1 -1 0  1 -1 0  0 1 0 c
+define shape composite group partly
+transform group rotate 70 1 0 0
+transform group scale 1.6 0.7 1.3
+transform group translate 0.3 1.2 -0.5
+define shape sphere bubble 1.5 -0.4 0.2 0.5 bubble
+define shape box case 1 -1 -1.4  1.8 -0.2 -0.7 eye_glass
+define shape triangle sheet -2 0.9 -2  2 0.9 -2  0 0.9 1 eye_glass
+define shape triangle lamp -0.5 2.2 -1  0.7 2.2 -1  0 2.2 0.4 lamp
+define shape composite root floor ball tinted1 tinted2 veil group bubble case sheet lamp
+define light diffuse key -2 3 4  0.4 0.4 0.4
+define light diffuse back 2 3 -3  0.3 0.2 0.3
+define light ambient sky 0.2 0.3 0.4
+define background 0.5 0.3 0.2
+)");
+  PbrModel pane = pbr({0.9, 0.5, 0.3}, 0, 0);
+  pane.transmission = 1;
+  set_material(scene, "a", pane);
+  pane.base_color = {0.6, 0.8, 0.9};
+  pane.transmission = 0.8;
+  pane.alpha = 0.7;
+  pane.alpha_mode = AlphaMode::blend;
+  set_material(scene, "b", pane);
+  pane = pbr({0.4, 0.9, 0.5}, 0.2, 0.02);
+  pane.transmission = 0.7;
+  pane.ior = 1.8;
+  pane.specular_color = {1, 0.4, 0.2};
+  set_material(scene, "c", pane);
+  let_shine(scene, "lamp", {5, 4, 3});
+  return scene;
+}
+
+PathScene panes() { return {"panes", things_behind_panes(), 3, true}; }
+
+PathScene panes_in_the_open() {
+  Scene scene = things_behind_panes();
+  scene.environment = window_environment();
+  return {"panes, in the open", std::move(scene), 3, false, true};
+}
+
+PathScene panes_on_ground() {
+  Scene scene = things_behind_panes();
+  scene.environment = window_environment();
+  return {"panes on glossy ground", std::move(scene), 3, false, false, 1, Ground::glossy};
+}
+
 /// So many lamps that a tree chooses among them: two panels of tiles, of which one is stretched, and lights that fall
 /// off; over what is matt, glossy or lets light through.
 PathScene many_lamps() {
@@ -361,6 +419,9 @@ std::vector<PathScene> path_scenes() {
   scenes.push_back(coats());
   scenes.push_back(smooth());
   scenes.push_back(sheets());
+  scenes.push_back(panes());
+  scenes.push_back(panes_in_the_open());
+  scenes.push_back(panes_on_ground());
   scenes.push_back(many_lamps());
   scenes.push_back(round_and_square_lamps());
   scenes.push_back(textures());

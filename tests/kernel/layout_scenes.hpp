@@ -47,6 +47,24 @@ inline Transform random_transform(Random& random, Vec3 const& offset) {
   return Transform::from_matrix(matrix);
 }
 
+/// Scales from 1e-4 to 1e4, sheared, mirrored, flattened, and as far away as a million times their size.
+inline std::vector<Transform> nasty_transforms() {
+  Mat4 shear(1);
+  shear[1][0] = 3;
+  shear[2][1] = -2;
+  Transform const sheared = Transform::from_matrix(shear);
+  Transform const turned = Transform::rotation(37, Vec3(1, 2, 3));
+  auto const moved = [](Vec3 const& offset, Transform const& t) { return Transform::translation(offset) * t; };
+  return {turned * Transform::scaling(Vec3(1e-4)),
+          turned * Transform::scaling(Vec3(1e4)),
+          turned * Transform::scaling(Vec3(1, 1e-3, 20)),
+          turned * sheared,
+          Transform::scaling(Vec3(-1, 1, 1)) * turned,
+          moved(Vec3(1e6, -3e5, 2e5), turned),
+          moved(Vec3(70, 1, -100), turned * Transform::scaling(Vec3(1e-4))),
+          moved(Vec3(1e9, 0, 1e8), sheared * Transform::scaling(Vec3(-1e4, 1e4, 1e4)))};
+}
+
 inline device::SpherePrimitive tagged_sphere(Vec3 const& center, double radius, device::PrimitiveTag const& tag) {
   device::SpherePrimitive sphere = make_sphere(center, radius);
   sphere.tag = tag;

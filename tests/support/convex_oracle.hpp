@@ -20,9 +20,15 @@ inline LongVec3 point_at(Ray const& ray, long double t) {
   return {ray.origin.x + t * ray.direction.x, ray.origin.y + t * ray.direction.y, ray.origin.z + t * ray.direction.z};
 }
 
-/// `body` lies within `reach` of `center`. The least by golden section, the ends by bisection from there.
+/// Where a line is deepest in a body, and two places on either side of all of it.
+struct DeepestPoint {
+  long double least, t;
+  long double before, after;
+};
+
+/// `body` lies within `reach` of `center`. By golden section.
 template <class Body>
-ConvexCrossing cross_convex(Ray const& ray, Vec3 const& center, double reach, Body const& body) {
+DeepestPoint deepest_point(Ray const& ray, Vec3 const& center, double reach, Body const& body) {
   auto const at = [&](long double t) { return body(point_at(ray, t)); };
   long double const speed = glm::length(ray.direction);
   long double const middle = glm::dot(center - ray.origin, ray.direction) / (speed * speed);
@@ -40,16 +46,27 @@ ConvexCrossing cross_convex(Ray const& ray, Vec3 const& center, double reach, Bo
       b = low + ratio * (high - low), at_b = at(b);
     }
   }
-  long double const inside = (low + high) / 2;
+  long double const t = (low + high) / 2;
+  return {at(t), t, first, last};
+}
+
+/// The ends by bisection from the deepest point.
+template <class Body>
+ConvexCrossing cross_convex(Ray const& ray, Vec3 const& center, double reach, Body const& body) {
+  DeepestPoint const deepest = deepest_point(ray, center, reach, body);
   auto const end = [&](long double outside) {
-    long double within = inside;
+    long double within = deepest.t;
     for (int i = 0; i < 120; ++i) {
       long double const t = (within + outside) / 2;
-      (at(t) <= 0 ? within : outside) = t;
+      (body(point_at(ray, t)) <= 0 ? within : outside) = t;
     }
     return within;
   };
-  return {at(inside), end(first), end(last)};
+  return {deepest.least, end(deepest.before), end(deepest.after)};
+}
+
+inline auto sphere_body(Vec3 const& center, double radius) {
+  return [=](LongVec3 const& p) { return std::hypot(p.x - center.x, p.y - center.y, p.z - center.z) - radius; };
 }
 
 /// Between two points around the line through both.

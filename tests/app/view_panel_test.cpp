@@ -74,6 +74,21 @@ TEST_CASE("text and widgets grow with the scale that was asked for", "[app][view
   CHECK(outlined(chosen, {700, 200, 1280, 960}) > 200);
 }
 
+TEST_CASE("a window that is resized faster than it can follow stays open", "[app][view]") {
+  for (char const* const program : {"Xvfb", "xdotool"}) {
+    if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
+  }
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("scene.sdf", scene);
+  Process process;
+  process.arguments = {LICHTRAUM_SOURCE_DIR "/tests/app/view_resize_in_xvfb.sh", LICHTRAUM_PROGRAM,
+                       lichtraum.folder.path()};
+  process.timeout_seconds = 200;
+  auto const result = run_process(process);
+  INFO(result.out + result.err + lichtraum.folder.read("log.txt"));
+  CHECK(result.exit_code == 0);
+}
+
 TEST_CASE("the panel selects objects, changes lights and shows depth, normals and objects", "[app][view]") {
   for (char const* const program : {"Xvfb", "xdotool", "ffmpeg"}) {
     if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");

@@ -127,10 +127,13 @@ void Graphics::open(std::string const& title, Resolution const& size, std::optio
 void Graphics::fit_to_display() {
   float content_scale = 1, unused = 1;
   glfwGetWindowContentScale(window, &content_scale, &unused);
-  int width = 0, height = 0;
-  glfwGetWindowSize(window, &width, &height);
+  int width = 0, width_then = 0, unused_height = 0;
+  glfwGetWindowSize(window, &width, &unused_height);
+  int const pixels = framebuffer_size().width;
+  glfwGetWindowSize(window, &width_then, &unused_height);
+  if (width_then != width) return;  // it is being resized: the two do not belong together
   // Where a window is measured in larger units than pixels, those are Dear ImGui's.
-  float const pixels_per_unit = width > 0 ? float(framebuffer_size().width) / float(width) : 1;
+  float const pixels_per_unit = width > 0 ? std::clamp(float(pixels) / float(width), 0.5f, 8.f) : 1;
   auto const scale = float(given_ui_scale_.value_or(std::clamp(double(content_scale / pixels_per_unit), 0.5, 8.0)));
   if (scale == ui_scale_ && pixels_per_unit == pixels_per_unit_) return;
   ui_scale_ = scale;

@@ -1,6 +1,7 @@
 /// What rays to lights find left of each colour behind panes, against the formula of docs/GLTF.md.
 
 #include <cmath>
+#include <memory>
 
 #include "compile/scene_buffers.hpp"
 #include "reference.hpp"
@@ -115,6 +116,12 @@ TEST_CASE("What refracts, scatters, shines or is covered is no pane, and stops r
   add("brushed", [](PbrModel& m) { m.anisotropy = 1; });
   add("paper", [](PbrModel& m) { m.diffuse_transmission = 1; });
   add("lamp", [](PbrModel& m) { m.emissive = Rgb(0, 0, 1); });
+  // Whether it is smooth is then known at each point only. These triangles have no place in a texture, so it is rough.
+  add("rough by its texture", [](PbrModel& m) {
+    TextureImage const white{"white", 1, 1, {255, 255, 255, 255}};
+    m.metallic_roughness_texture.texture = std::make_shared<Texture>(Texture{std::make_shared<TextureImage>(white)});
+    m.roughness = 0.5;
+  });
   // The pane that lies aside asks for all of the code.
   std::string const aside = "define material p 0 0 0  1 1 1  0 0 0 1 transmit=0.5\ndefine shape sphere s 99 0 0 1 p\n";
   for (TreeLayout const layout : {TreeLayout::binary, TreeLayout::wide}) {

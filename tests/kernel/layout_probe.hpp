@@ -60,9 +60,9 @@ class LayoutProbe {
   SceneBuffers const& scene() const { return scene_; }
 
  private:
-  /// Compiled once, however many scenes need it.
+  /// Compiled once, however many scenes need it. Never destroyed: what a driver needs for that is gone by then.
   static ProbeProgram const& program_for(std::string const& options) {
-    static std::map<std::string, ProbeProgram> programs;
+    static auto& programs = *new std::map<std::string, ProbeProgram>;
     return programs.try_emplace(options, "layouts.cl", options).first->second;
   }
   void run(std::string const& kernel, Rays const& rays, std::vector<ProbeArgument> const& last,

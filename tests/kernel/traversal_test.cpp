@@ -97,8 +97,9 @@ TEST_CASE("Any hit and visibility are those of testing every primitive", "[kerne
   std::vector<float> visibility(cases.rays.size());
   ProbeProgram const program("traversal.cl");
   program.run("probe_trace_any", found.size(), cases.scene.arguments({in(cases.rays), in(cases.t_max), out(found)}));
+  // Groups of one: what all work-items of a group hold is on one thread's stack.
   program.run("probe_trace_visibility", found.size(),
-              cases.scene.arguments({in(cases.rays), in(cases.t_max), out(visibility)}));
+              cases.scene.arguments({in(cases.rays), in(cases.t_max), out(visibility)}), 1, 1, 1);
   std::size_t dark = 0, dimmed = 0, clear = 0, unclear = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
     auto const expected = cases.reference(i);

@@ -76,7 +76,8 @@ def run(
 
     `scheduler` is the address of a Dask scheduler, or a `distributed.Client`; without, `workers` threads are begun on this
     machine, each with a process for its batch. With `output` the pictures are then put together; units that turn out to be
-    damaged are drawn again before. A task takes about `batch_seconds`. `timeout` is how many seconds to wait for the scheduler and for its first worker.
+    damaged are drawn again before. A task takes about `batch_seconds`. `timeout` is how many seconds to wait for the scheduler
+    and for its first worker.
 
     Raises a `JobError` where the job cannot go on, or workers die again and again and no unit gets done. What is drawn stays.
     """

@@ -47,6 +47,16 @@ int outlined(DecodedImage const& image, Area const& area) {
   return count;
 }
 
+/// What `script` of tests/app/ does to a window that shows scene.sdf of the folder.
+ProcessResult run_in_xvfb(char const* script, Lichtraum const& lichtraum, int timeout_seconds) {
+  lichtraum.folder.write("scene.sdf", scene);
+  Process process;
+  process.arguments = {std::string(LICHTRAUM_SOURCE_DIR "/tests/app/") + script, LICHTRAUM_PROGRAM,
+                       lichtraum.folder.path()};
+  process.timeout_seconds = timeout_seconds;
+  return run_process(process);
+}
+
 }  // namespace
 
 TEST_CASE("text and widgets grow with the scale that was asked for", "[app][view]") {
@@ -54,12 +64,7 @@ TEST_CASE("text and widgets grow with the scale that was asked for", "[app][view
     if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
   }
   Lichtraum const lichtraum;
-  lichtraum.folder.write("scene.sdf", scene);
-  Process process;
-  process.arguments = {LICHTRAUM_SOURCE_DIR "/tests/app/view_scale_in_xvfb.sh", LICHTRAUM_PROGRAM,
-                       lichtraum.folder.path()};
-  process.timeout_seconds = 200;
-  auto const result = run_process(process);
+  auto const result = run_in_xvfb("view_scale_in_xvfb.sh", lichtraum, 200);
   INFO(result.out + result.err);
   REQUIRE(result.exit_code == 0);
   std::filesystem::path const artifacts = LICHTRAUM_ARTIFACT_DIR "/view_scale";
@@ -79,12 +84,7 @@ TEST_CASE("a window that is resized faster than it can follow stays open", "[app
     if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
   }
   Lichtraum const lichtraum;
-  lichtraum.folder.write("scene.sdf", scene);
-  Process process;
-  process.arguments = {LICHTRAUM_SOURCE_DIR "/tests/app/view_resize_in_xvfb.sh", LICHTRAUM_PROGRAM,
-                       lichtraum.folder.path()};
-  process.timeout_seconds = 200;
-  auto const result = run_process(process);
+  auto const result = run_in_xvfb("view_resize_in_xvfb.sh", lichtraum, 200);
   INFO(result.out + result.err + lichtraum.folder.read("log.txt"));
   CHECK(result.exit_code == 0);
 }
@@ -94,12 +94,7 @@ TEST_CASE("the panel selects objects, changes lights and shows depth, normals an
     if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
   }
   Lichtraum const lichtraum;
-  lichtraum.folder.write("scene.sdf", scene);
-  Process process;
-  process.arguments = {LICHTRAUM_SOURCE_DIR "/tests/app/view_panel_in_xvfb.sh", LICHTRAUM_PROGRAM,
-                       lichtraum.folder.path()};
-  process.timeout_seconds = 400;
-  auto const result = run_process(process);
+  auto const result = run_in_xvfb("view_panel_in_xvfb.sh", lichtraum, 400);
   std::filesystem::path const artifacts = LICHTRAUM_ARTIFACT_DIR "/view_panel";
   std::filesystem::create_directories(artifacts);
   for (auto const& entry : std::filesystem::directory_iterator(lichtraum.folder.path())) {

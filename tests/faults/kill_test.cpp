@@ -1,7 +1,10 @@
 #include <signal.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <random>
+#include <thread>
 
 #include "faults/faults.hpp"
 #include "support/catch.hpp"
@@ -22,6 +25,15 @@ int setting(char const* name, int usual) {
 
 /// What a killed program leaves, and the next one does not mind: temporary files, whose names begin with a dot.
 bool is_leftover(std::string const& name) { return fs::path(name).filename().string().starts_with("."); }
+
+/// Also where the ffmpeg of a program that was killed has not ended yet, and makes a file meanwhile.
+void remove_folder(fs::path const& folder) {
+  std::error_code error;
+  for (int i = 0; i < 200 && fs::remove_all(folder, error) == std::uintmax_t(-1); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  if (error) throw fs::filesystem_error("cannot remove", folder, error);
+}
 
 /// Runs the task until it is killed, again and again, each time a little further at most. Checks that every file is
 /// there as it was or as it is to be; then that the task ends well, with the files that it has where nobody kills it.
@@ -50,7 +62,7 @@ void check_kills(Task const& task, Files const& before, int kills, unsigned seed
       CHECK((is_old || is_new));
     }
     if (end.exit_code == 0) {  // from the beginning
-      fs::remove_all(killed.folder.path());
+      remove_folder(killed.folder.path());
       fs::create_directory(killed.folder.path());
       write_files(killed.folder.path(), before);
     }

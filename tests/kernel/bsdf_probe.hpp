@@ -169,7 +169,7 @@ inline Vec3 viewer_at(double degrees) {
 }
 inline constexpr std::array<double, 5> viewer_angles_degrees{0, 30, 60, 80, 88};
 
-/// kernels/bsdf for one lane or sixteen.
+/// kernels/bsdf for one lane or sixteen, which give the same to the last bit. Sixteen are quicker where there are many.
 class BsdfProbe {
  public:
   explicit BsdfProbe(std::size_t lanes = 1)
@@ -178,11 +178,8 @@ class BsdfProbe {
   /// f |wi.z|, and the density as w.
   std::vector<float4> evaluate(BsdfCase const& surface, std::vector<float4> const& viewers,
                                std::vector<float4> const& lights) const {
-    std::vector<BsdfParameters> const parameters{surface.parameters};
-    std::vector<float4> values(viewers.size());
-    program_.run("probe_evaluate", viewers.size() / lanes_,
-                 {in(parameters), value(device::uint(surface.from_outside)), value(to_float4(surface.coat_normal)),
-                  in(viewers), in(lights), out(values)});
+    std::vector<float4> values;
+    run("probe_evaluate", surface, viewers, &lights, {&values});
     return values;
   }
 
@@ -193,11 +190,8 @@ class BsdfProbe {
   /// `uniforms`: which lobe, u, v.
   Samples sample(BsdfCase const& surface, std::vector<float4> const& viewers,
                  std::vector<float4> const& uniforms) const {
-    std::vector<BsdfParameters> const parameters{surface.parameters};
-    Samples samples{std::vector<float4>(viewers.size()), std::vector<float4>(viewers.size())};
-    program_.run("probe_sample", viewers.size() / lanes_,
-                 {in(parameters), value(device::uint(surface.from_outside)), value(to_float4(surface.coat_normal)),
-                  in(viewers), in(uniforms), out(samples.directions), out(samples.weights)});
+    Samples samples;
+    run("probe_sample", surface, viewers, &uniforms, {&samples.directions, &samples.weights});
     return samples;
   }
 
@@ -209,11 +203,8 @@ class BsdfProbe {
   };
   /// One for each viewer.
   std::vector<Choices> choices(BsdfCase const& surface, std::vector<float4> const& viewers) const {
-    std::vector<BsdfParameters> const parameters{surface.parameters};
-    std::vector<float4> spread(viewers.size()), delta(viewers.size());
-    program_.run("probe_choices", viewers.size() / lanes_,
-                 {in(parameters), value(device::uint(surface.from_outside)), value(to_float4(surface.coat_normal)),
-                  in(viewers), out(spread), out(delta)});
+    std::vector<float4> spread, delta;
+    run("probe_choices", surface, viewers, nullptr, {&spread, &delta});
     std::vector<Choices> choices;
     for (std::size_t i = 0; i < viewers.size(); ++i) {
       choices.push_back(
@@ -223,6 +214,33 @@ class BsdfProbe {
   }
 
  private:
+  /// A work-item has as many viewers as there are lanes: the last is repeated until there are enough for all.
+  void run(char const* kernel, BsdfCase const& surface, std::vector<float4> const& viewers,
+           std::vector<float4> const* others, std::vector<std::vector<float4>*> const& results) const {
+    std::size_t const count = viewers.size(), items = (count + lanes_ - 1) / lanes_;
+    if (items * lanes_ != count) {
+      auto const padded = [&](std::vector<float4> some) {
+        some.resize(items * lanes_, some.back());
+        return some;
+      };
+      std::vector<float4> const more = others != nullptr ? padded(*others) : std::vector<float4>{};
+      run(kernel, surface, padded(viewers), others != nullptr ? &more : nullptr, results);
+      for (std::vector<float4>* result : results) result->resize(count);
+      return;
+    }
+    std::vector<BsdfParameters> const parameters{surface.parameters};
+    std::vector<ProbeArgument> arguments{in(parameters), value(device::uint(surface.from_outside)),
+                                         value(to_float4(surface.coat_normal)), in(viewers)};
+    if (others != nullptr) arguments.push_back(in(*others));
+    for (std::vector<float4>* result : results) {
+      result->resize(count);
+      arguments.push_back(out(*result));
+    }
+    // Groups of one: what sixteen lanes keep, times a larger group's work-items, would outgrow a thread's stack.
+    std::size_t const group = lanes_ > 1 ? 1 : 0;
+    program_.run(kernel, items, arguments, 1, group, group);
+  }
+
   std::size_t lanes_;
   ProbeProgram program_;
 };

@@ -87,10 +87,7 @@ ProbeProgram::ProbeProgram(std::string const& file, std::string const& options) 
   std::string const kernel_dir = changed_kernels ? changed_kernels : LICHTRAUM_SOURCE_DIR "/kernels";
   std::ifstream stream((file == "render.cl" ? kernel_dir : LICHTRAUM_SOURCE_DIR "/tests/kernel") + "/" + file);
   if (!stream) throw std::runtime_error("cannot read " + file);
-  // clang warns of sixteen lanes as arguments where processors have no AVX-512: calls between programs of different
-  // builds would not fit, of which there are none.
-  std::string const source = "#ifdef __clang__\n#pragma clang diagnostic ignored \"-Wpsabi\"\n#endif\n#line 1\n" +
-                             std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  std::string const source{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   Device const& device = test_device().value();
   cl::Program program(device.context, source);
   try {

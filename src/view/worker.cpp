@@ -8,6 +8,7 @@
 #include "app/stopwatch.hpp"
 #include "lichtraum/turntable.hpp"
 #include "view/display_pixels.hpp"
+#include "view/freed_memory.hpp"
 #include "view/problem_text.hpp"
 
 namespace lichtraum::view {
@@ -244,6 +245,7 @@ void Worker::send(Frame frame) {
 
 bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
   RenderRequest request;
+  Resolution size;
   Refinement::Pass pass;
   Refinement before;
   Overlays overlays;
@@ -255,6 +257,7 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
     auto const next = refinement_.next();
     if (!next) return false;
     pass = *next;
+    size = view_->resolution;
     request = Refinement::request(*view_, pass);
     shown_plane = request.planes.list().front();
     overlays = overlays_;
@@ -303,8 +306,15 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
     seconds_per_pixel_ = seconds_per_pixel_ ? 0.5 * (*seconds_per_pixel_ + seconds) : seconds;
   }
   send(std::move(frame));
+  if (!pass.is_first) tidy_memory(size);
   if (pass.pixel_side == 1) trace_marking(renderer, stop);
   return true;
+}
+
+void Worker::tidy_memory(Resolution const& size) {
+  if (std::exchange(tidied_size_, size) == size) return;
+  shown_ = Film(shown_);  // in place of one that has room for the largest so far
+  give_back_freed_memory();
 }
 
 }  // namespace lichtraum::view

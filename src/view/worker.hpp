@@ -127,6 +127,9 @@ class Worker {
   void send(Frame frame);
   /// Whether there was something to trace.
   bool trace_next(Renderer& renderer, std::stop_token const& stop);
+  /// Gives freed memory back once for each size of the view: with the second picture, when the window has let go of
+  /// those of other sizes.
+  void tidy_memory(Resolution const& size);
   void restart_refinement();
   /// What is outlined has changed, or where it is seen.
   void expect_marking();
@@ -157,6 +160,7 @@ class Worker {
   FilmPlane shown_plane_ = FilmPlane::radiance;
   Bounds bounds_;            // of the scene
   Frame frame_;              // what is known of shown_, but for the picture
+  Resolution tidied_size_;   // of the view when freed memory was last given back
   bool is_growing_ = false;  // its samples are the first of the next pass
   std::chrono::steady_clock::time_point files_looked_at_;
   bool files_have_changed_ = false;

@@ -89,6 +89,16 @@ TEST_CASE("a window that is resized faster than it can follow stays open", "[app
   CHECK(result.exit_code == 0);
 }
 
+TEST_CASE("a window that was large holds no more than one that was not", "[app][view]") {
+  for (char const* const program : {"Xvfb", "xdotool"}) {
+    if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
+  }
+  Lichtraum const lichtraum;
+  auto const result = run_in_xvfb("view_memory_in_xvfb.sh", lichtraum, 200);
+  INFO(result.out + result.err + lichtraum.folder.read("log.txt"));
+  CHECK(result.exit_code == 0);
+}
+
 TEST_CASE("the panel selects objects, changes lights and shows depth, normals and objects", "[app][view]") {
   for (char const* const program : {"Xvfb", "xdotool", "ffmpeg"}) {
     if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");

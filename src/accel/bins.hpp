@@ -30,10 +30,10 @@ class Binning {
   IntLanes bins_of(LaneBounds const& bounds) const {
     return __builtin_convertvector((bounds.center() - min_) * scale_, IntLanes);
   }
-  /// Whether a primitive's bin on this axis is below `bin`.
-  bool is_below(BuildPrimitive const& primitive, int axis, int bin) const {
-    return (primitive.bounds.center()[axis] - min_[axis]) * scale_[axis] < float(bin);
-  }
+  /// On all axes: all bits where the bin is below `bin`.
+  IntLanes are_below(Lanes center, int bin) const { return (center - min_) * scale_ < float(bin) + Lanes{}; }
+  /// Where bin `bin` of an axis begins.
+  float position(int axis, int bin) const { return min_[axis] + float(bin) / scale_[axis]; }
 
  private:
   Lanes min_{};

@@ -28,8 +28,9 @@ struct Bvh {
 inline bool is_absent(device::BvhChild const& child) { return !(child.min[0] <= child.max[0]); }
 
 /// Top-down with the surface area heuristic over bins of centroids (Wald 2007, "On fast construction of SAH-based
-/// bounding volume hierarchies"), on every core. The same tree whatever the number of threads; no path of it is longer
-/// than BVH_MAX_DEPTH. Takes O(n log n) time for any input, identical primitives included. Reorders its argument.
+/// bounding volume hierarchies"), of a sample of them as long as there are many, on every core. The same tree whatever
+/// the number of threads; no path of it is longer than BVH_MAX_DEPTH. Takes O(n log n) time for any input, identical
+/// primitives included. Reorders its argument.
 ///
 /// `unbounded` is what no box can hold, say a plane, or an instance of what has one. It stands beside the tree, next to
 /// the root, where every ray meets it, and so decides nothing about the tree. Of its bounds only Bvh::bounds knows:

@@ -9,6 +9,7 @@
 
 #include "accel/bins.hpp"
 #include "accel/bvh.hpp"
+#include "accel/sampled_splits.hpp"
 #include "core/parallel_ranges.hpp"
 #include "core/start_threads.hpp"
 
@@ -93,10 +94,17 @@ class Builder {
     return {begin, end, buffer, in_parts<Extents>(begin, end, work)};
   }
 
+  /// The tree of all primitives, which are in the first buffer. The root is at `depth`.
+  Subtree build_all(Range const& all, std::size_t depth) {
+    if (all.size() < SampledSplits::min_size) return build(all, depth);
+    SampledSplits const splits(buffers_[0], all.extents.bounds);
+    return build_side({splits, splits.sort_into_cells(buffers_[0], buffers_[1])}, 0, depth).tree;
+  }
+
   /// The subtree of a range that is not a leaf.
   Subtree build(Range const& range, std::size_t depth) {
-    Subtree tree;
     if (range.size() < min_parallel_size) {
+      Subtree tree;
       Nodes nodes;
       nodes.reserve(range.size() / 2);
       append(range, depth, nodes);
@@ -109,10 +117,7 @@ class Builder {
     auto later = std::async(on_a_thread ? thread_if_any : std::launch::deferred,
                             [&, &right = right] { return build_child(right); });
     Subtree left_tree = build_child(left);
-    tree.append({{{child(left, 1), child(right, 1 + left_tree.size)}}});
-    tree.append(std::move(left_tree));
-    tree.append(later.get());
-    return tree;
+    return put_above(left, std::move(left_tree), right, later.get());
   }
 
   /// The edge to a child, which is a leaf or whose root is at `first`.
@@ -133,6 +138,41 @@ class Builder {
   }
 
  private:
+  /// The subtree whose root has these children.
+  Subtree put_above(Range const& left, Subtree&& left_tree, Range const& right, Subtree&& right_tree) {
+    Subtree tree;
+    tree.append({{{child(left, 1), child(right, 1 + left_tree.size)}}});
+    tree.append(std::move(left_tree));
+    tree.append(std::move(right_tree));
+    return tree;
+  }
+
+  /// All primitives, sorted by cells, in the second buffer.
+  struct Cells {
+    SampledSplits const& splits;
+    std::vector<std::size_t> first;  ///< where each cell begins, by its number, and the end
+  };
+  struct BuiltRange {
+    Range range;
+    Subtree tree;
+  };
+
+  /// What is in a cell, or on both sides of a split.
+  BuiltRange build_side(Cells const& cells, std::uint32_t number, std::size_t depth) {
+    if (cells.splits.is_cell(number)) {
+      Range const range = enclose(cells.first[number], cells.first[number + 1], 1);
+      return {range, is_leaf(range) ? Subtree() : build(range, depth)};
+    }
+    auto const& children = cells.splits.children(number);
+    auto later = std::async(depth <= spawn_depth_ ? thread_if_any : std::launch::deferred,
+                            [&] { return build_side(cells, children[1], depth + 1); });
+    BuiltRange left = build_side(cells, children[0], depth + 1);
+    BuiltRange right = later.get();
+    Range range{left.range.begin, right.range.end, 1, left.range.extents};
+    range.extents.add(right.range.extents);
+    return {range, put_above(left.range, std::move(left.tree), right.range, std::move(right.tree))};
+  }
+
   /// The sum of work(begin, end) over the parts of a range, on several threads where it is long.
   template <class Sum, class Work>
   static Sum in_parts(std::size_t begin, std::size_t end, Work const& work) {
@@ -176,24 +216,37 @@ class Builder {
   /// Moves the range's primitives to the other buffer, from left to right and from right to left. Leaves the bounds
   /// open, but for those of centres.
   Ranges partition(Range const& range, Binning const& binning, Split const& split) {
-    std::span<BuildPrimitive> const to = buffers_[1 - range.buffer];
-    std::size_t left = range.begin, right = range.end;
+    switch (split.axis) {
+      case 0:
+        return partition_along<0>(range, binning, split.bin);
+      case 1:
+        return partition_along<1>(range, binning, split.bin);
+      default:
+        return partition_along<2>(range, binning, split.bin);
+    }
+  }
+  /// With an axis that the compiler knows, all lanes have its answer in one instruction.
+  template <int axis>
+  Ranges partition_along(Range const& range, Binning const& binning, int bin) {
+    BuildPrimitive* const to = buffers_[1 - range.buffer].data();
+    BuildPrimitive* left = to + range.begin;
+    BuildPrimitive* right = to + range.end;
     LaneBounds left_centers, right_centers;
     for (BuildPrimitive const& primitive : primitives(range)) {
       // Which side comes next is as good as random, which a branch would wait for. So both ends are written, and that
       // which is wrong again with the next.
-      bool const is_left = binning.is_below(primitive, split.axis, split.bin);
-      to[left] = primitive;
-      to[right - 1] = primitive;
-      left += is_left;
-      right -= !is_left;
-      IntLanes const center = IntLanes(LaneBounds(primitive).center());
-      IntLanes const left_mask = IntLanes{} - int(is_left);
-      left_centers.add_point(Lanes(center | ~left_mask));  // all bits: NaN
-      right_centers.add_point(Lanes(center | left_mask));
+      *left = right[-1] = primitive;
+      Lanes const center = LaneBounds(primitive).center();
+      IntLanes const below = binning.are_below(center, bin);
+      IntLanes const is_left = __builtin_shufflevector(below, below, axis, axis, axis, axis);
+      left -= is_left[0];  // all bits are -1
+      right -= 1 + is_left[0];
+      left_centers.add_point(Lanes(IntLanes(center) | ~is_left));  // all bits: NaN
+      right_centers.add_point(Lanes(IntLanes(center) | is_left));
     }
+    auto const middle = std::size_t(left - to);
     int const buffer = 1 - range.buffer;
-    return {{range.begin, left, buffer, {{}, left_centers}}, {left, range.end, buffer, {{}, right_centers}}};
+    return {{range.begin, middle, buffer, {{}, left_centers}}, {middle, range.end, buffer, {{}, right_centers}}};
   }
 
   Ranges halve(Range const& range) {
@@ -296,7 +349,7 @@ Bvh build_bvh(std::span<BuildPrimitive> primitives, std::span<BuildPrimitive con
   bvh.bounds = all.extents.bounds.bounds();
   bool const is_below = !unbounded.empty();  // what will stand beside it is a level of its own
   if (primitives.size() >= 2 && !(is_below && builder.is_leaf(all))) {
-    bvh.nodes = join(builder.build(all, is_below ? 2 : 1));
+    bvh.nodes = join(builder.build_all(all, is_below ? 2 : 1));
   } else {
     device::BvhChild const absent = make_child(DeviceBounds(), 0, 0);
     bvh.nodes.push_back({{primitives.empty() ? absent : builder.child(all, 0), absent}});

@@ -88,7 +88,7 @@ void require_each_once(Facts const& facts, std::size_t count) {
 }  // namespace
 
 TEST_CASE("a hierarchy holds every primitive once, within all bounds above it", "[unit][bvh]") {
-  for (std::size_t const count : {1, 2, 3, 5, 17, 1000}) {
+  for (std::size_t const count : {1, 2, 3, 5, 17, 1000, 20'003}) {
     auto const primitives = random_primitives(count);
     Bvh const bvh = build(primitives);
     Facts const facts = check(bvh, primitives);
@@ -118,9 +118,10 @@ TEST_CASE("a hierarchy of identical primitives is balanced", "[unit][bvh]") {
 
 TEST_CASE("no input makes a hierarchy deeper than its limit", "[unit][bvh]") {
   // Distances grow so fast that a binned split takes off a few primitives at a time.
+  auto const [count, growth] = GENERATE(std::pair(3000u, 1.02), std::pair(20'000u, 1.003));
   std::vector<BuildPrimitive> primitives;
-  for (device::uint i = 0; i < 3000; ++i) {
-    Vec3 const center(std::pow(1.02, double(i)), 0, 0);
+  for (device::uint i = 0; i < count; ++i) {
+    Vec3 const center(std::pow(growth, double(i)), 0, 0);
     primitives.push_back({around(center, 1e-3 * center.x), {PRIMITIVE_SPHERE, i}});
   }
   Facts const facts = check(build(primitives), primitives);

@@ -11,10 +11,8 @@
 namespace lichtraum {
 namespace {
 
-/// So many are looked at, which takes a few milliseconds of one thread;
+/// So many are looked at, which takes a few milliseconds of one thread,
 constexpr std::size_t sample_size = 1 << 15;
-/// of a smaller range, one in so many;
-constexpr std::size_t min_stride = 8;
 /// and those that have more than this share of the surface of all: a split that does not see them leaves them among
 /// many small ones, and rays enter what is around both (a fourth more nodes in a kitchen).
 constexpr float large_share = 1.f / (1 << 14);
@@ -46,7 +44,7 @@ float half_area(LaneBounds const& bounds) {
 }
 
 std::vector<BuildPrimitive> take_sample(std::span<BuildPrimitive const> primitives, LaneBounds const& all) {
-  std::size_t const stride = std::max(min_stride, primitives.size() / sample_size);
+  std::size_t const stride = std::max<std::size_t>(1, primitives.size() / sample_size);
   float const small = large_share * half_area(all);
   std::vector<std::vector<BuildPrimitive>> taken(chunks_of(primitives.size()));
   for_chunks(primitives.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {

@@ -45,7 +45,7 @@ struct Spans {
 }  // namespace
 
 TEST_CASE("sampled splits sort all primitives into cells that a plane parts", "[unit][bvh]") {
-  auto const points = crowded_points(50'003);
+  auto const points = crowded_points(300'003);
   SampledSplits const splits(points, bounds_of(points));
   std::vector<BuildPrimitive> sorted(points.size());
   auto const first = splits.sort_into_cells(points, sorted);
@@ -83,7 +83,7 @@ TEST_CASE("sampled splits sort all primitives into cells that a plane parts", "[
   }
   CHECK(unparted == 0);
   CHECK(empty == 0);
-  CHECK(largest_cell < 2000);  // of one in eight, fewer than 64 are in a cell
+  CHECK(largest_cell < 2000);  // of one in nine, fewer than 64 are in a cell
 }
 
 TEST_CASE("primitives that no split parts are one cell, in their order", "[unit][bvh]") {
@@ -100,11 +100,11 @@ TEST_CASE("primitives that no split parts are one cell, in their order", "[unit]
 }
 
 TEST_CASE("sampled splits part what is large from what is small, however few are large", "[unit][bvh]") {
-  // Walls whose middle is among the points. One in eight of all is looked at, but none of these for its number.
-  std::vector<BuildPrimitive> primitives = crowded_points(50'000);
+  // Walls whose middle is among the points. One in nine of all is looked at, but none of these for its number.
+  std::vector<BuildPrimitive> primitives = crowded_points(300'000);
   std::vector<device::uint> walls;
   for (device::uint i = 0; i < 9; ++i) {
-    device::uint const number = 5000 * i + 1;
+    device::uint const number = 30'000 * i + 1;
     float const at = 0.1f * float(i + 1);
     primitives[number].bounds = {glm::vec3(at, -10, -10), glm::vec3(at, 11, 11)};
     walls.push_back(number);

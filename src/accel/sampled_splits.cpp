@@ -1,6 +1,7 @@
 #include "accel/sampled_splits.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -36,7 +37,10 @@ void for_chunks(std::size_t primitives, Work const& work) {
   });
 }
 
-Lanes center_of(BuildPrimitive const& primitive) { return LaneBounds(primitive).center(); }
+/// In memory, as an axis that is not known beforehand is looked at.
+std::array<float, 4> center_of(BuildPrimitive const& primitive) {
+  return std::bit_cast<std::array<float, 4>>(LaneBounds(primitive).center());
+}
 
 float half_area(LaneBounds const& bounds) {
   Lanes const size = bounds.max - bounds.min;
@@ -75,7 +79,7 @@ void SampledSplits::divide(std::span<BuildPrimitive> sample, std::size_t depth) 
   nodes_.push_back({.children = {number, number}});
   if (sample.size() < min_sample || depth == max_depth) return;
   LaneBounds centers;
-  for (BuildPrimitive const& primitive : sample) centers.add_point(center_of(primitive));
+  for (BuildPrimitive const& primitive : sample) centers.add_point(LaneBounds(primitive).center());
   Binning const binning(centers);
   Bins bins;
   bins.add(sample, binning);
@@ -83,8 +87,7 @@ void SampledSplits::divide(std::span<BuildPrimitive> sample, std::size_t depth) 
   if (!std::isfinite(split.cost)) return;
   Node node{std::uint32_t(split.axis), binning.position(split.axis, split.bin), {}};
   auto const right = std::partition(sample.begin(), sample.end(), [&](BuildPrimitive const& primitive) {
-    Lanes const center = center_of(primitive);
-    return node.is_left(&center[0]);
+    return node.is_left(center_of(primitive));
   });
   if (right == sample.begin() || right == sample.end()) return;  // by rounding
   node.children[0] = number + 1;
@@ -100,7 +103,7 @@ void SampledSplits::find_cells(std::span<BuildPrimitive const> primitives, std::
   constexpr std::size_t batch = 8;
   for (std::size_t begin = 0; begin < primitives.size(); begin += batch) {
     std::size_t const count = std::min(batch, primitives.size() - begin);
-    std::array<Lanes, batch> centers{};
+    std::array<std::array<float, 4>, batch> centers{};
     for (std::size_t i = 0; i < count; ++i) centers[i] = center_of(primitives[begin + i]);
     std::array<std::uint32_t, batch> at{};
     std::uint32_t moved = 1;
@@ -108,7 +111,7 @@ void SampledSplits::find_cells(std::span<BuildPrimitive const> primitives, std::
       moved = 0;
       for (std::size_t i = 0; i < batch; ++i) {
         Node const& node = nodes_[at[i]];
-        std::uint32_t const next = node.children[node.is_left(&centers[i][0]) ? 0 : 1];
+        std::uint32_t const next = node.children[node.is_left(centers[i]) ? 0 : 1];
         moved |= next ^ at[i];
         at[i] = next;
       }

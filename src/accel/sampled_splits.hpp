@@ -36,7 +36,7 @@ class SampledSplits {
     std::uint32_t axis = 0;
     float position = 0;                       ///< centres below it are on the left
     std::array<std::uint32_t, 2> children{};  ///< a cell's are itself, so that a search may go on there
-    bool is_left(float const* center) const { return center[axis] < position; }
+    bool is_left(std::array<float, 4> const& center) const { return center[axis] < position; }
   };
 
   void divide(std::span<BuildPrimitive> sample, std::size_t depth);

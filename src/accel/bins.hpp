@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "accel/half_area.hpp"
 #include "accel/lane_bounds.hpp"
 
 namespace lichtraum {
@@ -121,7 +122,7 @@ class Bins {
       Lanes const x = __builtin_shufflevector(xy_of_a_b, c, 0, 1, 4, 4);
       Lanes const y = __builtin_shufflevector(xy_of_a_b, c, 2, 3, 5, 5);
       Lanes const z = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 6, 2, 6), c, 0, 1, 6, 6);
-      return x * y + y * z + z * x;
+      return half_area(x, y, z);
     }
     /// That so many primitives fill.
     Lanes leaves() const {

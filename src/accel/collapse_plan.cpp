@@ -5,6 +5,7 @@
 #include <future>
 #include <limits>
 
+#include "accel/half_area.hpp"
 #include "core/start_threads.hpp"
 
 namespace lichtraum {
@@ -24,7 +25,7 @@ struct Costs {
 float half_area_of_both(BvhChild const& a, BvhChild const& b) {
   std::array<float, 3> size;
   for (std::size_t i = 0; i < 3; ++i) size[i] = std::max(a.max[i], b.max[i]) - std::min(a.min[i], b.min[i]);
-  return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+  return half_area(size[0], size[1], size[2]);
 }
 
 /// The cheapest way to share n children among the two of a binary node.

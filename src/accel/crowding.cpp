@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <array>
 
+#include "accel/half_area.hpp"
+
 namespace lichtraum {
 namespace {
 
 using device::BvhChild;
 
 /// As a double: that of what has no end is no float.
-double half_area(BvhChild const& box) {
+double half_area_of(BvhChild const& box) {
   double const x = double(box.max[0]) - box.min[0];
   double const y = double(box.max[1]) - box.min[1];
   double const z = double(box.max[2]) - box.min[2];
-  return x * y + y * z + z * x;
+  return half_area(x, y, z);
 }
 
 BvhChild box_of_both(BvhChild const& a, BvhChild const& b) {
@@ -43,11 +45,11 @@ double crowding(Bvh const& bvh, std::span<double const> of_instances) {
     double below = 0;
     for (BvhChild const& child : children) {
       if (is_absent(child)) continue;
-      below += child.count == 0 ? open[--size] : tests_in(bvh, child, of_instances) * half_area(child);
+      below += child.count == 0 ? open[--size] : tests_in(bvh, child, of_instances) * half_area_of(child);
     }
     open[size++] = below;
     // An absent child has min > max, and so adds nothing.
-    double const area = half_area(box_of_both(children[0], children[1]));
+    double const area = half_area_of(box_of_both(children[0], children[1]));
     if (below > most * area) most = below / area;
   }
   return most;

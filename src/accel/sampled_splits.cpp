@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "accel/bins.hpp"
+#include "accel/half_area.hpp"
 #include "core/big_vector.hpp"
 #include "core/parallel_ranges.hpp"
 
@@ -42,18 +43,18 @@ std::array<float, 4> center_of(BuildPrimitive const& primitive) {
   return std::bit_cast<std::array<float, 4>>(LaneBounds(primitive).center());
 }
 
-float half_area(LaneBounds const& bounds) {
+float half_area_of(LaneBounds const& bounds) {
   Lanes const size = bounds.max - bounds.min;
-  return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+  return half_area(size[0], size[1], size[2]);
 }
 
 std::vector<BuildPrimitive> take_sample(std::span<BuildPrimitive const> primitives, LaneBounds const& all) {
   std::size_t const stride = std::max<std::size_t>(1, primitives.size() / sample_size);
-  float const small = large_share * half_area(all);
+  float const small = large_share * half_area_of(all);
   std::vector<std::vector<BuildPrimitive>> taken(chunks_of(primitives.size()));
   for_chunks(primitives.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (i % stride == 0 || half_area(LaneBounds(primitives[i])) > small) taken[chunk].push_back(primitives[i]);
+      if (i % stride == 0 || half_area_of(LaneBounds(primitives[i])) > small) taken[chunk].push_back(primitives[i]);
     }
   });
   std::vector<BuildPrimitive> sample;

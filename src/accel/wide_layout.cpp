@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "accel/collapse_plan.hpp"
+#include "accel/half_area.hpp"
 #include "core/parallel_ranges.hpp"
 #include "core/start_threads.hpp"
 
@@ -31,18 +32,18 @@ class Children {
 /// Which child is in each lane, so that a ray that looks for any hit, and takes them in this order, soon has one:
 /// leaves, which answer at once, then what is large, as Embree's builder has it.
 std::array<std::uint8_t, WIDE_CHILDREN> order_of_visits(Children const& children) {
-  std::array<double, WIDE_CHILDREN> half_area;  // of numbers as large as floats can be
+  std::array<double, WIDE_CHILDREN> half_areas;  // of numbers as large as floats can be
   std::array<std::uint8_t, WIDE_CHILDREN> order{};
   for (std::size_t i = 0; i < children.size(); ++i) {
     BvhChild const& c = children[i];
     double const x = double(c.max[0]) - double(c.min[0]), y = double(c.max[1]) - double(c.min[1]),
                  z = double(c.max[2]) - double(c.min[2]);
-    half_area[i] = x * y + y * z + z * x;
+    half_areas[i] = half_area(x, y, z);
     order[i] = std::uint8_t(i);
   }
   auto const is_before = [&](std::uint8_t a, std::uint8_t b) {
     bool const a_is_leaf = children[a].count > 0, b_is_leaf = children[b].count > 0;
-    return a_is_leaf != b_is_leaf ? a_is_leaf : half_area[a] > half_area[b];
+    return a_is_leaf != b_is_leaf ? a_is_leaf : half_areas[a] > half_areas[b];
   };
   std::stable_sort(order.begin(), order.begin() + children.size(), is_before);
   return order;

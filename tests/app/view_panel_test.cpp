@@ -89,7 +89,7 @@ TEST_CASE("a window that is resized faster than it can follow stays open", "[app
   CHECK(result.exit_code == 0);
 }
 
-TEST_CASE("a window that was large holds no more than one that was not", "[app][view]") {
+TEST_CASE("a window that was large gives the memory of its picture back", "[app][view]") {
   for (char const* const program : {"Xvfb", "xdotool"}) {
     if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
   }

@@ -110,7 +110,7 @@ TEST_CASE("the hierarchy of nothing has two absent children", "[unit][bvh]") {
 
 TEST_CASE("a hierarchy of identical primitives is balanced", "[unit][bvh]") {
   std::vector<BuildPrimitive> primitives;
-  for (device::uint i = 0; i < 100'000; ++i) primitives.push_back({around(Vec3(3), 1), {PRIMITIVE_TRIANGLE, i}});
+  for (device::uint i = 0; i < 150'000; ++i) primitives.push_back({around(Vec3(3), 1), {PRIMITIVE_TRIANGLE, i}});
   Facts const facts = check(build(primitives), primitives);
   require_each_once(facts, primitives.size());
   CHECK(facts.depth <= 17);

@@ -52,7 +52,8 @@ std::array<std::uint8_t, WIDE_CHILDREN> order_of_visits(Children const& children
 /// Makes the wide nodes. Plans say how many are in each subtree: so each knows where it goes.
 class Collapser {
  public:
-  explicit Collapser(Bvh const& bvh) : bvh_(bvh) {
+  Collapser(Bvh const& bvh, std::span<std::size_t const> stack_sizes_of_instances)
+      : bvh_(bvh), stack_sizes_of_instances_(stack_sizes_of_instances) {
     bool const is_tree = !is_absent(bvh.nodes[0].children[1]);
     if (is_tree) plans_ = plan_collapse(bvh);
     wide_.nodes.resize(is_tree ? plans_[0].wide_nodes : 1);
@@ -109,7 +110,9 @@ class Collapser {
     Subtree next{0, subtree.first_node + 1, subtree.first_block, subtree.stack_size + stack_entries(children.size())};
     note_stack_size(next.stack_size);
     for (std::size_t i = 0; i < children.size(); ++i) {
-      if (children[i].count > 0) words[i] = make_leaf(children[i], next.first_block);
+      if (children[i].count == 0) continue;
+      words[i] = make_leaf(children[i], next.first_block);
+      note_stack_size(next.stack_size + stack_size_below(bvh_.references[children[i].first]));
     }
     std::size_t const first_open = open.size();
     for (std::size_t i = 0; i < children.size(); ++i) {
@@ -127,6 +130,12 @@ class Collapser {
   /// What waits in a node while one of its children is visited: each other child, or their lanes and the node.
   static std::size_t stack_entries(std::size_t children) {
     return children < 2 ? 0 : std::max<std::size_t>(children - 1, 2);
+  }
+
+  /// A ray that enters an instance keeps what waits in the world.
+  std::size_t stack_size_below(device::PrimitiveReference const& leaf) const {
+    return leaf.kind == PRIMITIVE_INSTANCE && !stack_sizes_of_instances_.empty() ? stack_sizes_of_instances_[leaf.index]
+                                                                                 : 0;
   }
 
   static void fill_lanes(Children const& children, std::array<uint, WIDE_CHILDREN> const& words,
@@ -194,6 +203,7 @@ class Collapser {
   }
 
   Bvh const& bvh_;
+  std::span<std::size_t const> stack_sizes_of_instances_;
   BigVector<CollapsePlan> plans_;  // none of a tree without a second leaf
   WideBvh wide_;
   std::atomic<std::size_t> stack_size_ = 0;
@@ -201,7 +211,9 @@ class Collapser {
 
 }  // namespace
 
-WideBvh collapse(Bvh const& bvh) { return Collapser(bvh).run(); }
+WideBvh collapse(Bvh const& bvh, std::span<std::size_t const> stack_sizes_of_instances) {
+  return Collapser(bvh, stack_sizes_of_instances).run();
+}
 
 namespace {
 

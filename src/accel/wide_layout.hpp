@@ -19,15 +19,17 @@ struct WideBvh {
   };
   BigVector<Block> triangle_blocks;
   BigVector<Block> sphere_blocks;
-  /// The entries that a traversal's stack needs for this tree: it visits one child and keeps the others.
+  /// The entries that a traversal's stack needs for this tree: it visits one child and keeps the others. With those for
+  /// what its instances place.
   std::size_t stack_size = 0;
 };
 
 /// Collapses a binary hierarchy: a wide node takes the place of up to fifteen binary ones, as accel/collapse_plan.hpp
 /// plans it. A leaf of triangles or spheres becomes a block. A leaf child's index is that of the block among those of
 /// its kind, or the primitive's own (see shared/wide.h). Nodes lie in depth-first order, and so do blocks: those of a
-/// node next to each other. The same result whatever the number of threads.
-WideBvh collapse(Bvh const& bvh);
+/// node next to each other. The same result whatever the number of threads. `stack_sizes_of_instances`: of the objects
+/// that they place, by their number in the references.
+WideBvh collapse(Bvh const& bvh, std::span<std::size_t const> stack_sizes_of_instances = {});
 
 /// Gathers the triangles of blocks.
 void fill_triangle_blocks(std::span<WideBvh::Block const> blocks,

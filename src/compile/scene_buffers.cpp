@@ -109,8 +109,11 @@ class Compiler {
     world.content.add(placed.object_from_world);
     world.content.add(bounds);
     world.content.add(object.is_unbounded);
+    world.content.add(object.stack_size);
+    world.content.add(object.crowding);
     buffers_.instances.push_back(placed);
     instances_crowding_.push_back(object.crowding);
+    instances_stack_sizes_.push_back(object.stack_size);
     buffers_.flat_instances.push_back(device::uint(number));
   }
 
@@ -258,7 +261,7 @@ class Compiler {
   }
 
   CompiledObject add_wide(Bvh const& bvh) {
-    WideBvh wide = collapse(bvh);
+    WideBvh wide = collapse(bvh, instances_stack_sizes_);
     CompiledObject object;
     object.root_node = device::uint(buffers_.wide_nodes.size());
     object.node_count = device::uint(wide.nodes.size());
@@ -349,6 +352,7 @@ class Compiler {
   SceneBuffers const* previous_;
   SceneBuffers buffers_;
   std::vector<double> instances_crowding_;            // by number, of the object that each places
+  std::vector<std::size_t> instances_stack_sizes_;    // the same
   BigVector<device::TriangleAttributes> attributes_;  // of the triangles taken so far, as those are counted
   BigVector<device::uint> sphere_colors_;             // of the spheres
 };
@@ -371,9 +375,7 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tre
   buffers.root_node = built.root_node;
   buffers.world_bounds = built.bounds;
   buffers.crowding = built.crowding;
-  std::size_t deepest_object = 0;
-  for (CompiledObject const& object : objects) deepest_object = std::max(deepest_object, object.stack_size);
-  buffers.stack_size = built.stack_size + deepest_object;
+  buffers.stack_size = built.stack_size;
   compiler.note_features();
   compiler.finish();
   buffers.triangle_count = buffers.triangles.size();

@@ -35,7 +35,7 @@ struct CompiledObject {
   PrimitiveRanges ranges;             ///< where its primitives are, before the layout orders triangles and spheres
   DeviceBounds bounds;                ///< of what has an end
   bool is_unbounded = false;          ///< something has none
-  std::size_t stack_size = 0;         ///< that a traversal of it needs; for the wide layout
+  std::size_t stack_size = 0;         ///< that a traversal of it and its instances needs; for the wide layout
   double crowding = 0;                ///< see accel/crowding.hpp
   std::uint64_t unrepresentable = 0;  ///< of its primitives, whose bounds do not fit a float
 };

@@ -1,6 +1,7 @@
 #include "accel/wide_layout.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <set>
@@ -122,6 +123,42 @@ TEST_CASE("in a wide node leaves come first, then the largest nodes", "[unit][bv
   }
   CHECK(mixed > 0);  // there are nodes of both
   CHECK(wrong == 0);
+}
+
+TEST_CASE("a stack has room for what waits on the way to the deepest node, and to the deepest instance",
+          "[unit][bvh]") {
+  auto primitives = random_primitives(20000, {PRIMITIVE_SPHERE, PRIMITIVE_INSTANCE, PRIMITIVE_TRIANGLE});
+  Bvh const bvh = build_bvh(primitives);
+  WideBvh const alone = collapse(bvh);
+  // What waits: each child but the one that is visited, or two words for them all.
+  std::vector<std::size_t> waiting(alone.nodes.size());  // above a node, then with those of its own
+  std::vector<std::size_t> at_instance(primitives.size());
+  for (std::size_t n = 0; n < alone.nodes.size(); ++n) {  // depth first: a node comes before those below it
+    device::WideNode const& node = alone.nodes[n];
+    std::ptrdiff_t const present = std::count_if(node.bounds[WIDE_MIN_X], node.bounds[WIDE_MIN_X] + WIDE_CHILDREN,
+                                                 [](float min_x) { return std::isfinite(min_x); });
+    waiting[n] += present == 1 ? 0 : present == 2 ? 2 : std::size_t(present - 1);
+    for (std::ptrdiff_t lane = 0; lane < present; ++lane) {
+      device::uint const kind = node.children[lane] >> WIDE_INDEX_BITS;
+      device::uint const index = node.children[lane] & WIDE_INDEX_MASK;
+      if (kind == WIDE_KIND_NODE) waiting.at(index) = waiting[n];
+      if (kind == PRIMITIVE_INSTANCE) at_instance.at(index) = waiting[n];
+    }
+  }
+  std::size_t const deepest = *std::max_element(waiting.begin(), waiting.end());
+  CHECK(alone.stack_size == deepest);
+  std::vector<std::size_t> below(primitives.size(), 1);
+  std::size_t shallowest_instance = 1;
+  for (std::size_t i = 1; i < at_instance.size(); i += 3) {
+    if (at_instance[i] < at_instance[shallowest_instance]) shallowest_instance = i;
+  }
+  REQUIRE(at_instance[shallowest_instance] + 10 < deepest);
+  below[shallowest_instance] = 10;  // hidden by what is deeper
+  std::size_t expected = deepest;
+  for (std::size_t i = 1; i < at_instance.size(); i += 3) expected = std::max(expected, at_instance[i] + below[i]);
+  CHECK(collapse(bvh, below).stack_size == expected);
+  below[shallowest_instance] = 1000;
+  CHECK(collapse(bvh, below).stack_size == at_instance[shallowest_instance] + 1000);
 }
 
 TEST_CASE("what stands beside the tree costs no wide node, if it is not too much", "[unit][bvh]") {

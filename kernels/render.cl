@@ -13,31 +13,38 @@
 #include "integrators/whitted.clh"
 #include "program.clh"
 
+/* Samples of a square of pixels. A function of its own, as PoCL makes three copies of a kernel's body. */
+static NOINLINE void render_square(Scene const* scene, __global FrameParameters const* frame, Film const* film,
+                                   FilmSquare const* square, Tile const* tile, WorkItemRays* counts) {
+  if (wants(film, CENTER_PLANES) && tile->first_sample == 0u) {
+    RayBatch rays;
+    generate_center_rays(frame, tile, square->corner_x, square->corner_y, &rays);
+    write_centers(scene, frame, film, square, &rays, counts);
+  }
+  if (wants(film, MEAN_PLANES)) {
+    Samples sums;
+    clear_samples(film, &sums);
+    if (tile->first_sample % FILM_BLOCK_SIZE != 0u) {
+      load_samples(frame, film, square, &sums);
+    }
+    INTEGRATE(scene, frame, film, square, tile, &sums, counts);
+    store_samples(frame, film, square, &sums);
+  }
+}
+
 __kernel void render_tile(SCENE_PARAMETERS, FILM_PARAMETERS, __global FrameParameters const* frame, Tile const tile,
                           __global WorkItemRays* traced) {
   Scene const scene = SCENE_FROM_PARAMETERS;
   Film const film = FILM_FROM_PARAMETERS;
+  Tile const this_tile = tile; /* with an address */
   WorkItemRays counts = {0u, 0u, 0u, 0u};
   uint const column = (uint)get_global_id(0);
   uint const row = (uint)get_global_id(1);
-  FilmSquare const square = find_square(&tile, column, row);
+  FilmSquare const square = find_square(&this_tile, column, row);
   uint const work_items_a_row = (tile.x + tile.width + BATCH_SIDE - 1u) / BATCH_SIDE - tile.x / BATCH_SIDE;
   if (is_empty(&square)) {
     return;
   }
-  if (wants(&film, CENTER_PLANES) && tile.first_sample == 0u) {
-    RayBatch rays;
-    generate_center_rays(frame, &tile, square.corner_x, square.corner_y, &rays);
-    write_centers(&scene, frame, &film, &square, &rays, &counts);
-  }
-  if (wants(&film, MEAN_PLANES)) {
-    Samples sums;
-    clear_samples(&film, &sums);
-    if (tile.first_sample % FILM_BLOCK_SIZE != 0u) {
-      load_samples(frame, &film, &square, &sums);
-    }
-    INTEGRATE(&scene, frame, &film, &square, &tile, &sums, &counts);
-    store_samples(frame, &film, &square, &sums);
-  }
+  render_square(&scene, frame, &film, &square, &this_tile, &counts);
   traced[(size_t)row * work_items_a_row + column] = counts;
 }

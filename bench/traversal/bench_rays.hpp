@@ -15,8 +15,10 @@ struct TriangleMesh {
 };
 
 struct RayHit {
+  static constexpr std::uint32_t none = 0xffffffffu;
   float t = 0;  ///< in units of the ray's direction; infinity: nothing was hit
-  std::uint32_t triangle = 0xffffffffu;
+  std::uint32_t triangle = none;
+  std::uint32_t instance = none;  ///< that was entered; none: the triangle is the world's
 };
 
 /// The rays of a picture: one through the centre of each pixel, or of each cell of a grid in it.

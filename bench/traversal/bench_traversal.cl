@@ -7,13 +7,15 @@
 typedef struct {
   float t; /* INFINITY: nothing */
   uint primitive;
+  uint instance;
 } BenchHit;
 
 static inline BenchHit bench_hit(Scene const* scene, Hit hit) {
-  BenchHit out = {INFINITY, 0xffffffffu};
+  BenchHit out = {INFINITY, 0xffffffffu, NO_INSTANCE};
   if (hit.kind != NO_PRIMITIVE) {
     out.t = hit.t;
     out.primitive = hit.index;
+    out.instance = hit.instance;
   }
   return out;
 }
@@ -49,8 +51,9 @@ __kernel void shadow(SCENE_PARAMETERS, __global float4 const* points, float4 con
 #else
 
 static inline BenchHit packet_hit(Packet const* p, uint ray) {
-  BenchHit const out = {((float const*)p->t)[ray], ((uint const*)p->primitive)[ray] & WIDE_INDEX_MASK};
-  BenchHit const none = {INFINITY, 0xffffffffu};
+  BenchHit const out = {((float const*)p->t)[ray], ((uint const*)p->primitive)[ray] & WIDE_INDEX_MASK,
+                        ((uint const*)p->instance)[ray]};
+  BenchHit const none = {INFINITY, 0xffffffffu, NO_INSTANCE};
   return out.t < INFINITY ? out : none;
 }
 

@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "bench_scene.hpp"
 #include "contest.hpp"
 #include "embree_tracer.hpp"
 #include "make_rays.hpp"
@@ -28,6 +29,7 @@ namespace {
 struct Options {
   std::string model;
   bool floor = false;
+  int forest = 0;  ///< instances; 0: the model itself
   std::vector<double> eye{0, 0, 1}, look_at{0, 0, 0}, look_dir, light{0, 1, 0};
   double fov_x_degrees = 46.84;
   std::string size = "1024x768";
@@ -60,23 +62,6 @@ double processor_milliseconds(std::function<void()> const& work, int threads) {
   return 1e3 * double(std::clock() - start) / CLOCKS_PER_SEC / threads;
 }
 
-FlatScene flat_scene(TriangleMesh const& mesh) {
-  FlatScene scene;
-  scene.objects.resize(1);
-  auto& triangles = scene.objects[0].triangles;
-  triangles.reserve(mesh.triangles.size());
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    device::TrianglePrimitive triangle{};
-    for (int corner = 0; corner < 3; ++corner) {
-      auto const& position = mesh.positions[mesh.triangles[i][std::size_t(corner)]];
-      std::copy(position.begin(), position.end(), triangle.vertices[corner]);
-    }
-    triangle.tag = {0, device::uint(i)};
-    triangles.push_back(triangle);
-  }
-  return scene;
-}
-
 device::PinholeCamera pinhole(Options const& options, Resolution const& size) {
   Vec3 const eye = vec3(options.eye);
   Vec3 const forward = glm::normalize(options.look_dir.empty() ? vec3(options.look_at) - eye : vec3(options.look_dir));
@@ -88,33 +73,6 @@ device::PinholeCamera pinhole(Options const& options, Resolution const& size) {
           float4(2 * half_width / size.width * right), float4(-2 * half_height / size.height * up)};
 }
 
-/// A floor under the mesh, ten times as wide as that is high.
-void add_floor(TriangleMesh& mesh) {
-  auto low = mesh.positions.at(0), high = low;
-  for (auto const& p : mesh.positions) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], p[axis]);
-      high[axis] = std::max(high[axis], p[axis]);
-    }
-  }
-  float const x = 0.5f * (low[0] + high[0]), z = 0.5f * (low[2] + high[2]), half = 5 * (high[1] - low[1]);
-  auto const first = std::uint32_t(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), {{x - half, low[1], z - half},
-                                               {x - half, low[1], z + half},
-                                               {x + half, low[1], z + half},
-                                               {x + half, low[1], z - half}});
-  mesh.triangles.insert(mesh.triangles.end(), {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
-}
-
-float diagonal(TriangleMesh const& mesh) {
-  Vec3 low(1e30), high(-1e30);
-  for (auto const& p : mesh.positions) {
-    low = glm::min(low, Vec3(p[0], p[1], p[2]));
-    high = glm::max(high, Vec3(p[0], p[1], p[2]));
-  }
-  return float(glm::length(high - low));
-}
-
 /// All that is traced.
 struct RaySets {
   PrimaryRays primary, samples;
@@ -124,7 +82,7 @@ struct RaySets {
   std::vector<std::pair<std::string, FreeRays>> any;      ///< any hit, along the first bounce
 };
 
-RaySets make_ray_sets(Options const& options, Resolution const& size, TriangleMesh const& mesh,
+RaySets make_ray_sets(Options const& options, Resolution const& size, BenchScene const& scene,
                       EmbreeTracer const& tracer) {
   RaySets sets;
   sets.primary = {pinhole(options, size), size.width, size.height, 1};
@@ -132,19 +90,19 @@ RaySets make_ray_sets(Options const& options, Resolution const& size, TriangleMe
                   1.0f / float(options.grid)};
   std::vector<RayHit> hits(sets.primary.size());
   tracer.closest(sets.primary, hits, false);
-  auto points = surface_points(mesh, sets.primary, hits);
+  auto points = surface_points(scene, sets.primary, hits);
   sets.shadow = shadow_rays(points, vec3(options.light), sets.primary);
   sets.shadow_count = std::size_t(std::count_if(points.begin(), points.end(), [](auto const& p) { return p.hit; }));
   for (unsigned bounce = 1; bounce <= 4; ++bounce) {
     FreeRays const rays = bounce_rays(points, bounce);
     if (bounce == 1) {
       sets.any = {{"any", rays}, {"any-near", rays}};
-      sets.any[1].second.t_max = 0.1f * diagonal(mesh);
+      sets.any[1].second.t_max = float(0.1 * diagonal(scene.placements.empty() ? scene.world : scene.object));
     }
     if (bounce != 3) sets.bounces.emplace_back(bounce == 1 ? "bounce" : fmt::format("bounce-{}", bounce), rays);
     hits.resize(rays.size());
     tracer.closest(rays, hits, false);
-    points = surface_points(mesh, rays, hits);
+    points = surface_points(scene, rays, hits);
   }
   return sets;
 }
@@ -173,8 +131,10 @@ int run(Options const& options) {
   setenv("POCL_MAX_PTHREAD_COUNT", std::to_string(options.threads).c_str(), 1);
   TriangleMesh mesh = read_mesh(options.model);
   if (options.floor) add_floor(mesh);
-  fmt::print("{}{}: {} triangles, {} threads\n", options.model, options.floor ? " on a floor" : "",
-             mesh.triangles.size(), options.threads);
+  BenchScene const scene =
+      options.forest > 0 ? plant_forest(std::move(mesh), options.forest) : BenchScene{std::move(mesh), {}, {}};
+  fmt::print("{}{}: {} triangles, {} instances, {} threads\n", options.model, options.floor ? " on a floor" : "",
+             scene.triangle_count(), scene.placements.size(), options.threads);
 
   Clock const clock = [&](std::function<void()> const& work) {
     return options.processor_time ? processor_milliseconds(work, options.threads) : milliseconds(work);
@@ -189,14 +149,14 @@ int run(Options const& options) {
   SceneBuffers wide;
   for (int i = 0; i < std::min(options.repetitions, 5); ++i) {
     for (std::size_t peer = 0; peer < peers.size(); ++peer) {
-      peers[peer] = std::make_unique<EmbreeTracer>(*libraries[peer], mesh, quality, options.threads);
+      peers[peer] = std::make_unique<EmbreeTracer>(*libraries[peer], scene, quality, options.threads);
       peer_build[peer].push_back(clock([&] { peers[peer]->build(); }));
     }
-    FlatScene flat = flat_scene(mesh);
+    FlatScene flat = flat_scene(scene);
     wide = {};  // gone before the clock runs
     own_build.push_back(clock([&] { wide = compile_scene(std::move(flat), {}, TreeLayout::wide); }));
   }
-  double const triangles = double(mesh.triangles.size());
+  double const triangles = double(scene.triangle_count());
   double const own_bytes = double(sizeof(device::WideNode) * wide.wide_nodes.size() +
                                   sizeof(device::TriangleBlock) * wide.triangle_blocks.size() +
                                   sizeof(device::PrimitiveTag) * wide.triangle_tags.size());
@@ -212,10 +172,10 @@ int run(Options const& options) {
                               peer == 0 ? "" : ",", libraries[peer]->version, ms, bytes);
   }
 
-  SceneBuffers scalar = compile_scene(flat_scene(mesh), {}, TreeLayout::binary);
+  SceneBuffers scalar = compile_scene(flat_scene(scene), {}, TreeLayout::binary);
   OpenClTracer scalar_tracer(scalar, Traversal::scalar), wide_tracer(wide, Traversal::wide),
       packet_tracer(wide, Traversal::packet);
-  RaySets const sets = make_ray_sets(options, {width, height}, mesh, *peers.at(0));
+  RaySets const sets = make_ray_sets(options, {width, height}, scene, *peers.at(0));
 
   Contest contest;
   auto const add_all = [&](std::string const& name, bool is_peer, auto const& tracer, auto... how) {
@@ -252,7 +212,7 @@ int run(Options const& options) {
     out << fmt::format(
         "{{\n  \"triangles\": {},\n  \"threads\": {},\n  \"build_ms\": {:.3f},\n  \"bytes_per_triangle\": {:.2f},\n"
         "  \"embree\": [{}\n  ],\n  \"results\": [{}\n  ]\n}}\n",
-        mesh.triangles.size(), options.threads, median(own_build), own_bytes / triangles, json_peers, contest.json());
+        scene.triangle_count(), options.threads, median(own_build), own_bytes / triangles, json_peers, contest.json());
   }
   return 0;
 }
@@ -263,7 +223,10 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app{"Traversal against Embree: camera, shadow, bounce and occlusion rays, interleaved, medians"};
   app.add_option("MODEL", options.model, "a glTF file with triangles")->required();
-  app.add_flag("--floor", options.floor, "put a floor under it");
+  auto* const floor = app.add_flag("--floor", options.floor, "put a floor under it");
+  app.add_option("--forest", options.forest, "so many instances of it, turned and scaled, on a floor")
+      ->check(CLI::PositiveNumber)
+      ->excludes(floor);
   app.add_option("--eye", options.eye, "x,y,z")->delimiter(',')->expected(3);
   app.add_option("--look-at", options.look_at, "x,y,z")->delimiter(',')->expected(3);
   app.add_option("--look-dir", options.look_dir, "x,y,z")->delimiter(',')->expected(3);

@@ -56,6 +56,8 @@ Library::Library(std::string const& path) {
   find(commit_scene, "rtcCommitScene");
   find(new_geometry, "rtcNewGeometry");
   find(new_buffer, "rtcSetNewGeometryBuffer");
+  find(set_instanced_scene, "rtcSetGeometryInstancedScene");
+  find(set_transform, "rtcSetGeometryTransform");
   find(commit_geometry, "rtcCommitGeometry");
   find(attach_geometry, "rtcAttachGeometry");
   find(release_geometry, "rtcReleaseGeometry");

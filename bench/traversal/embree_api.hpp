@@ -64,6 +64,8 @@ class Library {
   void (*commit_scene)(Object scene);
   Object (*new_geometry)(Object device, int type);
   void* (*new_buffer)(Object geometry, int type, unsigned slot, int format, std::size_t stride, std::size_t count);
+  void (*set_instanced_scene)(Object geometry, Object scene);
+  void (*set_transform)(Object geometry, unsigned time_step, int format, void const* world_from_object);
   void (*commit_geometry)(Object geometry);
   unsigned (*attach_geometry)(Object scene, Object geometry);
   void (*release_geometry)(Object geometry);

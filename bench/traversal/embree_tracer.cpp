@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <glm/mat4x3.hpp>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -79,13 +80,15 @@ bool load_ray(FreeRays const& rays, std::size_t i, float (&o)[3], float (&d)[3])
   return d[0] != 0 || d[1] != 0 || d[2] != 0;
 }
 
-RayHit hit_of(float t, unsigned geometry, unsigned primitive) {
-  if (geometry == embree::invalid_id) return {infinity, 0xffffffffu};
-  return {t, primitive};
+/// `instance`: 0 is the number of the world's own triangles.
+RayHit hit_of(float t, unsigned geometry, unsigned primitive, unsigned instance) {
+  if (geometry == embree::invalid_id) return {infinity};
+  return {t, primitive, instance == embree::invalid_id ? RayHit::none : instance - 1};
 }
 
-constexpr int triangle_geometry = 0, index_buffer = 0, vertex_buffer = 1;  // RTCGeometryType, RTCBufferType
-constexpr int format_uint3 = 0x5003, format_float3 = 0x9003;               // RTCFormat
+constexpr int triangle_geometry = 0, instance_geometry = 121, index_buffer = 0,
+              vertex_buffer = 1;  // RTCGeometryType, RTCBufferType
+constexpr int format_uint3 = 0x5003, format_float3 = 0x9003, format_float3x4_columns = 0x9234;  // RTCFormat
 
 }  // namespace
 
@@ -93,37 +96,58 @@ struct EmbreeTracer::State {
   embree::Library const* api;
   std::atomic<std::int64_t> bytes = 0;
   embree::Object device = nullptr, scene = nullptr;
+  embree::Object object = nullptr;  // what instances show
   int threads = 1;
 
   ~State() {
     api->release_scene(scene);
+    if (object) api->release_scene(object);
     api->release_device(device);
   }
 };
 
-EmbreeTracer::EmbreeTracer(embree::Library const& library, TriangleMesh const& mesh, Quality quality, int threads)
+EmbreeTracer::EmbreeTracer(embree::Library const& library, BenchScene const& scene, Quality quality, int threads)
     : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.api = &library;
   s.threads = threads;
   s.device = library.new_device(("threads=" + std::to_string(threads)).c_str());
   library.set_memory_monitor(s.device, count_bytes, &s.bytes);
-  s.scene = library.new_scene(s.device);
-  library.set_build_quality(s.scene, int(quality));
-  embree::Object const geometry = library.new_geometry(s.device, triangle_geometry);
-  auto const copy = [&](auto const& elements, int buffer, int format) {
-    void* const to = library.new_buffer(geometry, buffer, 0, format, sizeof elements[0], elements.size());
-    std::memcpy(to, elements.data(), sizeof elements[0] * elements.size());
+  auto const attach = [&](embree::Object to, embree::Object geometry) {
+    library.commit_geometry(geometry);
+    library.attach_geometry(to, geometry);
+    library.release_geometry(geometry);
   };
-  copy(mesh.positions, vertex_buffer, format_float3);
-  copy(mesh.triangles, index_buffer, format_uint3);
-  library.commit_geometry(geometry);
-  library.attach_geometry(s.scene, geometry);
-  library.release_geometry(geometry);
+  auto const scene_of = [&](TriangleMesh const& mesh) {
+    embree::Object const made = library.new_scene(s.device);
+    library.set_build_quality(made, int(quality));
+    embree::Object const geometry = library.new_geometry(s.device, triangle_geometry);
+    auto const copy = [&](auto const& elements, int buffer, int format) {
+      void* const to = library.new_buffer(geometry, buffer, 0, format, sizeof elements[0], elements.size());
+      std::memcpy(to, elements.data(), sizeof elements[0] * elements.size());
+    };
+    copy(mesh.positions, vertex_buffer, format_float3);
+    copy(mesh.triangles, index_buffer, format_uint3);
+    attach(made, geometry);
+    return made;
+  };
+  s.scene = scene_of(scene.world);
+  if (scene.placements.empty()) return;
+  s.object = scene_of(scene.object);
+  for (Transform const& placement : scene.placements) {
+    embree::Object const instance = library.new_geometry(s.device, instance_geometry);
+    library.set_instanced_scene(instance, s.object);
+    glm::mat4x3 const world_from_object(placement.matrix());  // columns
+    library.set_transform(instance, 0, format_float3x4_columns, &world_from_object);
+    attach(s.scene, instance);
+  }
 }
 
 EmbreeTracer::~EmbreeTracer() = default;
-void EmbreeTracer::build() { state_->api->commit_scene(state_->scene); }
+void EmbreeTracer::build() {
+  if (state_->object) state_->api->commit_scene(state_->object);
+  state_->api->commit_scene(state_->scene);
+}
 std::size_t EmbreeTracer::device_bytes() const { return std::size_t(state_->bytes.load()); }
 
 void EmbreeTracer::closest(PrimaryRays const& rays, std::vector<RayHit>& hits, bool packets) const {
@@ -145,7 +169,7 @@ void EmbreeTracer::closest(PrimaryRays const& rays, std::vector<RayHit>& hits, b
       query.instance = embree::invalid_id;
       state_->api->closest(state_->scene, embree::Coherence::coherent, query);
       hits[std::size_t(y) * std::size_t(rays.width) + std::size_t(x)] =
-          hit_of(query.ray.t_far, query.geometry, query.primitive);
+          hit_of(query.ray.t_far, query.geometry, query.primitive, query.instance);
     });
     return;
   }
@@ -166,7 +190,7 @@ void EmbreeTracer::closest(PrimaryRays const& rays, std::vector<RayHit>& hits, b
       if (!valid[i]) continue;
       int const px = x + int(i) % packet_width, py = y + int(i) / packet_width;
       hits[std::size_t(py) * std::size_t(rays.width) + std::size_t(px)] =
-          hit_of(query.ray.t_far[i], query.geometry[i], query.primitive[i]);
+          hit_of(query.ray.t_far[i], query.geometry[i], query.primitive[i], query.instance[i]);
     }
   });
 }
@@ -221,7 +245,7 @@ void EmbreeTracer::closest(FreeRays const& rays, std::vector<RayHit>& hits, bool
       query.ray = make_ray(o, d, infinity);
       query.geometry = query.instance = embree::invalid_id;
       if (exists) state_->api->closest(state_->scene, embree::Coherence::incoherent, query);
-      hits[first] = hit_of(query.ray.t_far, query.geometry, query.primitive);
+      hits[first] = hit_of(query.ray.t_far, query.geometry, query.primitive, query.instance);
       return;
     }
     embree::RayHit16 query;
@@ -233,7 +257,7 @@ void EmbreeTracer::closest(FreeRays const& rays, std::vector<RayHit>& hits, bool
     }
     state_->api->closest(valid, state_->scene, embree::Coherence::incoherent, query);
     for (unsigned i = 0; i < count; ++i) {
-      hits[first + i] = hit_of(query.ray.t_far[i], query.geometry[i], query.primitive[i]);
+      hits[first + i] = hit_of(query.ray.t_far[i], query.geometry[i], query.primitive[i], query.instance[i]);
     }
   });
 }

@@ -3,16 +3,17 @@
 #include <memory>
 
 #include "bench_rays.hpp"
+#include "bench_scene.hpp"
 #include "embree_api.hpp"
 
 namespace lichtraum::bench {
 
-/// One version of Embree on as many threads as asked for, with one static scene of triangles.
+/// One version of Embree on as many threads as asked for, with one static scene of triangles and instances.
 class EmbreeTracer {
  public:
   enum class Quality { medium = 1, high = 2 };
-  /// Copies the mesh into Embree's own buffers. The library must outlive it.
-  EmbreeTracer(embree::Library const& library, TriangleMesh const& mesh, Quality quality, int threads);
+  /// Copies the scene into Embree's own buffers. The library must outlive it.
+  EmbreeTracer(embree::Library const& library, BenchScene const& scene, Quality quality, int threads);
   ~EmbreeTracer();
 
   void build();                      ///< rtcCommitScene, before anything is traced

@@ -9,21 +9,19 @@ namespace lichtraum::bench {
 namespace {
 
 Vec3 vec3(device::float4 const& v) { return {v.x, v.y, v.z}; }
-Vec3 vec3(std::array<float, 3> const& v) { return {v[0], v[1], v[2]}; }
 
 struct WorldRay {
   Vec3 origin, direction;
 };
 
-std::vector<SurfacePoint> points_on(TriangleMesh const& mesh, std::vector<RayHit> const& hits,
+std::vector<SurfacePoint> points_on(BenchScene const& scene, std::vector<RayHit> const& hits,
                                     std::function<WorldRay(std::size_t)> const& ray_of) {
   std::vector<SurfacePoint> points(hits.size());
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (!std::isfinite(hits[i].t)) continue;
     auto const [origin, direction] = ray_of(i);
-    auto const& [a, b, c] = mesh.triangles[hits[i].triangle];
-    Vec3 const pa = vec3(mesh.positions[a]), pb = vec3(mesh.positions[b]), pc = vec3(mesh.positions[c]);
-    Vec3 normal = glm::cross(pb - pa, pc - pa);
+    Vec3 const a = scene.corner_of(hits[i], 0), b = scene.corner_of(hits[i], 1), c = scene.corner_of(hits[i], 2);
+    Vec3 normal = glm::cross(b - a, c - a);
     if (!(glm::length(normal) > 0)) continue;
     normal = glm::normalize(normal);
     if (glm::dot(normal, direction) > 0) normal = -normal;
@@ -35,18 +33,18 @@ std::vector<SurfacePoint> points_on(TriangleMesh const& mesh, std::vector<RayHit
 
 }  // namespace
 
-std::vector<SurfacePoint> surface_points(TriangleMesh const& mesh, PrimaryRays const& rays,
+std::vector<SurfacePoint> surface_points(BenchScene const& scene, PrimaryRays const& rays,
                                          std::vector<RayHit> const& hits) {
-  return points_on(mesh, hits, [&](std::size_t i) -> WorldRay {
+  return points_on(scene, hits, [&](std::size_t i) -> WorldRay {
     double const x = double(i % std::size_t(rays.width)) + 0.5, y = double(i / std::size_t(rays.width)) + 0.5;
     return {vec3(rays.camera.origin),
             vec3(rays.camera.corner) + x * vec3(rays.camera.step_x) + y * vec3(rays.camera.step_y)};
   });
 }
 
-std::vector<SurfacePoint> surface_points(TriangleMesh const& mesh, FreeRays const& rays,
+std::vector<SurfacePoint> surface_points(BenchScene const& scene, FreeRays const& rays,
                                          std::vector<RayHit> const& hits) {
-  return points_on(mesh, hits, [&](std::size_t i) -> WorldRay {
+  return points_on(scene, hits, [&](std::size_t i) -> WorldRay {
     return {vec3(rays.origins[i]), vec3(rays.directions[i])};
   });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bench_rays.hpp"
+#include "bench_scene.hpp"
 #include "lichtraum/math.hpp"
 
 namespace lichtraum::bench {
@@ -11,10 +12,10 @@ struct SurfacePoint {
   Vec3 position{0}, normal{0};
 };
 
-/// Where these rays, with these closest hits, have met the mesh: one point a ray.
-std::vector<SurfacePoint> surface_points(TriangleMesh const& mesh, PrimaryRays const& rays,
+/// Where these rays, with these closest hits, have met the scene: one point a ray.
+std::vector<SurfacePoint> surface_points(BenchScene const& scene, PrimaryRays const& rays,
                                          std::vector<RayHit> const& hits);
-std::vector<SurfacePoint> surface_points(TriangleMesh const& mesh, FreeRays const& rays,
+std::vector<SurfacePoint> surface_points(BenchScene const& scene, FreeRays const& rays,
                                          std::vector<RayHit> const& hits);
 
 ShadowRays shadow_rays(std::vector<SurfacePoint> const& points, Vec3 const& light, PrimaryRays const& rays);

@@ -119,6 +119,15 @@ TEST_CASE("materials are kept whole and mapped to Phong", "[unit][gltf]") {
   CHECK(paint.pbr()->alpha_mode == AlphaMode::blend);
 }
 
+TEST_CASE("an index of refraction of 0 stands for an infinite one, others below 1 for none", "[unit][gltf]") {
+  for (auto const& [written, expected] : {std::pair{0.0, 0.0}, {0.5, 1.5}, {1.0, 1.0}, {2.0, 2.0}}) {
+    GltfWriter writer;
+    writer.add_mesh(triangle_positions)["material"] = 0;
+    writer.json["materials"] = {{{"name", "m"}, {"extensions", {{"KHR_materials_ior", {{"ior", written}}}}}}};
+    CHECK((*import_model(writer).scene.materials.find("m"))->pbr()->ior == expected);
+  }
+}
+
 TEST_CASE("a thin film's factor, index, range of thickness and textures are read", "[unit][gltf]") {
   GltfWriter writer;
   writer.add_mesh(triangle_positions)["material"] = 0;

@@ -59,6 +59,9 @@ class Reader {
 #undef LICHTRAUM_NUMBER
 #undef LICHTRAUM_TEXTURE
 #undef LICHTRAUM_MODE
+    // 0 stands for an infinite one: all is reflected (KHR_materials_ior, "Specular-Glossiness Backwards
+    // Compatibility").
+    if (auto const* e = extension("KHR_materials_ior"); e && number_of(*e, "ior", 1.5) == 0) m.ior = 0;
     if (!(m.attenuation_distance > 0)) m.attenuation_distance = INFINITY;
     if (auto const* e = extension("KHR_materials_clearcoat"); e && e->Has("clearcoatNormalTexture")) {
       m.clearcoat_normal_scale = number_of(e->Get("clearcoatNormalTexture"), "scale", 1);

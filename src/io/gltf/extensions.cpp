@@ -27,7 +27,7 @@ constexpr Extension table[] = {
     {"KHR_materials_volume", "makes a body refract; path: colours what is inside by distance"},
     {"KHR_mesh_quantization", "read"},
     {"KHR_meshopt_compression", "decoded, all modes and filters of EXT_meshopt_compression"},
-    {"KHR_node_visibility", "invisible nodes are left out"},
+    {"KHR_node_visibility", "invisible nodes are left out, but for cameras and joints"},
     {"KHR_texture_basisu", "the fallback picture is used; without one the texture is left out"},
     {"KHR_texture_transform", "read, for each texture of a material"},
 };

@@ -37,14 +37,13 @@ class Builder {
     for (int const root : roots) {
       if (!claim(root)) continue;
       tree_.roots.push_back(root);
-      walk(root, tree_.order);
+      walk(root, true);
     }
     // What is in no scene is not drawn, but may be a joint.
-    std::vector<int> unseen;
     for (std::size_t i = 0; i < is_child.size(); ++i) {
       if (!is_child[i] && !is_taken_[i]) {
         is_taken_[i] = true;
-        walk(int(i), unseen);
+        walk(int(i), false);
       }
     }
     return std::move(tree_);
@@ -61,22 +60,27 @@ class Builder {
     return true;
   }
 
-  /// Appends `root` and all below it, parents first.
-  void walk(int root, std::vector<int>& order) {
+  /// Places `root` and all below it. What is in no scene is in no order.
+  void walk(int root, bool is_in_scene) {
+    struct Open {
+      int node;
+      bool is_visible;  ///< so is all above it
+    };
     tree_.world_from_node[std::size_t(root)] = pose_[std::size_t(root)].parent_from_node();
-    if (!is_visible(model_.nodes[std::size_t(root)])) return;
-    std::vector<int> open{root};
+    std::vector<Open> open{{root, is_visible(model_.nodes[std::size_t(root)])}};
     while (!open.empty()) {
-      int const node = open.back();
+      Open const top = open.back();
       open.pop_back();
-      order.push_back(node);
-      for (int const child : model_.nodes[std::size_t(node)].children) {
+      auto const i = std::size_t(top.node);
+      if (is_in_scene) tree_.placed.push_back(top.node);
+      if (is_in_scene && top.is_visible) tree_.order.push_back(top.node);
+      for (int const child : model_.nodes[i].children) {
         if (!claim(child)) continue;
         tree_.world_from_node[std::size_t(child)] =
-            tree_.world_from_node[std::size_t(node)] * pose_[std::size_t(child)].parent_from_node();
-        if (!is_visible(model_.nodes[std::size_t(child)])) continue;
-        tree_.children[std::size_t(node)].push_back(child);
-        open.push_back(child);
+            tree_.world_from_node[i] * pose_[std::size_t(child)].parent_from_node();
+        bool const is_child_visible = top.is_visible && is_visible(model_.nodes[std::size_t(child)]);
+        if (is_child_visible) tree_.children[i].push_back(child);
+        open.push_back({child, is_child_visible});
       }
     }
   }

@@ -10,8 +10,9 @@ namespace lichtraum::gltf {
 /// that break this are findings and left out.
 struct NodeTree {
   std::vector<int> roots;                  ///< of the scene
-  std::vector<std::vector<int>> children;  ///< of each node
-  std::vector<int> order;                  ///< every node of the scene, parents first
+  std::vector<std::vector<int>> children;  ///< of each node, but for those that are invisible
+  std::vector<int> order;                  ///< every visible node of the scene, parents first
+  std::vector<int> placed;                 ///< the same with those that KHR_node_visibility hides: cameras may be there
   std::vector<Mat4> world_from_node;       ///< of every node, also of those in no scene (joints may be there)
 };
 

@@ -119,7 +119,7 @@ std::string name_of(tinygltf::Model const& model, int node, std::string const& o
 std::vector<Camera> read_cameras(tinygltf::Model const& model, NodeTree const& tree, Findings& findings) {
   std::vector<Camera> cameras;
   Names names;
-  for (int const node : tree.order) {
+  for (int const node : tree.placed) {
     int const number = model.nodes[std::size_t(node)].camera;
     if (number < 0) continue;
     auto const& source = model.cameras[std::size_t(number)];

@@ -199,6 +199,45 @@ TEST_CASE("Draco's triangles are unpacked", "[unit][gltf]") {
   CHECK_THAT(refusal(writer), contains_text("bufferView or attributes are missing or out of range"));
 }
 
+TEST_CASE("whether Draco's integers are fractions is for the accessor to say", "[unit][gltf]") {
+  for (bool const is_flagged : {true, false}) {
+    for (bool const is_normalized : {true, false}) {
+      INFO(is_flagged << ' ' << is_normalized);
+      draco::TriangleSoupMeshBuilder builder;
+      builder.Start(1);
+      int const position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+      int const color = builder.AddAttribute(draco::GeometryAttribute::COLOR, 3, draco::DT_UINT8, is_flagged);
+      std::vector<std::uint8_t> const half = {51, 51, 51};
+      builder.SetAttributeValuesForFace(position, draco::FaceIndex(0), square.data(), square.data() + 3,
+                                        square.data() + 6);
+      builder.SetAttributeValuesForFace(color, draco::FaceIndex(0), half.data(), half.data(), half.data());
+      auto const mesh = builder.Finalize();
+      REQUIRE(mesh);
+      draco::Encoder encoder;
+      draco::EncoderBuffer packed;
+      REQUIRE(encoder.EncodeMeshToBuffer(*mesh, &packed).ok());
+
+      GltfWriter writer;
+      int const view = writer.add_view({packed.data(), packed.size()});
+      writer.json["accessors"] = {
+          {{"componentType", 5126}, {"count", 3}, {"type", "VEC3"}},
+          {{"componentType", 5121}, {"count", 3}, {"type", "VEC3"}, {"normalized", is_normalized}}};
+      Json const attributes = {{"POSITION", mesh->attribute(position)->unique_id()},
+                               {"COLOR_0", mesh->attribute(color)->unique_id()}};
+      Json primitive = {{"attributes", {{"POSITION", 0}, {"COLOR_0", 1}}}};
+      primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", view}, {"attributes", attributes}};
+      writer.json["meshes"] = {{{"primitives", {primitive}}}};
+      writer.json["nodes"] = {{{"mesh", 0}}};
+      Model const model = import_model(writer);
+      CHECK(messages(model) == "");
+      for (auto const& shape : model.scene.shapes) {
+        auto const* shown = dynamic_cast<Mesh const*>(shape.get());
+        if (shown) CHECK(shown->geometry()->colors.at(0)[0] == Approx(is_normalized ? 0.2 : 51));
+      }
+    }
+  }
+}
+
 TEST_CASE("a node's instances are moved, turned and scaled", "[unit][gltf]") {
   GltfWriter writer;
   writer.add_mesh({0, 0, 0, 1, 0, 0, 0, 1, 0});

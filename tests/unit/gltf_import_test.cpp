@@ -1,5 +1,8 @@
 #include "lichtraum/gltf.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "support/catch.hpp"
 #include "support/gltf_import.hpp"
 #include "support/gltf_triangles.hpp"
@@ -17,6 +20,41 @@ using testing::world_triangles;
 namespace {
 
 std::vector<float> const triangle_positions = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+
+/// A triangle whose normals are +z and whose tangents are +x; -1: the bitangents are -y.
+GltfWriter triangle_with_tangents() {
+  GltfWriter writer;
+  auto& attributes = writer.add_mesh(triangle_positions)["attributes"];
+  attributes["NORMAL"] = writer.add_vec3({0, 0, 1, 0, 0, 1, 0, 0, 1});
+  attributes["TANGENT"] = writer.add_accessor("VEC4", 4, std::vector<float>{1, 0, 0, -1, 1, 0, 0, -1, 1, 0, 0, -1});
+  return writer;
+}
+
+/// The tangents of the only mesh.
+std::vector<Float4> tangents_of(Scene const& scene) {
+  for (auto const& shape : scene.shapes) {
+    if (auto const* mesh = dynamic_cast<Mesh const*>(shape.get())) return mesh->geometry()->tangents;
+  }
+  return {};
+}
+
+bool are_near(std::vector<Float4> const& tangents, Float4 const& expected) {
+  return tangents.size() == 3 && std::all_of(tangents.begin(), tangents.end(), [&](Float4 const& tangent) {
+           for (std::size_t i = 0; i < 4; ++i) {
+             if (std::abs(tangent[i] - expected[i]) > 1e-6f) return false;
+           }
+           return true;
+         });
+}
+
+/// Appends a skin of one joint, to which the only mesh is bound, and whose node is `joint`.
+void bind_to_joint(GltfWriter& writer, nlohmann::json joint) {
+  auto& attributes = writer.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = writer.add_accessor("VEC4", 4, std::vector<std::uint8_t>(12, 0));
+  attributes["WEIGHTS_0"] = writer.add_accessor("VEC4", 4, std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+  writer.json["nodes"] = {{{"mesh", 0}, {"skin", 0}}, std::move(joint)};
+  writer.json["skins"] = {{{"joints", {1}}}};
+}
 
 }  // namespace
 
@@ -312,6 +350,50 @@ TEST_CASE("morph targets are added by their weights", "[unit][gltf]") {
   CHECK(world_triangles(import_model(writer).scene).at(0)[0] == Vec3(0, 0, 1));
   writer.json["nodes"][0]["weights"] = {1.5};
   CHECK(world_triangles(import_model(writer).scene).at(0)[0] == Vec3(0, 0, 3));
+  writer.json["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1};  // as well
+  CHECK(world_triangles(import_model(writer).scene).at(0)[0] == Vec3(5, 0, 3));
+}
+
+TEST_CASE("tangents turn with what is morphed, and with joints", "[unit][gltf]") {
+  GltfWriter morphed = triangle_with_tangents();
+  CHECK(are_near(tangents_of(import_model(morphed).scene), {1, 0, 0, -1}));
+  int const turn = morphed.add_vec3({-1, 2, 0, -1, 2, 0, -1, 2, 0});  // to twice +y
+  morphed.json["meshes"][0]["primitives"][0]["targets"] = {{{"TANGENT", turn}}};
+  morphed.json["meshes"][0]["weights"] = {1};
+  CHECK(are_near(tangents_of(import_model(morphed).scene), {0, 1, 0, -1}));
+
+  float const half = float(std::sqrt(0.5));
+  GltfWriter turned = triangle_with_tangents();
+  bind_to_joint(turned, {{"rotation", {0, 0, half, half}}, {"scale", {3, 3, 3}}});  // x becomes y
+  CHECK(are_near(tangents_of(import_model(turned).scene), {0, 1, 0, -1}));
+
+  // A mirror turns the triangle over, and its normals with it; from there, the bitangents are where they were.
+  GltfWriter mirrored = triangle_with_tangents();
+  bind_to_joint(mirrored, {{"scale", {-1, 1, 1}}});
+  CHECK(are_near(tangents_of(import_model(mirrored).scene), {-1, 0, 0, -1}));
+}
+
+TEST_CASE("what is invisible is not drawn, but its cameras are there and its joints move", "[unit][gltf]") {
+  for (bool const is_visible : {true, false}) {
+    INFO(is_visible);
+    GltfWriter writer;
+    writer.add_mesh(triangle_positions);
+    bind_to_joint(writer, {{"translation", {0, 0, 2}}});
+    writer.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 1}}}}};
+    // Above the joint: a node with a camera, and beside it one with another triangle.
+    nlohmann::json hidden = {{"translation", {0, 0, 3}}, {"children", {1, 3}}, {"camera", 0}};
+    hidden["extensions"]["KHR_node_visibility"]["visible"] = is_visible;
+    writer.json["nodes"].push_back(hidden);
+    writer.json["nodes"].push_back({{"mesh", 1}});
+    writer.json["meshes"].push_back({{"primitives", {{{"attributes", {{"POSITION", 0}}}}}}});
+    Model const model = import_model(writer);
+    CHECK(messages(model) == "");
+    auto const triangles = world_triangles(model.scene);
+    REQUIRE(triangles.size() == (is_visible ? 2 : 1));
+    CHECK(std::count(triangles.begin(), triangles.end(), Corners{Vec3(0, 0, 5), Vec3(1, 0, 5), Vec3(0, 1, 5)}) == 1);
+    REQUIRE(model.scene.has_own_cameras);
+    CHECK(model.scene.cameras.front().generate_ray(0, 0, {8, 8}).origin == Vec3(0, 0, 3));
+  }
 }
 
 TEST_CASE("a skin moves vertices by their joints, and the node's own place does not count", "[unit][gltf]") {

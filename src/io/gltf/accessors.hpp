@@ -36,6 +36,9 @@ class Accessors {
   /// How many elements an accessor declares; 0 for an invalid one.
   std::size_t count(int accessor) const;
 
+  /// Whether its integers are fractions of their largest value.
+  bool is_normalized(int accessor) const;
+
  private:
   struct Layout;
   /// `allocate(elements, components)` returns the place for that many T, zeroed.
@@ -44,7 +47,6 @@ class Accessors {
   template <class T, class Convert>
   bool apply_sparse(int accessor, Layout const& layout, std::string_view pointer, Convert const& convert, T* values);
   std::optional<Layout> layout_of(int accessor, std::size_t components, std::string_view pointer);
-  bool is_normalized(int accessor) const;
   /// Counts what is read against what the files may ask for; fails the import beyond it.
   void charge(std::uint64_t bytes, std::string_view pointer);
 

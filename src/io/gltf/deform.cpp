@@ -18,11 +18,21 @@ Float3 to_unit_float3(Vec3 const& v) {
   return length > 0 && std::isfinite(length) ? to_float3(v / length) : Float3{0, 0, 0};
 }
 
-void add(std::vector<Float3>& values, std::vector<Float3> const& deltas, double weight) {
+/// Of tangents, the sign of the bitangent stays.
+template <class Vector>
+void add(std::vector<Vector>& values, std::vector<Float3> const& deltas, double weight) {
   if (deltas.size() != values.size()) return;
   for (std::size_t i = 0; i < values.size(); ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) values[i][axis] += float(weight * double(deltas[i][axis]));
   }
+}
+
+Vec3 along(Float4 const& tangent) { return Vec3(tangent[0], tangent[1], tangent[2]); }
+
+/// Makes it a unit vector in another direction.
+void turn(Float4& tangent, Vec3 const& direction) {
+  Float3 const unit = to_unit_float3(direction);
+  std::copy(unit.begin(), unit.end(), tangent.begin());
 }
 
 /// Which way normals go: the cofactors, which are there also where the inverse is not.
@@ -42,8 +52,10 @@ std::shared_ptr<MeshGeometry const> morph(Primitive const& primitive, std::vecto
     if (weights[i] == 0 || !std::isfinite(weights[i])) continue;
     add(morphed->positions, primitive.targets[i].positions, weights[i]);
     add(morphed->normals, primitive.targets[i].normals, weights[i]);
+    add(morphed->tangents, primitive.targets[i].tangents, weights[i]);
   }
   for (Float3& normal : morphed->normals) normal = to_unit_float3(to_vec3(normal));
+  for (Float4& tangent : morphed->tangents) turn(tangent, along(tangent));
   return morphed;
 }
 
@@ -82,7 +94,8 @@ std::shared_ptr<MeshGeometry const> apply_skin(MeshGeometry const& geometry, std
   for (std::size_t i = 0; i < geometry.positions.size(); ++i) {
     Vec3 const position = to_vec3(geometry.positions[i]);
     Vec3 const normal = geometry.normals.empty() ? Vec3(0) : to_vec3(geometry.normals[i]);
-    Vec3 moved(0), turned(0);
+    Vec3 const tangent = geometry.tangents.empty() ? Vec3(0) : along(geometry.tangents[i]);
+    Vec3 moved(0), turned(0), turned_tangent(0);
     double sum = 0;
     for (JointSet const& set : joint_sets) {
       for (std::size_t k = 0; k < 4; ++k) {
@@ -91,12 +104,15 @@ std::shared_ptr<MeshGeometry const> apply_skin(MeshGeometry const& geometry, std
         std::size_t const joint = set.joints[i][k] < joints ? set.joints[i][k] : 0;
         moved += weight * Vec3(skin.world_from_bind[joint] * glm::dvec4(position, 1));
         turned += weight * (skin.normals[joint] * normal);
+        turned_tangent += weight * (Mat3(skin.world_from_bind[joint]) * tangent);
         sum += weight;
       }
     }
     if (sum == 0) continue;
     skinned->positions[i] = to_float3(moved / sum);
     if (!geometry.normals.empty()) skinned->normals[i] = to_unit_float3(turned);
+    // With normals by cofactors, which a mirror turns over, the bitangent's sign stays.
+    if (!geometry.tangents.empty()) turn(skinned->tangents[i], turned_tangent);
   }
   return skinned;
 }

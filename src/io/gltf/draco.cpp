@@ -21,7 +21,8 @@ std::optional<FloatElements> convert(draco::Mesh const& mesh, draco::PointAttrib
 
 }  // namespace
 
-std::optional<DracoPrimitive> decode_draco(std::string_view compressed, std::map<std::string, int> const& attribute_ids,
+std::optional<DracoPrimitive> decode_draco(std::string_view compressed,
+                                           std::map<std::string, DracoAttribute> const& attributes,
                                            std::string& reason) {
   draco::DecoderBuffer buffer;
   buffer.Init(compressed.data(), compressed.size());
@@ -31,17 +32,19 @@ std::optional<DracoPrimitive> decode_draco(std::string_view compressed, std::map
     reason = fmt::format("Draco: {}", decoded.status().error_msg_string());
     return std::nullopt;
   }
-  draco::Mesh const& mesh = *decoded.value();
+  draco::Mesh& mesh = *decoded.value();
   DracoPrimitive primitive;
   primitive.indices.reserve(std::size_t(mesh.num_faces()) * 3);
   for (draco::FaceIndex face(0); face < mesh.num_faces(); ++face) {
     for (draco::PointIndex const& corner : mesh.face(face)) primitive.indices.push_back(corner.value());
   }
-  for (auto const& [name, id] : attribute_ids) {
-    auto const* attribute = id < 0 ? nullptr : mesh.GetAttributeByUniqueId(std::uint32_t(id));
+  for (auto const& [name, wanted] : attributes) {
+    int const number = wanted.id < 0 ? -1 : mesh.GetAttributeIdByUniqueId(std::uint32_t(wanted.id));
+    auto* const attribute = number < 0 ? nullptr : mesh.attribute(number);
+    if (attribute && wanted.is_normalized) attribute->set_normalized(*wanted.is_normalized);
     auto elements = attribute ? convert(mesh, *attribute) : std::nullopt;
     if (!elements) {
-      reason = fmt::format("Draco: attribute {} (id {}) cannot be read", name, id);
+      reason = fmt::format("Draco: attribute {} (id {}) cannot be read", name, wanted.id);
       return std::nullopt;
     }
     primitive.attributes.emplace(name, std::move(*elements));

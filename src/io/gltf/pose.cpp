@@ -152,6 +152,7 @@ std::vector<NodePose> rest_pose(tinygltf::Model const& model, Findings& findings
   std::vector<NodePose> pose(model.nodes.size());
   for (std::size_t i = 0; i < pose.size(); ++i) {
     tinygltf::Node const& node = model.nodes[i];
+    pose[i].weights = node.weights;
     if (node.matrix.size() == 16) {
       Mat4 matrix(1);
       for (int column = 0; column < 4; ++column) {
@@ -168,7 +169,6 @@ std::vector<NodePose> rest_pose(tinygltf::Model const& model, Findings& findings
     if (node.translation.size() == 3) set(pose[i], "translation", node.translation);
     if (node.scale.size() == 3) set(pose[i], "scale", node.scale);
     if (node.rotation.size() == 4) set(pose[i], "rotation", node.rotation);
-    pose[i].weights = node.weights;
   }
   return pose;
 }

@@ -93,15 +93,18 @@ bool Primitives::decompress(Source& source) {
                    "bufferView or attributes are missing or out of range");
     return source.primitive.attributes.empty();
   }
-  std::map<std::string, int> ids;
+  std::map<std::string, DracoAttribute> wanted;
   tinygltf::Value const& attributes = parameters->Get("attributes");
   for (std::string const& name : attributes.Keys()) {
-    ids.emplace(name, int(number_of(attributes, name.c_str(), -1)));
+    DracoAttribute attribute{int(number_of(attributes, name.c_str(), -1)), std::nullopt};
+    int const accessor = source.accessor(name);
+    if (accessor >= 0) attribute.is_normalized = accessors_.is_normalized(accessor);
+    wanted.emplace(name, attribute);
   }
   std::string reason = "nothing could be read from its buffer view";
   if (auto const bytes = buffers_.view(*view)) {
     reason.clear();
-    source.draco = decode_draco(*bytes, ids, reason);
+    source.draco = decode_draco(*bytes, wanted, reason);
   }
   if (!reason.empty()) findings_.warn(DiagnosticCode::unreadable_accessor, pointer, reason);
   return source.draco.has_value();
@@ -275,7 +278,7 @@ std::vector<MorphTarget> Primitives::read_targets(Source const& source, std::siz
       remove_non_finite(*vectors);
       return std::move(*vectors);
     };
-    targets.push_back({read("POSITION"), read("NORMAL")});
+    targets.push_back({read("POSITION"), read("NORMAL"), read("TANGENT")});
   }
   return targets;
 }

@@ -17,6 +17,7 @@ namespace lichtraum::gltf {
 struct MorphTarget {
   std::vector<Float3> positions;
   std::vector<Float3> normals;
+  std::vector<Float3> tangents;
 };
 
 /// Up to four joints that move a vertex. A model may have several such sets for each vertex.

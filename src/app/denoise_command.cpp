@@ -6,6 +6,7 @@
 
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
+#include "app/files_read.hpp"
 #include "app/renderer_choice.hpp"
 #include "app/stopwatch.hpp"
 #include "app/values.hpp"
@@ -135,6 +136,9 @@ int denoise_command(Arguments const& arguments, Console& console) {
     output += "-denoised.exr";
   }
   ImageFormat const& format = image_format_for(output);
+  FilesRead files;
+  files.add(options.input);
+  files.refuse_to_overwrite(output);
   check_writable(output);
 
   ExrLayers layers(read_file(options.input), options.input);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/environment_maps.hpp"
+#include "app/files_read.hpp"
 #include "lichtraum/esdf.hpp"
 #include "lichtraum/gltf.hpp"
 #include "lichtraum/job.hpp"
@@ -35,6 +36,10 @@ class LoadedScene {
   /// empty.
   LoadedScene(GltfAnimation animation, std::optional<double> time_seconds, std::vector<double> times_seconds,
               std::function<void(Scene&)> adjust);
+
+  /// Of all that it was read from, its environment included.
+  FilesRead const& files() const { return *files_; }
+  void set_files(std::shared_ptr<FilesRead const> files) { files_ = std::move(files); }
 
   /// What a model file holds beside its scene; null for a scene file.
   ModelContents const* contents() const { return is_model() ? &model().contents : nullptr; }
@@ -67,6 +72,7 @@ class LoadedScene {
   Model const& model() const;
 
   std::variant<EsdfScript, Model, AnimatedModel> content_;
+  std::shared_ptr<FilesRead const> files_ = std::make_shared<FilesRead>();
 };
 
 }  // namespace lichtraum::app

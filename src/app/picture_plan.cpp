@@ -51,8 +51,9 @@ void check_encoding(PicturePlan const& plan) {
 }
 
 /// `command`: what the scene says about the picture.
-PicturePlan plan_picture(Scene const& scene, RenderCommand const& command, Job job, DeviceKind device,
+PicturePlan plan_picture(LoadedScene const& script, RenderCommand const& command, Job job, DeviceKind device,
                          OutputNames& names, bool is_one_of_many, std::optional<Resolution> const& tile) {
+  Scene const& scene = script.scene();
   PicturePlan plan;
   IntegratorChoice const choice = chosen_integrator(job, scene, device);
   bool const is_size_asked = job.size.has_value();
@@ -74,7 +75,10 @@ PicturePlan plan_picture(Scene const& scene, RenderCommand const& command, Job j
   if (tile) return plan;
   check_encoding(plan);
   check_planes(plan);
-  if (!plan.output.is_standard_output()) check_writable(plan.output.path);
+  if (!plan.output.is_standard_output()) {
+    script.files().refuse_to_overwrite(plan.output.path);
+    check_writable(plan.output.path);
+  }
   return plan;
 }
 
@@ -128,7 +132,7 @@ std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource co
     for (int turn = 0; turn < turns; ++turn) {
       if (options.turntable > 0) job.turn_degrees = 360.0 * turn / turns;
       bool const is_one_of_many = turns > 1 || times.size() > 1;
-      plans.push_back(plan_picture(scene, command, job, options.load.device, names, is_one_of_many, options.tile));
+      plans.push_back(plan_picture(script, command, job, options.load.device, names, is_one_of_many, options.tile));
       plans.back().scene_number = scene_number;
       plans.back().location = command.location;
     }

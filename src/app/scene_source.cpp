@@ -98,6 +98,18 @@ SceneSource::SceneSource(std::string argument, std::string input_format) : name_
 std::string SceneSource::stem() const { return bytes_ ? "stdin" : std::filesystem::path(name_).stem().string(); }
 
 LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& given) const {
+  auto const files = std::make_shared<FilesRead>();
+  LoadOptions options = given;
+  options.on_read = [files, on_read = given.on_read](std::filesystem::path const& file) {
+    files->add(file);
+    if (on_read) on_read(file);
+  };
+  LoadedScene scene = read(reading, options);
+  scene.set_files(files);
+  return scene;
+}
+
+LoadedScene SceneSource::read(SceneReading const& reading, LoadOptions const& given) const {
   LoadOptions options = given;
   if (!options.environments) options.environments = std::make_shared<EnvironmentMaps>();
   bool const is_model = is_model_file(name_);

@@ -39,6 +39,8 @@ class SceneSource {
   LoadedScene load(SceneReading const& reading, LoadOptions const& options = {}) const;
 
  private:
+  LoadedScene read(SceneReading const& reading, LoadOptions const& options) const;
+
   std::string name_;
   std::optional<std::string> bytes_;  // of standard input
 };

@@ -3,6 +3,7 @@
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
 #include "app/file_uri.hpp"
+#include "app/files_read.hpp"
 #include "app/quick_look.hpp"
 #include "app/thumbnail_limits.hpp"
 
@@ -54,6 +55,9 @@ int thumbnail_command(Arguments const& arguments, Console& console) {
   ThumbnailOptions options;
   if (!parse_thumbnail(arguments, options, console)) return 0;
   limit_thumbnail();
+  FilesRead files;
+  files.add(options.render.scenes.front());
+  files.refuse_to_overwrite(options.output);
   check_writable(options.output);
   QuickLook const look(options.render, console);
   Image const image = look.draw(fitted(look.size(), options.side, options.side));

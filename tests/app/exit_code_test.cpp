@@ -1,5 +1,8 @@
 #include <signal.h>
 
+#include <filesystem>
+#include <map>
+
 #include "lichtraum.hpp"
 #include "support/catch.hpp"
 
@@ -170,6 +173,34 @@ TEST_CASE("73: outputs that cannot be written are found before rendering", "[app
   lichtraum.folder.write("two.sdf", std::string(ball_scene) + "render eye missing/two.ppm 32 24\n");
   CHECK(lichtraum.render("two.sdf").exit_code == 73);
   CHECK(lichtraum.folder.names() == std::vector<std::string>{"a.sdf", "two.sdf"});
+}
+
+TEST_CASE("73: no picture takes the place of a file that it is drawn from", "[app][exit]") {
+  Lichtraum const lichtraum;
+  auto const& folder = lichtraum.folder;
+  folder.write("a.sdf", ball_scene);
+  REQUIRE(lichtraum.render("a.sdf -o duck.png --size 8x8 --device reference").exit_code == 0);
+  REQUIRE(lichtraum.render("a.sdf -o sky.exr --size 8x8 --device reference").exit_code == 0);
+  folder.write("duck.obj",
+               "mtllib duck.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+  folder.write("duck.mtl", "newmtl m\nmap_Kd duck.png\n");
+  std::filesystem::create_symlink("duck.obj", folder.path() / "link.png");
+  std::vector<std::string> const names{"a.sdf", "duck.mtl", "duck.obj", "duck.png", "link.png", "sky.exr"};
+  std::map<std::string, std::string> before;
+  for (std::string const& name : names) before[name] = folder.read(name);
+  for (char const* const words :
+       {"render duck.obj", "check duck.obj", "render duck.obj -o link.png", "render a.sdf -o a.sdf --format png",
+        "render a.sdf --environment sky.exr -o sky.exr", "render a.sdf --environment sky.exr -o ./sky.exr",
+        "thumbnail a.sdf a.sdf", "denoise sky.exr -o sky.exr"}) {
+    INFO(words);
+    auto const result = run_process(lichtraum.process(words));
+    CHECK(result.exit_code == 73);
+    CHECK_THAT(result.err + result.out, contains_text("is read for this picture"));
+    CHECK(folder.names() == names);
+    for (std::string const& name : names) CHECK(folder.read(name) == before[name]);
+  }
+  CHECK(lichtraum.render("duck.obj --size 8x8 --device reference -o other.png").exit_code == 0);
+  CHECK(lichtraum.render("duck.obj --size 8x8 --device reference -o other.png").exit_code == 0);  // again
 }
 
 TEST_CASE("74: a full disk, a size limit and a reader that has gone; the old picture stays", "[app][exit]") {

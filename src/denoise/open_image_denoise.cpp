@@ -1,6 +1,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -65,6 +66,52 @@ Functions find_functions(void* loaded) {
 #undef LICHTRAUM_FIND
   return functions;
 }
+
+/// What is put around a picture for its filter, and cut off again: the picture, mirrored. The library takes what is
+/// outside for black, which leaves coloured dots in the corners of an even background.
+class Margin {
+ public:
+  explicit Margin(Resolution const& picture) : picture_(picture) {}
+
+  Resolution size() const { return {picture_.width + 2 * width, picture_.height + 2 * width}; }
+
+  /// A plane of three channels, or none.
+  std::vector<float> add_to(std::vector<float> const& plane) const {
+    if (plane.empty()) return {};
+    auto const [columns, rows] = size();
+    std::vector<float> framed(3 * std::size_t(columns) * std::size_t(rows));
+    auto out = framed.begin();
+    for (int y = 0; y < rows; ++y) {
+      for (int x = 0; x < columns; ++x) {
+        out = std::copy_n(plane.begin() + offset(mirrored(x, picture_.width), mirrored(y, picture_.height)), 3, out);
+      }
+    }
+    return framed;
+  }
+
+  std::vector<float> cut_from(std::vector<float> const& framed) const {
+    std::vector<float> plane(3 * std::size_t(picture_.width) * std::size_t(picture_.height));
+    for (int y = 0; y < picture_.height; ++y) {
+      std::copy_n(framed.begin() + 3 * (std::ptrdiff_t(y + width) * size().width + width), 3 * picture_.width,
+                  plane.begin() + offset(0, y));
+    }
+    return plane;
+  }
+
+ private:
+  static constexpr int width = 16;
+
+  std::ptrdiff_t offset(int x, int y) const { return 3 * (std::ptrdiff_t(y) * picture_.width + x); }
+
+  /// Of a column or row of the framed picture, where it comes from; also in pictures that are smaller than the margin.
+  static int mirrored(int i, int side) {
+    int const period = 2 * side;
+    int const place = ((i - width) % period + period) % period;
+    return place < side ? place : period - 1 - place;
+  }
+
+  Resolution picture_;
+};
 
 }  // namespace
 
@@ -157,16 +204,17 @@ OpenImageDenoise::~OpenImageDenoise() = default;
 std::vector<float> OpenImageDenoise::filter_noise(NoisyPicture const& picture) const {
   check_picture(picture);
   Library const& library = *library_;
-  auto const radiance = finite_values(picture.radiance);
-  auto albedo = finite_values(picture.albedo);
-  auto normal = finite_values(picture.normal);
+  Margin const margin(picture.size);
+  auto const radiance = margin.add_to(finite_values(picture.radiance));
+  auto albedo = margin.add_to(finite_values(picture.albedo));
+  auto normal = margin.add_to(finite_values(picture.normal));
   if (albedo.empty()) normal.clear();  // the library takes normals beside albedo only
   if (picture.has_noisy_guides) {
-    albedo = library.filter_guide("albedo", albedo, picture.size);
-    normal = library.filter_guide("normal", normal, picture.size);
+    albedo = library.filter_guide("albedo", albedo, margin.size());
+    normal = library.filter_guide("normal", normal, margin.size());
   }
   std::vector<float> filtered(radiance.size());
-  Library::Run run(library, picture.size);
+  Library::Run run(library, margin.size());
   run.set("color", radiance);
   run.set("albedo", albedo);
   run.set("normal", normal);
@@ -174,7 +222,7 @@ std::vector<float> OpenImageDenoise::filter_noise(NoisyPicture const& picture) c
   run.set("hdr", true);
   run.set("cleanAux", picture.has_noisy_guides && !albedo.empty());
   run.execute();
-  return filtered;
+  return margin.cut_from(filtered);
 }
 
 }  // namespace lichtraum

@@ -23,6 +23,8 @@ struct CameraFit {
   struct Framed {
     Bounds box;      ///< finite
     Vec3 center{0};  ///< which is looked at
+    /// The axis through it around which the camera turns: it sees all of the box from anywhere there. Zero: it stays.
+    Vec3 turn_axis{0};
   };
 
   Side side = Side::width;       ///< along which the picture has that opening angle

@@ -122,9 +122,14 @@ void check_view(JobView const& view) {
 Camera viewpoint(Camera camera, Job const& job, Scene const& scene, Resolution const& size) {
   JobView const& view = job.view;
   check_view(view);
-  if (view == JobView()) return camera.fitted(size);
   Vec3 const up = view.up.value_or(Vec3(0, 1, 0));
   CameraFit fit = fit_of(camera, view);
+  auto const fitted = [&] {
+    if (fit.framed && job.turn_degrees) fit.framed->turn_axis = up;
+    camera.set_fit(fit);
+    return camera.fitted(size);
+  };
+  if (view == JobView()) return camera.fit() ? fitted() : camera;
   bool const is_automatic = fit.framed.has_value();
   Vec3 const eye = camera.world_from_camera().point(Vec3(0));
   if (view.eye) {
@@ -146,8 +151,7 @@ Camera viewpoint(Camera camera, Job const& job, Scene const& scene, Resolution c
   } else if (view.up) {
     camera.set_world_from_camera(look_along(eye, camera.world_from_camera().vector(Vec3(0, 0, -1)), up));
   }
-  camera.set_fit(fit);
-  camera = camera.fitted(size);
+  camera = fitted();
   camera.set_lens(lens_of(camera, job, scene));
   return camera;
 }

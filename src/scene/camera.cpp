@@ -32,7 +32,7 @@ double fov_x_of(CameraFit const& fit, Resolution const& size) {
   return std::clamp(fov, 1e-12, std::nextafter(180.0, 0.0));  // roundings must not make it none
 }
 
-/// How far from the center a camera must stand to see all of the box.
+/// How far from the center a camera must stand to see all of the box. 0: it is a point.
 double framing_distance(CameraFit::Framed const& framed, Transform const& rotation, double half_width,
                         double half_height) {
   constexpr double margin = 1.03;  // little, as hardly anything fills its box
@@ -43,7 +43,20 @@ double framing_distance(CameraFit::Framed const& framed, Transform const& rotati
     distance =
         std::max({distance, p.z + margin * std::abs(p.x) / half_width, p.z + margin * std::abs(p.y) / half_height});
   }
-  return distance > 0 ? distance : 1;  // a single point
+  return distance;
+}
+
+/// The same, from wherever it turns to.
+double turning_distance(CameraFit::Framed const& framed, Transform const& rotation, double half_width,
+                        double half_height) {
+  if (framed.turn_axis == Vec3(0)) return framing_distance(framed, rotation, half_width, half_height);
+  constexpr int steps = 120;  // between which a corner comes no nearer than by a thousandth
+  double distance = 0;
+  for (int i = 0; i < steps; ++i) {
+    Transform const turned = Transform::rotation(i * 360.0 / steps, framed.turn_axis) * rotation;
+    distance = std::max(distance, framing_distance(framed, turned, half_width, half_height));
+  }
+  return distance;
 }
 
 }  // namespace
@@ -76,7 +89,8 @@ Camera Camera::fitted(Resolution const& size) const {
   if (!fit_->framed) return result;
   Transform const rotation = Transform::translation(-world_from_camera_.point(Vec3(0))) * world_from_camera_;
   double const half_width = half_width_of(result.fov_x_degrees());
-  double const distance = framing_distance(*fit_->framed, rotation, half_width, half_width * size.height / size.width);
+  double const needed = turning_distance(*fit_->framed, rotation, half_width, half_width * size.height / size.width);
+  double const distance = needed > 0 ? needed : 1;  // of a single point
   result.set_world_from_camera(
       Transform::translation(fit_->framed->center + distance * rotation.vector(Vec3(0, 0, 1))) * rotation);
   return result;

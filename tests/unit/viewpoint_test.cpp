@@ -259,6 +259,36 @@ TEST_CASE("a turned view goes around what it looks at, and its own up", "[unit][
   CHECK(is_near(eye_of(request_of(job, ball_scene()).camera), {-3, 0, 2}));
 }
 
+TEST_CASE("what turns is seen whole all around, from one distance", "[unit][view]") {
+  Scene const scene = model_scene();
+  Bounds const box = scene.cameras.front().fit()->framed->box;
+  Resolution const size{320, 180};
+  for (View const& view : {View{}, View{.orbit = JobView::Orbit{0, 60, {}}},
+                           View{.up = Vec3(0, 0, 1), .orbit = JobView::Orbit{0, -10, {}}}}) {
+    Job job;
+    job.scene = "s.sdf";
+    job.view = view.view();
+    job.size = size;
+    double largest = 0;
+    std::vector<double> distances;
+    for (int turn = 0; turn < 360; turn += 7) {
+      job.turn_degrees = turn;
+      Camera const camera = request_of(job, scene).camera;
+      largest = std::max(largest, extent(camera, size, box));
+      distances.push_back(glm::distance(eye_of(camera), box.center()));
+    }
+    CHECK(largest < 0.98);
+    CHECK(largest > 0.9);  // no farther away than it has to be
+    CHECK(*std::ranges::max_element(distances) == Approx(*std::ranges::min_element(distances)));
+  }
+  // Where a distance is said, it stays.
+  Job job;
+  job.scene = "s.sdf";
+  job.view = View{.orbit = JobView::Orbit{0, 0, 7}}.view();
+  job.turn_degrees = 90;
+  CHECK(glm::distance(eye_of(request_of(job, scene).camera), box.center()) == Approx(7));
+}
+
 TEST_CASE("a view that no camera has is refused by the option's name", "[unit][view]") {
   double const nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   auto const expect = [](View const& view, std::string const& what) {

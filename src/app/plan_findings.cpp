@@ -46,7 +46,20 @@ std::vector<Diagnostic> PlanFindings::next(SceneOpened const& scene) {
     has_no_effect(options_.job.ground != Ground::none, is_lit, "--ground");
     ModelChoice const& model = options_.job.reading.model;
     bool const is_posed = model.time_seconds || !model.animation.empty();
-    has_no_effect(is_posed, scene.is_model, "--time or --animation", ": a scene's models stand as in their files");
+    constexpr char const* as_in_files = ": a scene's models stand as in their files";
+    has_no_effect(is_posed, scene.is_model, "--time or --animation", as_in_files);
+    has_no_effect(!model.variant.empty(), scene.is_model, "--variant", as_in_files);
+    has_no_effect(!model.scene.empty(), scene.is_model, "--scene", as_in_files);
+    has_no_effect(model.both_sides, scene.is_model, "--both-sides", as_in_files);
+    has_no_effect(model.max_texture != ModelChoice().max_texture, scene.is_model, "--max-texture", as_in_files);
+    has_no_effect(model.point_size.has_value(), scene.is_model, "--point-size", as_in_files);
+    EnvironmentChoice const& environment = options_.job.reading.environment;
+    bool const is_none = environment.source == "none";
+    bool const has_environment = is_lit && plan.job.integrator == Integrator::path && !is_none;
+    char const* const only_paths = is_lit && !is_none ? ": it lights pictures by --integrator path only" : "";
+    has_no_effect(!environment.source.empty() && !is_none, has_environment, "--environment", only_paths);
+    has_no_effect(environment.rotation_degrees.has_value(), has_environment, "--environment-rotation", only_paths);
+    has_no_effect(environment.brightness.has_value(), has_environment, "--environment-brightness", only_paths);
     has_no_effect(options_.resume, format.read_fingerprint != nullptr, "--resume");
   }
   return found;

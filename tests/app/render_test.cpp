@@ -335,5 +335,26 @@ TEST_CASE("what only models have is said to have no effect on scenes", "[app][re
     CHECK(result.exit_code == 0);
     CHECK_THAT(result.err, contains_text("--time or --animation has no effect on 'ball.ppm'"));
   }
+  for (std::string const option : {"--variant x", "--scene 3", "--both-sides", "--max-texture 8", "--point-size 4"}) {
+    std::string const name = option.substr(0, option.find(' '));
+    CHECK_THAT(lichtraum.render("a.sdf " + option).err, contains_text(name + " has no effect on 'ball.ppm'"));
+  }
   CHECK(lichtraum.render("a.sdf").err.find("no effect") == std::string::npos);
+}
+
+TEST_CASE("an environment that lights nothing is said to have no effect", "[app][render]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene);
+  auto const said = [&](std::string const& words) {
+    return lichtraum.render("a.sdf --device reference --size 4x4 --samples 1 " + words).err;
+  };
+  for (std::string const option : {"--environment studio", "--environment-rotation 9", "--environment-brightness 5"}) {
+    std::string const name = option.substr(0, option.find(' '));
+    CHECK_THAT(said("--integrator whitted " + option), contains_text(name + " has no effect on 'ball.ppm'"));
+  }
+  CHECK_THAT(said("--integrator path --environment none --environment-rotation 9"),
+             contains_text("--environment-rotation has no effect on 'ball.ppm'"));
+  CHECK_THAT(said("--environment studio --environment-rotation 9 --environment-brightness 5"),
+             !contains_text("no effect"));
+  CHECK_THAT(said("--integrator whitted --environment none"), !contains_text("no effect"));
 }

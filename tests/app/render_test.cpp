@@ -342,6 +342,18 @@ TEST_CASE("what only models have is said to have no effect on scenes", "[app][re
   CHECK(lichtraum.render("a.sdf").err.find("no effect") == std::string::npos);
 }
 
+TEST_CASE("a ground that is not where up is, is told", "[app][render]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene);
+  auto const said = [&](std::string const& words) {
+    return lichtraum.render("a.sdf --device reference --size 4x4 --samples 1 --ground " + words).err;
+  };
+  CHECK_THAT(said("--up 0,0,1"), contains_text("--ground has no effect on 'ball.ppm': it is level where y is up"));
+  CHECK_THAT(said("--up 0,-1,0"), contains_text("--ground has no effect"));
+  CHECK_THAT(said("--up 0,2,0"), !contains_text("no effect"));
+  CHECK_THAT(said(""), !contains_text("no effect"));
+}
+
 TEST_CASE("an environment that lights nothing is said to have no effect", "[app][render]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("a.sdf", ball_scene);

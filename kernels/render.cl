@@ -13,8 +13,16 @@
 #include "integrators/whitted.clh"
 #include "program.clh"
 
-/* Samples of a square of pixels. A function of its own, as PoCL makes three copies of a kernel's body. */
-static NOINLINE void render_square(Scene const* scene, __global FrameParameters const* frame, Film const* film,
+/* On CPUs a function of its own, as PoCL makes three copies of a kernel's body; a GPU would have to keep the scene in
+ * memory for a call. */
+#if LANES > 1
+#define ONE_COPY NOINLINE
+#else
+#define ONE_COPY inline
+#endif
+
+/* Samples of a square of pixels. */
+static ONE_COPY void render_square(Scene const* scene, __global FrameParameters const* frame, Film const* film,
                                    FilmSquare const* square, Tile const* tile, WorkItemRays* counts) {
   if (wants(film, CENTER_PLANES) && tile->first_sample == 0u) {
     RayBatch rays;

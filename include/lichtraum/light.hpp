@@ -18,6 +18,7 @@ namespace LICHTRAUM_API lichtraum {
 struct SpotCone {
   double inner_degrees = 0;
   double outer_degrees = 45;
+  friend bool operator==(SpotCone const&, SpotCone const&) = default;
 };
 
 /// What for_each_field calls for the fields of a light, by their names. Visitors derive from it and have functions of
@@ -81,7 +82,8 @@ struct LightFieldVisitor {
   struct type {                                                                                                      \
     static constexpr std::string_view kind = word;                                                                   \
     fields(LICHTRAUM_POSITION, LICHTRAUM_DIRECTION, LICHTRAUM_BRIGHTNESS, LICHTRAUM_AMBIENT, LICHTRAUM_FLAG,         \
-           LICHTRAUM_RANGE, LICHTRAUM_CONE, LICHTRAUM_RADIUS)                                                        \
+           LICHTRAUM_RANGE, LICHTRAUM_CONE, LICHTRAUM_RADIUS) friend bool                                            \
+    operator==(type const&, type const&) = default;                                                                  \
   };                                                                                                                 \
   template <class Visitor, class Light>                                                                              \
   requires std::same_as<std::remove_const_t<Light>, type>                                                            \
@@ -151,6 +153,8 @@ class Light {
   Vec3 way_from(Vec3 const& point) const;  ///< to its position; without one, the unit vector against its direction
   /// What arrives at a point of the world, besides la, when nothing stands between.
   Rgb arriving_at(Vec3 const& point) const;
+
+  friend bool operator==(Light const&, Light const&) = default;
 
  private:
   std::string name_;

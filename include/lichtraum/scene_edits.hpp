@@ -13,10 +13,11 @@ namespace LICHTRAUM_API lichtraum {
 
 /// Other lights and materials for the shapes of a scene, as values beside it: the scene stays as it was read.
 struct SceneEdits {
-  std::vector<Light> lights;  ///< instead of all of the scene's
+  std::optional<std::vector<Light>> lights{};  ///< instead of all of the scene's; nothing: those that it has
   /// Instead of some of those that its shapes have. Textures, and which of them, stay the material's own.
   std::unordered_map<Material const*, Material> materials;
-  /// Instead of the scene's. With the scene's own map only numbers change; another one takes the time to compile it.
+  /// Instead of the scene's; nothing: none. With the scene's own map only numbers change; another one takes the time to
+  /// compile it.
   std::optional<EnvironmentLight> environment{};
 };
 

@@ -428,8 +428,10 @@ ShadingTables edit_tables(SceneBuffers const& scene, std::vector<Material const*
     }
     tables.features |= features_of(edited->second);
   }
-  tables.lights = make_light_table(edits.lights, scene.world_bounds);
-  tables.features |= features_of(tables.lights);
+  if (edits.lights) {
+    tables.lights = make_light_table(*edits.lights, scene.world_bounds);
+    tables.features |= features_of(tables.lights);
+  }
   set_environment(tables, edits.environment, &scene.shading);
   set_light_choices(tables, scene);
   return tables;

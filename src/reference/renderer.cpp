@@ -36,6 +36,7 @@ std::uint64_t count_instances(std::vector<std::shared_ptr<Shape const>> const& r
 
 struct PreparedGraph final : PreparedScene {
   ReferenceScene graph;
+  std::vector<Light> lights;  // those that surround as well
   ReferenceNumbers numbers;
 };
 
@@ -60,7 +61,8 @@ class ReferenceRenderer final : public Renderer {
     }
     auto const copies = copy_graph(drawn.roots);
     drawn.roots.assign(copies.begin(), copies.end());
-    identify(*prepared, {scene.lights.begin(), scene.lights.end()}, scene.environment);
+    prepared->lights.assign(scene.lights.begin(), scene.lights.end());
+    identify(*prepared);
     prepared->statistics.triangles = summary.defined[ShapeKind::triangle] + summary.defined.mesh_triangles;
     prepared->statistics.spheres = summary.defined[ShapeKind::sphere];
     prepared->statistics.boxes = summary.defined[ShapeKind::box];
@@ -74,12 +76,13 @@ class ReferenceRenderer final : public Renderer {
     auto const* const graph = dynamic_cast<PreparedGraph const*>(prepared.get());
     if (!graph) throw Error(ErrorKind::internal, "the scene was not prepared by this renderer");
     auto edited = std::make_shared<PreparedGraph>(*graph);
-    edited->graph.ambient = ambient(edits.lights);
-    edited->graph.lights = casting_shadows(edits.lights);
+    if (edits.lights) edited->lights = *edits.lights;
+    edited->graph.ambient = ambient(edited->lights);
+    edited->graph.lights = casting_shadows(edited->lights);
     edited->graph.environment = edits.environment;
     auto const copies = copy_graph(graph->graph.roots, edits.materials);
     edited->graph.roots.assign(copies.begin(), copies.end());
-    identify(*edited, edits.lights, edits.environment);
+    identify(*edited);
     return edited;
   }
 
@@ -128,8 +131,7 @@ class ReferenceRenderer final : public Renderer {
 
  private:
   /// The numbers and the fingerprint of what it draws.
-  static void identify(PreparedGraph& prepared, std::vector<Light> const& lights,
-                       std::optional<EnvironmentLight> const& environment) {
+  static void identify(PreparedGraph& prepared) {
     FlatScene const flat = flatten(prepared.graph.roots);
     auto& materials = prepared.numbers.materials;
     materials.clear();
@@ -138,7 +140,8 @@ class ReferenceRenderer final : public Renderer {
     }
     prepared.numbers.objects = ObjectNumbers(flat);
     prepared.lowest_y = prepared.graph.lowest_y = lowest_point(flat);
-    prepared.fingerprint = scene_fingerprint(content_of(flat, lights, environment), prepared.graph);
+    prepared.fingerprint =
+        scene_fingerprint(content_of(flat, prepared.lights, prepared.graph.environment), prepared.graph);
   }
 
   /// Whether all rows are there: not where `goes_on` has said no.

@@ -146,7 +146,7 @@ class OpenClRenderer final : public Renderer {
                                             SceneEdits const& edits) const override {
     auto const edited = std::make_shared<CompiledScene>(compiled(prepared));
     auto const tables = std::make_shared<ShadingTables>(edit_tables(*edited->buffers, edited->materials, edits));
-    edited->shading.ambient = ambient(edits.lights);
+    if (edits.lights) edited->shading.ambient = ambient(*edits.lights);
     EnvironmentMap const* const map = edited->buffers->shading.environment_table->map.get();
     SceneContent const content = edit_content(edited->content, edited->materials, map, edits);
     edited->fingerprint = scene_fingerprint(content, edited->shading);

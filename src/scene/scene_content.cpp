@@ -157,7 +157,7 @@ SceneContent edit_content(SceneContent content, std::vector<Material const*> con
     auto const found = edits.materials.find(materials[i]);
     if (found != edits.materials.end()) content.materials[i] = content_of(found->second);
   }
-  content.lights = content_of(edits.lights);
+  if (edits.lights) content.lights = content_of(*edits.lights);
   content.environment = content_of(edits.environment);
   EnvironmentMap const* const edited_map = edits.environment ? edits.environment->map.get() : nullptr;
   if (edited_map != map) content.environment_map = edited_map ? content_of(*edited_map) : ContentHash{};

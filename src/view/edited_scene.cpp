@@ -64,8 +64,8 @@ std::map<std::string, NewLine> new_lines(SceneValues const& values) {
     if (material.is_edited) replace("material " + material.original->name(), material_as_esdf(material.value));
   }
   for (std::size_t i = 0; i < values.lights.size(); ++i) {
-    std::string const line = light_as_esdf(values.lights[i]);
-    if (line != light_as_esdf(values.original_light(i))) replace("light " + values.lights[i].name(), line);
+    Light const& light = values.lights[i];
+    if (light != values.original_light(i)) replace("light " + light.name(), light_as_esdf(light));
   }
   if (values.is_environment_edited()) {
     if (values.environment->name.empty()) {

@@ -42,7 +42,7 @@ void SceneValues::reset() {
 
 SceneEdits SceneValues::edits() const {
   SceneEdits edits;
-  edits.lights = lights;
+  if (lights != original_lights_) edits.lights = lights;
   edits.environment = environment;
   for (EditableMaterial const& material : materials) {
     if (material.is_edited) edits.materials.emplace(material.original, material.value);

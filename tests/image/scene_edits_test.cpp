@@ -36,6 +36,8 @@ std::string scene_text(std::string const& red, std::string const& sun) {
 
 std::string const plain_red = "0.8 0.1 0.1  0.8 0.1 0.1  0 0 0  1", plain_sun = "3 5 6  1 1 1";
 
+std::vector<Light> lights_of(Scene const& scene) { return {scene.lights.begin(), scene.lights.end()}; }
+
 template <class Check>
 void for_each_renderer(Check const& check) {
   for (DeviceInfo const& device : opencl_devices()) {
@@ -64,7 +66,7 @@ TEST_CASE("an edited scene looks as if it had been written so", "[image][edits]"
   Scene const scene = scene_of(scene_text(plain_red, plain_sun));
   Scene const wanted = scene_of(scene_text(glass, "-4 6 5  1.2 0.9 0.4"));
   SceneEdits edits;
-  edits.lights.assign(wanted.lights.begin(), wanted.lights.end());
+  edits.lights = lights_of(wanted);
   edits.materials.emplace(scene.materials.find("red")->get(), **wanted.materials.find("red"));
   for_each_renderer([&](Renderer& renderer) {
     auto const prepared = renderer.prepare(scene);
@@ -79,11 +81,11 @@ TEST_CASE("an edited scene looks as if it had been written so", "[image][edits]"
     CHECK(edited->fingerprint != prepared->fingerprint);
     // And back.
     CHECK(draw(renderer, prepared, scene).data() == before.data());
-    edits.lights.assign(scene.lights.begin(), scene.lights.end());
+    edits.lights = lights_of(scene);
     SceneEdits const none{edits.lights, {}};
     CHECK(draw(renderer, renderer.edit(prepared, none), scene).data() == before.data());
     CHECK(renderer.edit(prepared, none)->fingerprint == prepared->fingerprint);
-    edits.lights.assign(wanted.lights.begin(), wanted.lights.end());
+    edits.lights = lights_of(wanted);
   });
 }
 
@@ -92,7 +94,7 @@ TEST_CASE("an edited material keeps its textures", "[image][edits]") {
   Scene const scene = make_textured_scene();
   Scene wanted = make_textured_scene();
   SceneEdits edits;
-  edits.lights.assign(scene.lights.begin(), scene.lights.end());
+  edits.lights = lights_of(scene);
   for (auto const& material : scene.materials) {
     if (!material->pbr()) continue;
     auto pbr = *material->pbr();
@@ -120,11 +122,27 @@ TEST_CASE("after a scene was read again, its own materials are edited", "[image]
   Scene const first = scene_of(scene_text(plain_red, plain_sun)), again = scene_of(scene_text(plain_red, plain_sun));
   auto const prepared = renderer->prepare(again, {}, renderer->prepare(first));
   SceneEdits edits;
-  edits.lights.assign(again.lights.begin(), again.lights.end());
+  edits.lights = lights_of(again);
   edits.materials.emplace(again.materials.find("red")->get(), Material("red", Rgb(0), Rgb(0), Rgb(0), 1));
   CHECK(draw(*renderer, renderer->edit(prepared, edits), again).data() != draw(*renderer, prepared, again).data());
   // What is prepared after an edited scene has its own materials.
   auto const after = renderer->prepare(again, {}, renderer->edit(prepared, edits));
   CHECK(after->fingerprint == prepared->fingerprint);
   CHECK(draw(*renderer, after, again).data() == draw(*renderer, prepared, again).data());
+}
+
+TEST_CASE("lights that nobody edited are the scene's, which may move", "[image][edits]") {
+  REQUIRE_OPENCL_DEVICE();
+  std::string const moved_sun = "-4 6 5  0.3 0.9 0.4", blue = "0.1 0.1 0.9  0 0 0.3  0 0 0  1";
+  Scene const scene = scene_of(scene_text(plain_red, plain_sun)), moved = scene_of(scene_text(plain_red, moved_sun));
+  Scene const wanted = scene_of(scene_text(blue, moved_sun));
+  for_each_renderer([&](Renderer& renderer) {
+    auto const prepared = renderer.prepare(moved, {}, renderer.prepare(scene));
+    SceneEdits edits;
+    edits.materials.emplace(moved.materials.find("red")->get(), **wanted.materials.find("red"));
+    auto const edited = renderer.edit(prepared, edits);
+    auto const expected = renderer.prepare(wanted);
+    CHECK(edited->fingerprint == expected->fingerprint);
+    CHECK(draw(renderer, edited, moved).data() == draw(renderer, expected, wanted).data());
+  });
 }

@@ -44,6 +44,17 @@ TEST_CASE("a scene is saved with what was edited, all else to the byte", "[unit]
   CHECK(again.values.lights.at(0).brightness() == Rgb(2));
 }
 
+TEST_CASE("edits have lights only where one was edited: those of a pose move on", "[unit][view][edits]") {
+  Opened opened(std::string(red) + middle + lamp + last);
+  set_material(opened.values, Rgb(0.25, 1, 0));
+  CHECK(!opened.values.edits().lights);
+  CHECK(opened.values.edits().materials.size() == 1);
+  opened.values.lights[1] = Light::ambient("sky", Rgb(1, 1, 0.5));
+  CHECK(opened.values.edits().lights == opened.values.lights);
+  opened.values.reset_light(1);
+  CHECK(!opened.values.edits().lights);
+}
+
 TEST_CASE("a scene is saved with its environment turned and dimmed", "[unit][view]") {
   std::string const room = "define light  environment room 0.5 0.5 1 brightness=2 rotation=7 # evening\n";
   Opened opened(room + lamp);

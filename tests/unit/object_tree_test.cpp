@@ -128,7 +128,7 @@ TEST_CASE("values of a scene are changed beside it, and set back", "[unit][view]
   REQUIRE(values.materials.size() == 1);
   REQUIRE(values.lights.size() == 1);
   CHECK(values.edits().materials.empty());
-  CHECK(values.edits().lights.size() == 1);
+  CHECK(!values.edits().lights);
   Material const* const red = scene.materials.find("red")->get();
   REQUIRE(values.find(red));
   CHECK(!values.find(nullptr));
@@ -136,9 +136,11 @@ TEST_CASE("values of a scene are changed beside it, and set back", "[unit][view]
   values.materials[0].is_edited = true;
   values.lights[0] = Light::point("sun", Vec3(9), Rgb(2));
   CHECK(values.edits().materials.at(red).kd() == Rgb(0.5));
-  CHECK(*values.edits().lights[0].position() == Vec3(9));
+  REQUIRE(values.edits().lights);
+  CHECK(*values.edits().lights->at(0).position() == Vec3(9));
   CHECK(red->kd() == Rgb(1, 0, 0));
   values.reset();
   CHECK(values.edits().materials.empty());
-  CHECK(*values.edits().lights[0].position() == Vec3(1, 2, 3));
+  CHECK(!values.edits().lights);
+  CHECK(*values.lights[0].position() == Vec3(1, 2, 3));
 }

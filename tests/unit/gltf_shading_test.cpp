@@ -67,6 +67,28 @@ TEST_CASE("lights keep their fall-off, cones and proportions under one exposure"
   CHECK(glm::distance(light("sky").arriving_at({9, 9, 9}), Rgb(0.2)) < 1e-6);
 }
 
+TEST_CASE("a light that an animation moves stays as bright", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh({-1, 0, 0, 1, 0, 0, 0, 0, 0});
+  writer.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}, {"intensity", 40}}};
+  writer.json["nodes"].push_back(
+      {{"name", "lamp"}, {"translation", {0, 0, 2}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  int const times = writer.add_accessor("SCALAR", 1, std::vector<float>{0, 1});
+  int const places = writer.add_vec3({0, 0, 4, 0, 0, 8});
+  writer.json["animations"] = {{{"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}},
+                                {"samplers", {{{"input", times}, {"output", places}}}}}};
+  // 10 arrives at the middle while it stands where the file has it: that is exposed to 1.
+  for (std::optional<double> const time : {std::optional<double>(), std::optional(0.0), std::optional(1.0)}) {
+    ModelOptions options;
+    options.time_seconds = time;
+    Model const model = import_model(writer, options);
+    CHECK(messages(model) == "");
+    Light const& lamp = *model.scene.lights.find("lamp");
+    CHECK(lamp.position()->z == (time ? 4 + 4 * *time : 2));
+    CHECK(lamp.brightness() == Rgb(4));
+  }
+}
+
 TEST_CASE("a spot light without a cone is named, and shines all around", "[unit][gltf]") {
   GltfWriter writer;
   writer.add_mesh(triangle_positions);

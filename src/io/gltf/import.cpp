@@ -135,10 +135,19 @@ struct GltfAnimation::State {
     for (Camera& camera : read_cameras(document.model, tree, findings)) scene.cameras.insert(std::move(camera));
     bool const has_camera = scene.has_own_cameras = !scene.cameras.empty();
     if (!has_camera) scene.cameras.insert(frame_box("default", box));
-    std::vector<Light> lights = read_lights(document.model, tree, box, findings);
+    if (!exposure) exposure = exposure_at_rest(box);
+    std::vector<Light> lights = exposed_lights(read_lights(document.model, tree, findings), *exposure);
     scene.has_own_lights = !lights.empty();
     if (lights.empty()) lights = studio_lights(box, has_camera ? 0 : three_quarter_view.azimuth_degrees);
     for (Light& light : lights) scene.lights.insert(std::move(light));
+  }
+
+  /// Of the model as its file has it, so that lights which come near are bright.
+  double exposure_at_rest(Bounds const& box) {
+    Findings::Muted const muted(findings);
+    std::vector<NodePose> const rest = rest_pose(document.model, findings);
+    NodeTree const tree = build_node_tree(document.model, scene_number, rest, findings);
+    return light_exposure(read_lights(document.model, tree, findings), box);
   }
 
   void frame_whole_animation() {
@@ -168,6 +177,7 @@ struct GltfAnimation::State {
   std::optional<int> animation;
   std::optional<ModelContents> contents;
   std::optional<Bounds> framed;               // around the whole animation
+  std::optional<double> exposure;             // of the file's lights, in every pose
   std::vector<Diagnostic> early_diagnostics;  // about the model, found when that was done
   int scene_number = -1;
   std::vector<std::shared_ptr<Material>> own_materials;

@@ -135,9 +135,8 @@ std::vector<Camera> read_cameras(tinygltf::Model const& model, NodeTree const& t
   return cameras;
 }
 
-std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tree, Bounds const& box,
-                               Findings& findings) {
-  std::vector<Light> found;
+std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tree, Findings& findings) {
+  std::vector<Light> lights;
   Names names;
   for (int const node : tree.order) {
     auto const* extension = find_extension(model.nodes[std::size_t(node)].extensions, lights_extension);
@@ -157,18 +156,29 @@ std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tre
           DiagnosticCode::faulty_view, fmt::format("/extensions/{}/lights/{}/spot", lights_extension, *number),
           "its angles are not 0 <= inner < outer <= 90 degrees, or it has no direction: it shines in all directions");
     }
-    found.push_back(std::move(*light));
+    lights.push_back(std::move(*light));
   }
-  // One exposure for all of them: on the middle of the model they throw as much light as one of eSDF's of Ld = 1.
-  Rgb sum(0);
-  for (Light const& light : found) sum += illuminance(light, box);
-  double const brightest = std::max({sum.r, sum.g, sum.b});
-  std::vector<Light> lights;
-  if (!(brightest > 0 && std::isfinite(brightest))) return lights;
-  for (Light const& light : found) lights.push_back(exposed(light, 1 / brightest));
-  // Light from all around, which the lights of a file leave to the viewer.
-  lights.push_back(Light::ambient(names.unique("soft"), Rgb(0.1)));
   return lights;
+}
+
+double light_exposure(std::vector<Light> const& lights, Bounds const& box) {
+  Rgb sum(0);
+  for (Light const& light : lights) sum += illuminance(light, box);
+  double const brightest = std::max({sum.r, sum.g, sum.b});
+  return brightest > 0 && std::isfinite(brightest) ? 1 / brightest : 0;
+}
+
+std::vector<Light> exposed_lights(std::vector<Light> const& lights, double exposure) {
+  std::vector<Light> result;
+  if (!(exposure > 0)) return result;
+  Names names;
+  for (Light const& light : lights) {
+    names.unique(light.name());
+    result.push_back(exposed(light, exposure));
+  }
+  // Light from all around, which the lights of a file leave to the viewer.
+  result.push_back(Light::ambient(names.unique("soft"), Rgb(0.1)));
+  return result;
 }
 
 }  // namespace lichtraum::gltf

@@ -18,19 +18,36 @@ double largest(Rgb const& color) { return std::max({color.r, color.g, color.b});
 
 Rgb color_of(float const (&values)[3]) { return {values[0], values[1], values[2]}; }
 
+/// The largest share of `color`, up to all of it, that is nowhere more than `room`.
+double fitting_share(Rgb const& color, Rgb const& room) {
+  double share = 1;
+  for (int c = 0; c < 3; ++c) {
+    if (color[c] > room[c]) share = std::min(share, std::max(room[c], 0.0) / color[c]);
+  }
+  return share;
+}
+
+/// Matt and glossy lobe share what mirror and glass leave: the matt one has its kd, but a twentieth where the glossy
+/// one needs that; the glossy one has as much of its ks as there is room for.
+void set_lobes_of_phong(PhongModel const& phong, ReferenceBsdf& bsdf) {
+  double const rest = std::max(1 - phong.reflect - phong.transmit, 0.0);
+  double const glossy =
+      std::max(fitting_share(phong.ks, rest * (Rgb(1) - phong.kd)), fitting_share(phong.ks, Rgb(rest / 20)));
+  bsdf.f0 = bsdf.f90 = glossy * phong.ks;
+  bsdf.diffuse = fitting_share(rest * phong.kd, Rgb(rest) - bsdf.f0) * rest * phong.kd;
+}
+
 void set_phong(PhongModel const& phong, ReferenceScatteringPoint& point) {
   ReferenceBsdf& bsdf = point.bsdf;
-  bsdf.diffuse = std::max(1 - phong.reflect - phong.transmit, 0.0) * phong.kd;
-  bsdf.f0 = bsdf.f90 = phong.ks;
+  set_lobes_of_phong(phong, bsdf);
   bsdf.alpha = std::max(std::sqrt(2 / (phong.m + 2)), smooth_alpha);
   bsdf.ior = phong.transmit > 0 ? phong.ior : 1;
   bsdf.mirror = phong.reflect;
   bsdf.glass = phong.transmit;
   point.emission = phong.emission;
   if (phong.transmit > 0 && phong.ior == 1 && phong.emission == Rgb(0)) {
-    double const all = phong.reflect + phong.transmit + largest(bsdf.diffuse) + largest(phong.ks);
     point.passed = Rgb(phong.transmit);
-    point.chance_to_pass = phong.transmit / std::max(all, 1.0);
+    point.chance_to_pass = phong.transmit / std::max(phong.reflect + phong.transmit, 1.0);
     bsdf.glass = 0;
   }
 }

@@ -78,6 +78,44 @@ TEST_CASE("Phong's coefficients become lobes", "[kernel][bsdf]") {
   CHECK(of_phong(phong).alpha == 0.001f);
 }
 
+TEST_CASE("highlights get what a matt surface, a mirror and glass leave", "[kernel][bsdf]") {
+  NEEDS_OPENCL_DEVICE();
+  auto const lobes = [](Vec3 const& kd, Vec3 const& ks, float reflect, float transmit) {
+    device::PhongMaterial phong{};
+    for (int c = 0; c < 3; ++c) {
+      phong.kd[c] = float(kd[c]);
+      phong.ks[c] = float(ks[c]);
+    }
+    phong.reflect = reflect;
+    phong.transmit = transmit;
+    return of_phong(phong);
+  };
+  // All that there is fits: channel by channel.
+  BsdfParameters const fits = lobes({1, 0, 0.5}, {0, 1, 0.5}, 0, 0);
+  check_color(fits.diffuse, {1, 0, 0.5});
+  check_color(fits.f0, {0, 1, 0.5});
+  // The matt surface keeps its colour, the highlight its own: the scarcest channel decides.
+  BsdfParameters const pearl = lobes({0.8, 0.5, 0.2}, {0.6, 0.6, 0.3}, 0, 0);
+  check_color(pearl.diffuse, {0.8, 0.5, 0.2});
+  check_color(pearl.f0, {0.2, 0.2, 0.1});
+  check_color(pearl.f90, {0.2, 0.2, 0.1});
+  // White leaves nothing, so the highlight gets varnish's share.
+  BsdfParameters const white = lobes(Vec3(1), Vec3(0.6), 0, 0);
+  check_color(white.f0, Vec3(0.05));
+  check_color(white.diffuse, Vec3(0.95));
+  BsdfParameters const dim = lobes(Vec3(1), Vec3(0.03), 0, 0);
+  check_color(dim.f0, Vec3(0.03));
+  check_color(dim.diffuse, Vec3(0.97));
+  // Kd beyond white, which the C++ interface takes.
+  check_color(lobes(Vec3(3), Vec3(0), 0, 0).diffuse, Vec3(1));
+  BsdfParameters const mirror = lobes(Vec3(0.1), Vec3(1), 0.75, 0);
+  check_color(mirror.diffuse, Vec3(0.025));
+  check_color(mirror.f0, Vec3(0.225));
+  BsdfParameters const glass = lobes(Vec3(0.5), Vec3(1), 0.25, 0.75);
+  check_color(glass.diffuse, Vec3(0));
+  check_color(glass.f0, Vec3(0));
+}
+
 TEST_CASE("a glTF material's defaults are a rough, white metal", "[kernel][bsdf]") {
   NEEDS_OPENCL_DEVICE();
   BsdfParameters const metal = of_pbr(default_pbr());

@@ -275,7 +275,7 @@ PathScene panes_on_ground() {
 }
 
 /// So many lamps that a tree chooses among them: two panels of tiles, of which one is stretched, and lights that fall
-/// off; over what is matt, glossy or lets light through.
+/// off; over what is matt, glossy (more than its kd leaves) or lets light through.
 PathScene many_lamps() {
   std::string text = std::string(things) + R"(
 define material tile 0 0 0  0.2 0.2 0.2  0 0 0 1
@@ -314,7 +314,7 @@ define background 0.1 0.2 0.3
         Light::falling_off("spark" + std::to_string(i), Vec3(-1.5 + i, 0.6, 0.8 - 0.4 * i), Rgb(0.08, 0.05, 0.02 * i)));
   }
   set_material(scene, "a", PhongModel{.kd = {0.8, 0.3, 0.1}});
-  set_material(scene, "b", PhongModel{.kd = {0.2, 0.3, 0.4}, .ks = Rgb(0.5), .m = 20});
+  set_material(scene, "b", PhongModel{.kd = {0.2, 0.3, 0.4}, .ks = Rgb(0.9), .m = 20});
   PbrModel sheet = pbr({0.8, 0.7, 0.4}, 0, 0.9);
   sheet.transmission = 0.6;
   sheet.double_sided = true;

@@ -95,6 +95,7 @@ RaySets make_ray_sets(Options const& options, Resolution const& size, BenchScene
   sets.shadow_count = std::size_t(std::count_if(points.begin(), points.end(), [](auto const& p) { return p.hit; }));
   for (unsigned bounce = 1; bounce <= 4; ++bounce) {
     FreeRays const rays = bounce_rays(points, bounce);
+    if (rays.size() == 0) break;  // all have left
     if (bounce == 1) {
       sets.any = {{"any", rays}, {"any-near", rays}};
       sets.any[1].second.t_max = float(0.1 * diagonal(scene.placements.empty() ? scene.world : scene.object));

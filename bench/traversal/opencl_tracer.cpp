@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -78,8 +79,10 @@ OpenClTracer::OpenClTracer(SceneBuffers& scene, Traversal layout) : state_(std::
                                  .has_all_planes = true,
                                  .integrator = Integrator::path,
                                  .traversal_stack_size = round_up(std::max<std::size_t>(scene.stack_size, 1), 96)};
-  std::string const options = fmt::format("{} -D FREE_RAYS_PER_ITEM={} -I {}", like_paths.options(),
-                                          FreeRays::rays_per_item, LICHTRAUM_KERNEL_FOLDER);
+  char const* const other_kernels = std::getenv("LICHTRAUM_KERNEL_DIR");  // as the program has it
+  std::string const options =
+      fmt::format("{} -D FREE_RAYS_PER_ITEM={} -I {}", like_paths.options(), FreeRays::rays_per_item,
+                  other_kernels ? other_kernels : LICHTRAUM_KERNEL_FOLDER);
   try {
     program.build(s.device, options.c_str());
   } catch (cl::Error const&) {

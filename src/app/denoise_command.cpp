@@ -56,7 +56,7 @@ bool parse_denoise(Arguments const& arguments, DenoiseOptions& options, Console&
   add_value(*parser, "--exposure", options.development.exposure_ev, parse_exposure, "EV",
             "Of a picture: stops brighter, or darker (default: 0)", "Output");
   add_value(*parser, "--tonemap", options.development.tone_map, tone_map, "NAME",
-            "Of a picture: none (default) or reinhard", "Output");
+            "Of a picture: none (default), neutral (as for\nmodels), agx, aces or reinhard", "Output");
   add_value(*parser, "--transfer", options.development.transfer, parse_transfer, "NAME",
             "Of a picture: srgb (default) or linear", "Output");
   add_value(*parser, "--denoise", options.denoising, parse_denoiser, "NAME",

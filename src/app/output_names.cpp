@@ -85,13 +85,13 @@ bool OutputNames::has_one_name() const {
   return !options_.file.empty() && options_.file != "-" && number_format_.empty() && !is_film_;
 }
 
-Output OutputNames::next(std::string const& name_in_scene, bool is_one_of_many) {
+Output OutputNames::next(RenderCommand const& command, bool is_one_of_many) {
   ++number_;
   if (!options_.file.empty()) return from_command_line();
-  if (!is_one_of_many) return from_scene(name_in_scene);
-  fs::path const name = name_in_scene;
+  if (!is_one_of_many) return from_scene(command.file, command.location);
+  fs::path const name = command.file;
   std::string const numbered = fmt::format("{}_{:04}{}", name.stem().string(), number_, name.extension().string());
-  return from_scene((name.parent_path() / numbered).string());
+  return from_scene((name.parent_path() / numbered).string(), command.location);
 }
 
 fs::path OutputNames::path_of(std::string const& number) const {
@@ -119,7 +119,7 @@ Output OutputNames::from_command_line() {
   return output;
 }
 
-Output OutputNames::from_scene(std::string const& name) const {
+Output OutputNames::from_scene(std::string const& name, SourceLocation const& location) const {
   Output output;
   fs::path file = name;
   output.format = find_image_format(file);
@@ -136,10 +136,10 @@ Output OutputNames::from_scene(std::string const& name) const {
   }
   SandboxedPath const place = resolve_sandboxed(options_.folder, file, options_.allowed_paths);
   if (!place) {
-    throw Error(
-        ErrorKind::scene,
-        fmt::format("a scene may not write '{}': {} (-o FILE names the picture, --allow-path FOLDER permits it)", name,
-                    place.reason));
+    Diagnostic outside{.code = DiagnosticCode::file_outside, .location = location};
+    outside.message = fmt::format("cannot write '{}': {}", name, place.reason);
+    outside.hint = "-o FILE names the picture; --allow-path FOLDER permits files outside of the scene's folder";
+    throw SceneError({outside});
   }
   output.path = place.path;
   output.shown = (file.is_absolute() || options_.folder == "." ? file : options_.folder / file).string();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lichtraum/image_io.hpp"
+#include "lichtraum/scene.hpp"
 
 namespace lichtraum::app {
 
@@ -42,15 +43,15 @@ class OutputNames {
   /// The number that the next picture gets; 1 unless this is called.
   void start_at(int number) { number_ = number - 1; }
 
-  /// For the next picture; `name_in_scene` is what the scene calls it. `is_one_of_many`: the scene's name is for more
-  /// than this picture, which gets its number in addition (hello_0001.png). Throws Error{scene} for a name that leads
-  /// out of the output folder.
-  Output next(std::string const& name_in_scene, bool is_one_of_many = false);
+  /// For the next picture; `command`: what the scene says about it. `is_one_of_many`: the scene's name is for more than
+  /// this picture, which gets its number in addition (hello_0001.png). Throws SceneError for a name that leads out of
+  /// the output folder.
+  Output next(RenderCommand const& command, bool is_one_of_many = false);
 
  private:
   std::filesystem::path path_of(std::string const& number) const;
   Output from_command_line();
-  Output from_scene(std::string const& name) const;
+  Output from_scene(std::string const& name, SourceLocation const& location) const;
 
   OutputOptions options_;
   std::string before_number_;

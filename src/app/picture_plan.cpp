@@ -60,7 +60,7 @@ PicturePlan plan_picture(LoadedScene const& script, RenderCommand const& command
   job.integrator = choice.integrator;
   plan.integrator_reason = choice.reason;
   plan.job = resolved(std::move(job), scene);
-  plan.output = names.next(command.file, is_one_of_many);
+  plan.output = names.next(command, is_one_of_many);
   // What stores planes stores them as they were traced; other planes have no noise.
   bool const may_be_developed = plan.output.format->encode || tile;
   bool const is_developed = may_be_developed && plan.job.planes.has(FilmPlane::radiance);

@@ -33,7 +33,12 @@ class Pictures {
 
   void send_all_of(Scene const& scene, std::size_t scene_number) {
     double const load_ms = stopwatch_.milliseconds();
-    auto const prepared = previous_ = renderer_.prepare(scene, options_.job.root, previous_);
+    std::string const& root = options_.job.root;
+    if (!root.empty() && !scene.shapes.contains(root)) {  // said here, where the scene has a name
+      throw Error(ErrorKind::usage, fmt::format("{}: the scene has no shape called '{}', which --root names",
+                                                opened_.source->name(), root));
+    }
+    auto const prepared = previous_ = renderer_.prepare(scene, root, previous_);
     std::optional<Vec3> turn_center;
     for (; next_ < opened_.plans.size() && opened_.plans[next_].scene_number == scene_number; ++next_) {
       PicturePlan const& plan = opened_.plans[next_];

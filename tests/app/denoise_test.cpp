@@ -195,7 +195,7 @@ TEST_CASE("what cannot be denoised is said", "[app][denoise]") {
   fails("depth.exr", 65,
         "'depth.exr' has no radiance, which is in the channels R, G and B; it has: N.X, N.Y, N.Z, Z. lichtraum render "
         "--planes radiance,albedo,normal -o film.exr stores what is needed");
-  fails("picture.png", 65, "'picture.png' cannot be read as an OpenEXR file");
+  fails("picture.png", 65, "'picture.png' is a PNG picture, not an OpenEXR file");
   fails("colors.exr -o smooth.gif", 64, "no picture format has the extension '.gif'");
   fails("colors.exr -o nowhere/smooth.png", 73, "nowhere");
   fails("colors.exr --denoise off", 64, "--denoise: expected on or builtin, not 'off'");

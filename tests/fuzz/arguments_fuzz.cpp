@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     if (parse(*parser, words)) {
       OutputNames names(options.output);
       combine(options, options.scenes, names);
-      names.next("hello.png", true);
+      names.next({.camera = "eye", .file = "hello.png"}, true);
     }
   } catch (lichtraum::Error const&) {  // what a faulty command line must end in; anything else is a finding
   }

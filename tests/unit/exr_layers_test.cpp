@@ -89,6 +89,7 @@ TEST_CASE("OpenEXR files of others keep all that is not replaced", "[unit][image
 
 TEST_CASE("OpenEXR files whose layers are no picture's are refused", "[unit][image]") {
   std::string const whole = foreign_file();
+  CHECK_THAT(why_refused("\x89PNG\r\n"), contains_text("'a.exr' is a PNG picture, not an OpenEXR file"));
   CHECK_THAT(why_refused("P6 1 1 255 abc"), contains_text("'a.exr' cannot be read as an OpenEXR file"));
   for (std::size_t size = 0; size < whole.size(); size += 7) CHECK_FALSE(why_refused(whole.substr(0, size)).empty());
 

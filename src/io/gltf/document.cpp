@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/percent.hpp"
+#include "io/file_signature.hpp"
 #include "io/gltf/container.hpp"
 #include "io/gltf/nodes.hpp"
 #include "io/gltf/schema.hpp"
@@ -48,6 +49,11 @@ json parse_json(std::string_view text, Findings& findings) {
   try {
     return json::parse(text);
   } catch (json::parse_error const& error) {
+    if (auto const other = recognise_signature(text)) {
+      findings.fail_at(
+          DiagnosticCode::not_gltf, text, 0,
+          fmt::format("this is {}, not a glTF model{}{}", other->what, other->hint.empty() ? "" : ": ", other->hint));
+    }
     // "[json.exception.parse_error.101] parse error at line 1, column 8: what": the place is told separately.
     std::string const message = error.what();
     std::size_t const colon = message.find(": ");

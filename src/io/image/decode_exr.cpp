@@ -29,7 +29,7 @@ std::array<char const*, 3> channels_of(EnvironmentFile const& file, Imf::Channel
 
 EnvironmentMap decode(EnvironmentFile const& file) {
   check_exr_header(file.bytes, file.bytes.size());
-  StringInput stream(file.bytes);
+  StringInput stream(file.bytes, file.name);
   Imf::InputFile input(stream, 0);
   Imf::Header const& header = input.header();
   auto const window = header.dataWindow();

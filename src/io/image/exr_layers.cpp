@@ -14,6 +14,7 @@
 #include <map>
 
 #include "core/memory.hpp"
+#include "io/file_signature.hpp"
 #include "io/image/check_exr.hpp"
 #include "io/image/exr_streams.hpp"
 #include "lichtraum/error.hpp"
@@ -95,12 +96,12 @@ struct ExrLayers::Contents {
 ExrLayers::ExrLayers(std::string const& bytes, std::string const& name) : contents_(std::make_unique<Contents>()) {
   try {
     check_exr_header(bytes, bytes.size());
-    StringInput counted(bytes);
+    StringInput counted(bytes, name);
     int const parts = Imf::MultiPartInputFile(counted, 0).parts();
     if (parts != 1) {
       throw Error(ErrorKind::scene, fmt::format("'{}' has {} parts: layers are read from a file of one", name, parts));
     }
-    StringInput input(bytes);
+    StringInput input(bytes, name);
     Imf::InputFile file(input, 0);
     contents_->header = file.header();
     contents_->allocate(name);
@@ -110,6 +111,9 @@ ExrLayers::ExrLayers(std::string const& bytes, std::string const& name) : conten
   } catch (Error const&) {
     throw;
   } catch (std::exception const& error) {
+    if (auto const other = recognise_signature(bytes)) {
+      throw Error(ErrorKind::scene, fmt::format("'{}' is {}, not an OpenEXR file", name, other->what));
+    }
     throw Error(ErrorKind::scene, fmt::format("'{}' cannot be read as an OpenEXR file: {}", name, error.what()));
   }
 }

@@ -39,7 +39,7 @@ class StringOutput final : public Imf::OStream {
 /// `bytes` must outlive it.
 class StringInput final : public Imf::IStream {
  public:
-  explicit StringInput(std::string_view bytes) : IStream("picture.exr"), bytes_(bytes) {}
+  StringInput(std::string_view bytes, std::string const& name) : IStream(name.c_str()), bytes_(bytes) {}
 
   bool read(char data[], int size) override {
     if (size < 0 || position_ > bytes_.size() || std::size_t(size) > bytes_.size() - position_) {

@@ -77,6 +77,7 @@ void combine(RenderOptions& options, std::vector<std::string> const& inputs, Out
     options.load.whole_animation_rate = options.frame_rate();
   }
   if (names.is_film()) {
+    check_frame_rate(options.output.file, options.frame_rate());
     if (options.resume) {
       throw Error(ErrorKind::usage, "a film cannot be resumed: --resume goes on with pictures (-o picture-%04d.png)");
     }

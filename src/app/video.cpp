@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <sstream>
 
 #include "core/ascii.hpp"
@@ -72,14 +73,16 @@ std::string find_ffmpeg() {
 std::span<FilmFormat const> film_formats() {
   // The numbers after -crf: no loss that one sees. A GIF's colours are chosen anew for each picture: choosing them for
   // all would keep all in memory.
+  constexpr double any_rate = std::numeric_limits<double>::infinity();
   static std::vector<FilmFormat> const formats{
-      {".mp4", "mp4", true, with_bt709({"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"})},
-      {".webm", "webm", false,
+      {".mp4", "mp4", true, any_rate, with_bt709({"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"})},
+      {".webm", "webm", false, any_rate,
        with_bt709(
            {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-row-mt", "1", "-deadline", "good", "-cpu-used", "4"})},
       {".gif",
        "gif",
        false,
+       50,  // a picture stays for hundredths of a second, and browsers make ten of one
        {"-filter_complex", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1"}},
   };
   return formats;
@@ -100,7 +103,17 @@ void check_ffmpeg() {
               "-o picture-%04d.png)");
 }
 
+void check_frame_rate(fs::path const& film, double frames_per_second) {
+  FilmFormat const& format = *find_film_format(film);
+  if (frames_per_second <= format.most_frames_per_second) return;
+  throw Error(ErrorKind::usage,
+              fmt::format("--fps {}: browsers show {} films with at most {} pictures a second; .mp4 and "
+                          ".webm have no such limit",
+                          frames_per_second, format.extension, format.most_frames_per_second));
+}
+
 Video::Video(fs::path path, Resolution size, double frames_per_second) : path_(std::move(path)), size_(size) {
+  check_frame_rate(path_, frames_per_second);
   check_ffmpeg();
   FilmFormat const& format = *find_film_format(path_);
   if (format.needs_even_size && (size.width % 2 != 0 || size.height % 2 != 0)) {

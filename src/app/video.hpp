@@ -17,6 +17,7 @@ struct FilmFormat {
   std::string_view extension;                  ///< lower case with the dot: ".mp4"
   std::string_view container;                  ///< ffmpeg's name for it
   bool needs_even_size;                        ///< colours are stored for 2 x 2 pixels
+  double most_frames_per_second;               ///< beyond which players show it slower
   std::vector<std::string> encoder_arguments;  ///< for ffmpeg
 };
 
@@ -24,11 +25,14 @@ std::span<FilmFormat const> film_formats();
 /// By extension, in any case; null when it names no film.
 FilmFormat const* find_film_format(std::filesystem::path const& path);
 
+/// Throws Error{usage} for more pictures a second than a film of that name is shown with.
+void check_frame_rate(std::filesystem::path const& film, double frames_per_second);
+
 /// A film being made by the ffmpeg program, which must be installed. It is written beside its target and renamed when
 /// it is whole.
 class Video {
  public:
-  /// Throws Error{unavailable} when there is no ffmpeg, Error{usage} when the format cannot have that size, and
+  /// Throws Error{unavailable} when there is no ffmpeg, Error{usage} when the format cannot have that size or rate, and
   /// Error{cannot_create}.
   Video(std::filesystem::path path, Resolution size, double frames_per_second);
   /// Leaves nothing behind unless it was finished.

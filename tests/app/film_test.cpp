@@ -143,6 +143,7 @@ TEST_CASE("what cannot become a film is refused before anything is drawn", "[app
   CHECK(code("balls.sdf -o film%d.mp4", "a film is one file") == 64);
   CHECK(code("balls.sdf -o film.mp4 --format png", "contradicts") == 64);
   CHECK(code("balls.sdf -o film.mp4 --resume", "cannot be resumed") == 64);
+  CHECK(code("balls.sdf -o film.gif --fps 51", "at most 50 pictures a second") == 64);
   CHECK(code("balls.sdf -o nowhere/film.mp4", "nowhere") == 73);
   CHECK(code("balls.sdf other.sdf -o film.gif", "one size") == 65);
   CHECK(code("balls.sdf bad.sdf -o film.gif", "nonsense") == 65);

@@ -81,9 +81,9 @@ struct LightFieldVisitor {
 #define LICHTRAUM_LIGHT(type, word, fields)                                                                          \
   struct type {                                                                                                      \
     static constexpr std::string_view kind = word;                                                                   \
+    friend bool operator==(type const&, type const&) = default;                                                      \
     fields(LICHTRAUM_POSITION, LICHTRAUM_DIRECTION, LICHTRAUM_BRIGHTNESS, LICHTRAUM_AMBIENT, LICHTRAUM_FLAG,         \
-           LICHTRAUM_RANGE, LICHTRAUM_CONE, LICHTRAUM_RADIUS) friend bool                                            \
-    operator==(type const&, type const&) = default;                                                                  \
+           LICHTRAUM_RANGE, LICHTRAUM_CONE, LICHTRAUM_RADIUS)                                                        \
   };                                                                                                                 \
   template <class Visitor, class Light>                                                                              \
   requires std::same_as<std::remove_const_t<Light>, type>                                                            \

@@ -136,7 +136,9 @@ Output OutputNames::from_scene(std::string const& name, SourceLocation const& lo
   }
   SandboxedPath const place = resolve_sandboxed(options_.folder, file, options_.allowed_paths);
   if (!place) {
-    Diagnostic outside{.code = DiagnosticCode::file_outside, .location = location};
+    Diagnostic outside;
+    outside.code = DiagnosticCode::file_outside;
+    outside.location = location;
     outside.message = fmt::format("cannot write '{}': {}", name, place.reason);
     outside.hint = "-o FILE names the picture; --allow-path FOLDER permits files outside of the scene's folder";
     throw SceneError({outside});

@@ -27,7 +27,9 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     if (parse(*parser, words)) {
       OutputNames names(options.output);
       combine(options, options.scenes, names);
-      names.next({.camera = "eye", .file = "hello.png"}, true);
+      lichtraum::RenderCommand command;
+      command.file = "hello.png";
+      names.next(command, true);
     }
   } catch (lichtraum::Error const&) {  // what a faulty command line must end in; anything else is a finding
   }

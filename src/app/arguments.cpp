@@ -140,7 +140,10 @@ void add_language_options(CLI::App& parser, SceneReading& reading) {
       .add_option_function<std::vector<std::string>>(
           "--allow-path",
           [&reading](std::vector<std::string> const& folders) {
-            for (std::string const& folder : folders) reading.allowed_paths.emplace_back(parse_name(folder));
+            for (std::string const& folder : folders) {
+              if (folder.empty()) throw Error(ErrorKind::usage, "--allow-path: expected a folder, not ''");
+              reading.allowed_paths.emplace_back(folder);
+            }
           },
           "Folder that a scene may read and write besides\nits own (may be repeated)")
       ->type_name("FOLDER")

@@ -94,6 +94,11 @@ TEST_CASE("64: what makes no sense is refused in one line that says what to do",
   refused("render a.sdf --camera nose --device reference", "there are: eye");
   refused("render a.sdf --root nose --device reference", "a.sdf: the scene has no shape called 'nose'");
   refused("info a.sdf two.sdf", "unexpected argument");
+  Process nowhere = lichtraum.process("render a.sdf --allow-path");
+  nowhere.arguments.push_back("");
+  ProcessResult const result = run_process(nowhere);
+  CHECK(result.exit_code == 64);
+  CHECK_THAT(result.err, contains_text("--allow-path: expected a folder, not ''"));
   CHECK(lichtraum.folder.names() == std::vector<std::string>{"a.sdf", "two.sdf"});
 }
 

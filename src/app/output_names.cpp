@@ -85,6 +85,11 @@ bool OutputNames::has_one_name() const {
   return !options_.file.empty() && options_.file != "-" && number_format_.empty() && !is_film_;
 }
 
+void OutputNames::begin_scene(std::size_t picture_count) {
+  number_ = scene_end_;
+  scene_end_ += int(picture_count);
+}
+
 Output OutputNames::next(RenderCommand const& command, bool is_one_of_many) {
   ++number_;
   if (!options_.file.empty()) return from_command_line();

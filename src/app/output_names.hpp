@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -41,7 +42,10 @@ class OutputNames {
   /// Whether all pictures go into one film.
   bool is_film() const { return is_film_; }
   /// The number that the next picture gets; 1 unless this is called.
-  void start_at(int number) { number_ = number - 1; }
+  void start_at(int number) { number_ = scene_end_ = number - 1; }
+  /// What follows is a scene of so many pictures. They have their numbers whether they are named or not, so that no
+  /// fault in them renumbers the next scene's.
+  void begin_scene(std::size_t picture_count);
 
   /// For the next picture; `command`: what the scene says about it. `is_one_of_many`: the scene's name is for more than
   /// this picture, which gets its number in addition (hello_0001.png). Throws SceneError for a name that leads out of
@@ -58,6 +62,7 @@ class OutputNames {
   std::string after_number_;
   std::string number_format_;  // of fmt, empty without a pattern
   int number_ = 0;             // of the last picture named
+  int scene_end_ = 0;          // of the scene's last picture
   bool is_film_ = false;
 };
 

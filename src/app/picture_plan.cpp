@@ -114,6 +114,7 @@ std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource co
   std::size_t const scene_count = times.empty() ? commands.size() : times.size();
   int const turns = std::max(1, options.turntable);
   std::size_t const picture_count = scene_count * std::size_t(turns);
+  names.begin_scene(picture_count);
   if (picture_count > 1 && names.has_one_name()) {
     throw Error(ErrorKind::usage,
                 fmt::format("{} draws {} pictures, and --output names one file: write a number into the name, such as "

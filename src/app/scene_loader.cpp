@@ -95,11 +95,20 @@ SceneLoader::~SceneLoader() { channel_.close(); }
 
 std::optional<LoaderMessage> SceneLoader::next() { return channel_.receive(std::chrono::milliseconds(50)); }
 
+LoadedScene SceneLoader::read(SceneSource const& source) {
+  try {
+    return source.load(options_.job.reading, options_.load);
+  } catch (...) {
+    names_.begin_scene(1);  // nobody knows how many it has
+    throw;
+  }
+}
+
 void SceneLoader::load(std::string const& input) {
   Stopwatch const stopwatch;
   SceneOpened opened;
   opened.source = std::make_shared<SceneSource>(input, options_.input_format);
-  LoadedScene script = opened.source->load(options_.job.reading, options_.load);
+  LoadedScene script = read(*opened.source);
   opened.load_ms = stopwatch.milliseconds();
   opened.is_model = script.is_model();
   opened.diagnostics = script.diagnostics();

@@ -60,6 +60,7 @@ class SceneLoader {
 
  private:
   void load(std::string const& input);
+  LoadedScene read(SceneSource const& source);
 
   RenderOptions const& options_;
   OutputNames& names_;

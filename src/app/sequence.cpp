@@ -96,7 +96,7 @@ class Sequence {
         draw(*picture);
       } else {
         finish_writing();
-        planned_before_ += scene_.plans.size();
+        planned_before_ += std::max<std::size_t>(1, scene_.plans.size());  // as OutputNames counts
         scene_ = {};
         if (auto const failure = std::get<SceneClosed>(message).failure) std::rethrow_exception(failure);
         return;

@@ -124,6 +124,27 @@ TEST_CASE("a faulty input of a sequence is left out, in order", "[app][sequence]
   CHECK(drawn(Json::parse(result.out)) == 2);
 }
 
+TEST_CASE("a faulty input of a sequence leaves the numbers of the next pictures as they are", "[app][sequence]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("1.sdf", scene_with_ball_at(0));
+  lichtraum.folder.write("2.sdf", "define nonsense\n");
+  lichtraum.folder.write("3.sdf", "define material red 1 0 0 1 0 0 0 0 0 1\n");  // without a camera
+  lichtraum.folder.write("4.sdf", scene_with_ball_at(1));
+  auto const pictures = [&](std::string const& words) {
+    CHECK(lichtraum.render("?.sdf -q -o %d.png " + words).exit_code == 65);
+    std::vector<std::string> found;
+    for (std::string const& name : lichtraum.folder.names()) {
+      if (!name.ends_with(".png")) continue;
+      found.push_back(name);
+      std::filesystem::remove(lichtraum.folder / name);
+    }
+    return found;
+  };
+  CHECK(pictures("") == std::vector<std::string>{"1.png", "4.png"});
+  // What cannot be read counts as one picture.
+  CHECK(pictures("--turntable 2") == std::vector<std::string>{"1.png", "2.png", "6.png", "7.png"});
+}
+
 TEST_CASE("what is moved between the renders of a file moves, also about shared parts", "[app][sequence]") {
   Lichtraum const lichtraum;
   std::string const start =

@@ -19,6 +19,14 @@ bool is_done_already(PicturePlan const& plan, std::string const& fingerprint) {
          format.read_fingerprint(plan.output.path) == fingerprint;
 }
 
+/// Of one of several scenes, which not every message names.
+std::exception_ptr with_name(Error const& error, std::string const& input) {
+  std::string const name = input == "-" ? "<stdin>" : input;
+  std::string const message = error.what();
+  bool const is_named = message.find(name) != std::string::npos;
+  return std::make_exception_ptr(Error(error.kind(), is_named ? message : fmt::format("{}: {}", name, message)));
+}
+
 /// The pictures of one scene, while it is played.
 class Pictures {
  public:
@@ -84,6 +92,11 @@ SceneLoader::SceneLoader(std::vector<std::string> const& inputs, RenderOptions c
             load(input);
           } catch (Stopped const&) {
             return;
+          } catch (SceneError const&) {
+            closed.failure = std::current_exception();
+          } catch (Error const& error) {
+            closed.failure = inputs.size() > 1 && error.kind() != ErrorKind::internal ? with_name(error, input)
+                                                                                      : std::current_exception();
           } catch (...) {
             closed.failure = std::current_exception();
           }

@@ -260,6 +260,9 @@ TEST_CASE("with several scenes the others are drawn, and the first failure count
   CHECK_THAT(result.err, contains_text("2 of 3 scenes could not be drawn"));
   CHECK(lichtraum.folder.names() == std::vector<std::string>{"a.sdf", "bad.sdf", "ball.ppm"});
   CHECK(lichtraum.render("bad.sdf nope.sdf a.sdf").exit_code == 65);
+  // It is said which one is meant.
+  CHECK_THAT(lichtraum.render("bad.sdf a.sdf --region 0,0,999,1").err,
+             contains_text("error: a.sdf: the region 0,0,999,1 does not lie in"));
   auto const checked = lichtraum("check a.sdf bad.sdf nope.sdf");
   CHECK(checked.exit_code == 65);
   CHECK_THAT(checked.out, contains_text("a.sdf: good") && contains_text("bad.sdf: 1 error"));

@@ -20,7 +20,7 @@ constexpr std::array signatures = {
     FileSignature{"<!DOCTYPE"sv, "an HTML or XML document", ""},
     FileSignature{"<html"sv, "an HTML document", web_page_hint},
     FileSignature{"version https://git-lfs"sv, "a Git LFS pointer", "git lfs pull fetches the file itself"},
-    FileSignature{"glTF"sv, "a binary glTF model", ""},
+    FileSignature{"glTF"sv, "a binary glTF model", "give its name the extension .glb"},
     FileSignature{"%PDF"sv, "a PDF document", plain_text_hint},
     FileSignature{"PK\x03\x04"sv, "a ZIP archive or an office document", "unpack it, or save it as plain text"},
     FileSignature{"\x1F\x8B"sv, "a gzip archive", "unpack it first"},

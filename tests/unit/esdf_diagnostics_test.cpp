@@ -127,6 +127,7 @@ TEST_CASE("foreign files are recognised", "[unit][esdf]") {
   struct Foreign {
     std::string text;
     std::string message;
+    std::string hint = "";
   };
   for (Foreign const& foreign : {Foreign{"{\\rtf1\\ansi\n\\f0 # materials\\\n", "an RTF document"},
                                  {"<?xml version=\"1.0\"?>\n", "an XML document"},
@@ -138,8 +139,8 @@ TEST_CASE("foreign files are recognised", "[unit][esdf]") {
                                  {"\x89PNG\r\n", "a PNG picture"},
                                  {"P6\n4 4\n255\n", "a PPM picture"},
                                  {"%PDF-1.4", "a PDF document"},
-                                 {"{\"asset\": {}}", "a JSON document (a glTF model?)"},
-                                 {"glTF\x02", "a binary glTF model"},
+                                 {"{\"asset\": {}}", "a JSON document (a glTF model?)", "the extension .gltf"},
+                                 {"glTF\x02", "a binary glTF model", "the extension .glb"},
                                  {std::string("\x7F"
                                               "ELF\0\0",
                                               6),
@@ -155,6 +156,7 @@ TEST_CASE("foreign files are recognised", "[unit][esdf]") {
       CHECK(found[0].message == "this is " + foreign.message + ", not an eSDF scene");
       CHECK(found[0].code == DiagnosticCode::not_a_scene);
       CHECK_FALSE(found[0].hint.empty());
+      CHECK_THAT(found[0].hint, contains_text(foreign.hint));
     }
   }
 }

@@ -33,7 +33,7 @@ std::optional<ForeignFile> recognise_foreign_file(std::filesystem::path const& p
   std::string_view const start = head.substr(first);
   if (start.starts_with("{") && !start.starts_with("{{")) {
     return ForeignFile{DiagnosticCode::not_a_scene, "this is a JSON document (a glTF model?), not an eSDF scene",
-                       std::string(no_scene_hint)};
+                       "a glTF model's name has the extension .gltf; on standard input, --format-in gltf says so"};
   }
   return std::nullopt;
 }

@@ -101,9 +101,14 @@ Diagnostic PictureFindings::explain_missing_light(SceneLight light) const {
     return warning(DiagnosticCode::no_light, "nothing gives light: whitted does not show the light of an environment",
                    "--integrator path does");
   }
-  return warning(DiagnosticCode::no_light,
-                 "nothing gives light: there is no lamp, no ambient light, no environment and no surface that shines",
-                 "define light diffuse lamp 10 10 10 1 1 1");
+  if (light == SceneLight::dimmed) {
+    return warning(DiagnosticCode::no_light, "nothing gives light: the environment's brightness is 0",
+                   "--environment-brightness 1 shows it as it is");
+  }
+  return warning(
+      DiagnosticCode::no_light,
+      "nothing gives light: there is no lamp, no ambient light, no environment and no surface that shines",
+      is_model_ ? "--integrator path --environment studio lights models" : "define light diffuse lamp 10 10 10 1 1 1");
 }
 
 /// Says where the scene lies, and which other convention would show it.

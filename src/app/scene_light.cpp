@@ -29,10 +29,12 @@ bool shines(std::shared_ptr<Material const> const& material) {
 
 SceneLight light_in(Scene const& scene, Integrator integrator) {
   bool const has_environment = scene.environment && scene.environment->brightness > 0;
-  if (has_environment && integrator == Integrator::path) return SceneLight::some;
+  bool const shows_environment = integrator == Integrator::path;
+  if (has_environment && shows_environment) return SceneLight::some;
   if (std::any_of(scene.lights.begin(), scene.lights.end(), is_on)) return SceneLight::some;
   if (std::ranges::any_of(materials_of(scene.roots()), shines)) return SceneLight::some;
-  return has_environment ? SceneLight::unused : SceneLight::none;
+  if (has_environment) return SceneLight::unused;
+  return scene.environment && shows_environment ? SceneLight::dimmed : SceneLight::none;
 }
 
 }  // namespace lichtraum::app

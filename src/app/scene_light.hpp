@@ -8,6 +8,7 @@ namespace lichtraum::app {
 enum class SceneLight {
   some,
   unused,  ///< only an environment, which the integrator does not show
+  dimmed,  ///< only an environment, whose brightness is 0
   none,
 };
 

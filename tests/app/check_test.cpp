@@ -2,6 +2,7 @@
 
 #include "lichtraum.hpp"
 #include "support/catch.hpp"
+#include "support/gltf_writer.hpp"
 
 namespace {
 
@@ -155,6 +156,8 @@ TEST_CASE("check and render say where light is missing", "[app][check]") {
            {white + ball, "", "nothing gives light: there is no lamp"},
            {white + ball + "define light ambient a 0 0 0\ndefine light diffuse l 0 5 0 0 0 0\n", "", "nothing gives"},
            {white + ball + "define light environment sky 1 1 1\n", "", ""},
+           {white + ball + "define light environment sky 1 1 1\n", " --environment-brightness 0",
+            "the environment's brightness is 0"},
            {white + ball + "define light ambient a 0 0.01 0\n", "", ""},
            {white + ball + lamp, "", ""},
            {white + ball + "define background 1 1 1\n", "", "nothing gives light"},
@@ -181,6 +184,15 @@ TEST_CASE("check and render say where light is missing", "[app][check]") {
   CHECK_THAT(lichtraum.render("a.sdf --planes depth -o depth.exr").err, !contains_text("light"));
   lichtraum.folder.write("a.sdf", white + ball + "define light environment sky 1 1 1\n" + camera);
   CHECK_THAT(lichtraum.render("a.sdf --integrator whitted").err, contains_text("--integrator path does"));
+  lichtraum::testing::GltfWriter model;
+  model.add_mesh({-1, -1, 0, 1, -1, 0, 1, 1, 0});
+  lichtraum.folder.write("a.glb", model.glb());
+  CHECK_THAT(lichtraum.render("a.glb --size 8x8 --integrator path --environment-brightness 0").err,
+             contains_text("brightness is 0 [W0814]\n  hint: --environment-brightness 1"));
+  model.json["materials"] = {{{"emissiveFactor", {1, 1, 1}}}};  // of no mesh
+  lichtraum.folder.write("a.glb", model.glb());
+  CHECK_THAT(lichtraum.render("a.glb --size 8x8 --integrator path --environment none").err,
+             contains_text("nothing gives light: there is no lamp") && contains_text("hint: --integrator path --envi"));
   // One pixel is lit, which few rays do not find.
   lichtraum.folder.write("a.sdf", room +
                                       "define light diffuse l 0 99 0 1 1 1\ndefine material b 1 1 1 0 0 0 0 0 0 1\n" +

@@ -1,11 +1,30 @@
 #include "app/render_options.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
+#include <span>
+#include <system_error>
 
 #include "app/arguments.hpp"
+#include "lichtraum/words.hpp"
 
 namespace lichtraum::app {
+namespace {
+
+/// `--ground glossy`: the word counts as a scene, so that `--ground scene.sdf` draws one.
+void refuse_grounds(std::vector<std::string> const& scenes) {
+  std::span<Word<Ground> const> const grounds(ground_words);
+  for (std::string const& scene : scenes) {
+    std::error_code ignored;
+    if (!find_value(grounds, scene) || std::filesystem::exists(scene, ignored)) continue;
+    throw Error(ErrorKind::usage, fmt::format("there is no scene '{0}': a ground is chosen by --ground={0}", scene));
+  }
+}
+
+}  // namespace
 
 void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string const& group) {
   add_value(parser, "--camera", options.job.camera, parse_name, "NAME", "Look through this camera: name or number",
@@ -121,6 +140,7 @@ void add_drawing_options(CLI::App& parser, RenderOptions& options) {
 }
 
 void check_inputs(RenderOptions& options) {
+  if (options.job.ground != Ground::none) refuse_grounds(options.scenes);
   options.output.allowed_paths = options.job.reading.allowed_paths;
   options.load.models = make_model_cache();
   options.load.environments = std::make_shared<EnvironmentMaps>();

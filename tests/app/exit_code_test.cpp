@@ -93,6 +93,7 @@ TEST_CASE("64: what makes no sense is refused in one line that says what to do",
   refused("render - - -o -", "more than once");
   refused("render a.sdf --camera nose --device reference", "there are: eye");
   refused("render a.sdf --root nose --device reference", "a.sdf: the scene has no shape called 'nose'");
+  refused("render a.sdf --ground glossy", "there is no scene 'glossy': a ground is chosen by --ground=glossy");
   refused("info a.sdf two.sdf", "unexpected argument");
   Process nowhere = lichtraum.process("render a.sdf --allow-path");
   nowhere.arguments.push_back("");

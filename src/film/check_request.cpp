@@ -41,15 +41,15 @@ void check_request(RenderRequest const& request) {
   require(!request.planes.is_empty(), "no plane is asked for");
   bool const needs_environment = request.background && request.background->kind == Background::Kind::environment;
   require(!needs_environment || request.integrator != Integrator::whitted,
-          "background environment: it can be seen only with an environment, and whitted draws none");
+          "--background environment: it can be seen only with an environment, and whitted draws none");
   require(request.max_indirect > 0, fmt::format("a limit of indirect light of {} leaves none", request.max_indirect));
   require(request.ground == Ground::none || request.integrator != Integrator::whitted,
-          "ground: whitted draws none; --integrator path does");
+          "--ground: whitted draws none; --integrator path does");
   require(request.ground == Ground::none || request.max_depth > 0,
-          "ground: with a depth of 0 there are no shadows of light from all around; it takes 1 or more");
+          "--ground: with a depth of 0 there are no shadows of light from all around; it takes 1 or more");
   require(
       request.ground != Ground::glossy || !request.planes.has(FilmPlane::alpha),
-      "ground=glossy: what it mirrors would be lost where the picture is transparent; --ground alone keeps shadows");
+      "--ground=glossy: what it mirrors would be lost where the picture is transparent; --ground alone keeps shadows");
   require(request.max_depth >= 0, fmt::format("a depth of {} is negative", request.max_depth));
 }
 

@@ -178,7 +178,7 @@ Job resolved(Job job, Scene const& scene) {
   constexpr int most_samples = 4096;  // where the noise decides
   int const samples = command.samples.value_or(job.noise ? most_samples : usual.samples);
   if (!job.sampling) job.sampling = sampling_of(samples);
-  if (job.noise && job.samples) throw Error(ErrorKind::usage, "noise: it takes all samples, not a range of them");
+  if (job.noise && job.samples) throw Error(ErrorKind::usage, "--noise: it takes all samples, not a range of them");
   if (job.noise && (job.sampling->pattern == Sampling::Pattern::grid || job.sampling->count <= Film::block_size)) {
     throw Error(ErrorKind::usage, fmt::format("--noise needs random samples, more than {}: --samples {}",
                                               Film::block_size, most_samples));

@@ -118,7 +118,7 @@ TEST_CASE("a picture without background is transparent", "[app][planes]") {
   CHECK((dusk.at(0, 8, 0) == 45 && dusk.at(0, 8, 2) == 210));
   auto const nowhere = lichtraum.render("- --background environment -o x.png", scene);
   CHECK(nowhere.exit_code == 64);
-  CHECK_THAT(nowhere.err, contains_text("background environment: it can be seen only with an environment"));
+  CHECK_THAT(nowhere.err, contains_text("error: --background environment: it can be seen only with an environment"));
 }
 
 TEST_CASE("exposure is in stops", "[app][planes]") {

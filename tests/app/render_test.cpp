@@ -140,7 +140,7 @@ TEST_CASE("--ground stands a scene on one, matt unless it says otherwise", "[app
     return result.err;
   };
   CHECK_THAT(refusal("--ground=blue"), contains_text("--ground: expected none, matt or glossy, not 'blue'"));
-  CHECK_THAT(refusal("--ground --integrator whitted"), contains_text("ground: whitted draws none"));
+  CHECK_THAT(refusal("--ground --integrator whitted"), contains_text("error: --ground: whitted draws none"));
   CHECK_THAT(refusal("--ground=glossy --background none"), contains_text("--ground alone keeps shadows"));
   CHECK_THAT(refusal("--ground --depth 0"), contains_text("it takes 1 or more"));
 }

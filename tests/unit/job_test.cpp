@@ -142,7 +142,7 @@ TEST_CASE("a limit of noise takes up to 4096 random samples", "[unit][job]") {
   job.picture = 0;
   CHECK(view_of(job, two_pictures()).sampling == Sampling());
   job.samples = SampleRange{0, 4};
-  CHECK(refusal(job, two_pictures()).second == "noise: it takes all samples, not a range of them");
+  CHECK(refusal(job, two_pictures()).second == "--noise: it takes all samples, not a range of them");
 }
 
 TEST_CASE("an environment is seen unless the scene has another background, or it is the studio", "[unit][job]") {

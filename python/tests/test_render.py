@@ -183,7 +183,7 @@ def test_errors_say_where(tmp_path):
 @pytest.mark.parametrize(
     "options, message",
     [
-        ({"size": (0, 4)}, "^size: a picture has at least 1x1"),
+        ({"size": (0, 4)}, "^size: expected at least 1x1"),
         ({"integrator": "magic"}, "^integrator: expected whitted or path"),
         ({"look_at": (1, 2)}, "^look_at: expected"),
         ({"region": (0, 0, 9999, 1)}, "does not lie in the picture"),

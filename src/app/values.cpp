@@ -69,7 +69,7 @@ Resolution parse_size(std::string_view text) {
   auto const width = number<int>(parts[0]);
   auto const height = parts.size() == 2 ? number<int>(parts[1]) : std::nullopt;
   if (!width || !height) throw std::invalid_argument("expected WIDTHxHEIGHT in pixels, such as 1280x720");
-  if (*width < 1 || *height < 1) throw std::invalid_argument("a picture has at least 1x1 pixels");
+  if (*width < 1 || *height < 1) throw std::invalid_argument("expected at least 1x1 pixels");
   return {*width, *height};
 }
 

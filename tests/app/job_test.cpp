@@ -390,6 +390,7 @@ TEST_CASE("what cannot be planned or drawn is refused in a sentence", "[app][job
   refused("plan nowhere.sdf -o shared", 66, "nowhere.sdf");
   refused("plan ball.sdf lamp.sdf -o shared --device reference", 64, "one size");
   refused("plan ball.sdf -o shared --samples-per-unit 17", 64, "a multiple of 16");
+  refused("plan ball.sdf -o shared --tile 0x0", 64, "--tile: expected at least 1x1 pixels, not '0x0'");
   refused("plan ball.sdf -o shared --size 100000x100000 --tile 1x1 --device reference", 64, "units");
   CHECK(!fs::exists(farm.folder / "shared"));
   refused("work shared", 66, "has no plan.json");

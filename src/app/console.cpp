@@ -1,5 +1,6 @@
 #include "app/console.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -109,12 +110,18 @@ void write_standard_output(std::string_view bytes) {
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
       std::string const reason = errno == EPIPE    ? "the reader closed the pipe"
+                                 : errno == EBADF  ? "it is closed"
                                  : errno == ENOSPC ? "the disk is full"
                                                    : std::strerror(errno);
       throw Error(ErrorKind::io, fmt::format("cannot write to standard output: {}", reason));
     }
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
+}
+
+bool is_standard_output_closed() {
+  int const flags = ::fcntl(STDOUT_FILENO, F_GETFL);
+  return flags < 0 || (flags & O_ACCMODE) == O_RDONLY;  // see run_program
 }
 
 }  // namespace lichtraum::app

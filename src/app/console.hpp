@@ -47,4 +47,7 @@ class Console {
 /// To standard output, at once. Throws Error{io} when it is closed or full.
 void write_standard_output(std::string_view bytes);
 
+/// Whether it was closed when the program began, so that nothing can be written there.
+bool is_standard_output_closed();
+
 }  // namespace lichtraum::app

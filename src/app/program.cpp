@@ -13,12 +13,12 @@
 namespace lichtraum::app {
 namespace {
 
-/// A file opened later must not become standard output because that was closed.
+/// A file opened later must not become standard output because that was closed. What is written there fails all the
+/// same, while messages that nobody reads do no harm.
 void open_standard_streams() {
-  for (int descriptor = ::open("/dev/null", O_RDWR); descriptor >= 0; descriptor = ::dup(descriptor)) {
-    if (descriptor <= STDERR_FILENO) continue;
-    ::close(descriptor);
-    return;
+  for (int descriptor = 0; descriptor <= STDERR_FILENO; ++descriptor) {
+    if (::fcntl(descriptor, F_GETFD) >= 0) continue;
+    ::open("/dev/null", descriptor == STDOUT_FILENO ? O_RDONLY : O_RDWR);  // the lowest number that is free
   }
 }
 

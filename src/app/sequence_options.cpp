@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/arguments.hpp"
+#include "app/console.hpp"
 #include "app/picture_plan.hpp"
 #include "app/render_options.hpp"
 #include "app/scene_source.hpp"
@@ -55,6 +56,9 @@ void combine(RenderOptions& options, std::vector<std::string> const& inputs, Out
     throw Error(ErrorKind::usage,
                 "--output names one file, and there are several scenes: write a number into the name, "
                 "such as -o picture-%04d.png, or make a film, -o film.mp4");
+  }
+  if (options.output.file == "-" && is_standard_output_closed()) {
+    throw Error(ErrorKind::cannot_create, "cannot write to standard output: it is closed");
   }
   if (options.output.file == "-" && ::isatty(STDOUT_FILENO) == 1) {
     throw Error(

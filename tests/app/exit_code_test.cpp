@@ -242,6 +242,22 @@ TEST_CASE("74: a full disk, a size limit and a reader that has gone; the old pic
   }
 }
 
+TEST_CASE("73 or 74: a standard output that is closed takes no results", "[app][exit]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene);
+  auto const code = [&](std::string const& words) {
+    INFO(words);
+    Process closed = lichtraum.process(words);
+    closed.closes_output = true;
+    auto const result = run_process(closed);
+    CHECK_THAT(result.err, contains_text("cannot write to standard output: it is closed"));
+    return result.exit_code;
+  };
+  CHECK(code("render a.sdf --device reference -o -") == 73);  // before anything is drawn
+  CHECK(code("render a.sdf --device reference --json") == 74);
+  CHECK(code("info a.sdf") == 74);
+}
+
 TEST_CASE("a closed standard output never becomes part of a picture", "[app][exit]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("a.sdf", ball_scene);

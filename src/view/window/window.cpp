@@ -255,7 +255,10 @@ void Window::copy_camera() const {
 
 void Window::copy(std::string const& text) const {
   glfwSetClipboardString(graphics_->window, text.c_str());
-  app::write_standard_output(text);
+  try {
+    app::write_standard_output(text);
+  } catch (Error const&) {  // nobody reads it there; the clipboard has it
+  }
 }
 
 float Window::panel_width() const {

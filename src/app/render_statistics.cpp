@@ -85,8 +85,13 @@ std::string to_json(RunReport const& report) {
 std::string summary(PictureReport const& report) {
   std::string const denoising =
       report.denoiser.empty() ? "" : fmt::format(", denoised in {:.1f} ms", report.denoise_ms);
-  return fmt::format("{}: {}x{}, {:.1f} ms, {:.1f} Mrays/s{}", report.written_to, report.plan.job.region->width,
-                     report.plan.job.region->height, report.render.trace_ms, report.mrays_per_second(), denoising);
+  // Units were traced elsewhere.
+  std::string const tracing =
+      report.render.trace_ms > 0
+          ? fmt::format(", {:.1f} ms, {:.1f} Mrays/s", report.render.trace_ms, report.mrays_per_second())
+          : "";
+  return fmt::format("{}: {}x{}{}{}", report.written_to, report.plan.job.region->width, report.plan.job.region->height,
+                     tracing, denoising);
 }
 
 std::string details(PictureReport const& report) {

@@ -112,6 +112,7 @@ TEST_CASE("all planes are put together", "[app][job]") {
   auto const refused = farm.merge("-o many.png");
   CHECK(refused.exit_code == 64);
   CHECK_THAT(refused.err, contains_text("has room for one"));
+  CHECK(farm.merge("-o many.exr").err == "many.exr: 32x24\n");  // it was traced elsewhere
 }
 
 TEST_CASE("a device puts together what it draws as one", "[app][job]") {

@@ -7,6 +7,7 @@
 #include "app/merging_renderer.hpp"
 #include "app/planned_pictures.hpp"
 #include "app/sequence.hpp"
+#include "app/video.hpp"
 #include "farm/progress.hpp"
 
 namespace lichtraum::app {
@@ -84,6 +85,10 @@ int job_merge_command(Arguments const& arguments, Console& console) {
   render.output = options.output;
   render.output.allowed_paths = allowed_paths;
   OutputNames names(render.output);
+  if (options.frames_per_second) {
+    if (!names.is_film()) throw Error(ErrorKind::usage, "--fps is for films (-o film.mp4)");
+    check_frame_rate(render.output.file, *options.frames_per_second);
+  }
   combine(render, inputs, names);
   if (options.frames_per_second) render.frames_per_second = options.frames_per_second;
   render.load.whole_animation_rate.reset();  // the plan has the pictures that it has

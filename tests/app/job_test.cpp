@@ -112,6 +112,10 @@ TEST_CASE("all planes are put together", "[app][job]") {
   auto const refused = farm.merge("-o many.png");
   CHECK(refused.exit_code == 64);
   CHECK_THAT(refused.err, contains_text("has room for one"));
+  auto const no_film = farm.merge("-o many.exr --fps 30");
+  CHECK(no_film.exit_code == 64);
+  CHECK_THAT(no_film.err, contains_text("--fps is for films"));
+  CHECK_THAT(farm.merge("-o many.gif --fps 60").err, contains_text("at most 50 pictures a second"));
   CHECK(farm.merge("-o many.exr").err == "many.exr: 32x24\n");  // it was traced elsewhere
 }
 

@@ -58,11 +58,13 @@ std::vector<Diagnostic> PlanFindings::next(SceneOpened const& scene) {
     has_no_effect(model.point_size.has_value(), scene.is_model, "--point-size", as_in_files);
     EnvironmentChoice const& environment = options_.job.reading.environment;
     bool const is_none = environment.source == "none";
-    bool const has_environment = is_lit && plan.job.integrator == Integrator::path && !is_none;
-    char const* const only_paths = is_lit && !is_none ? ": it lights pictures by --integrator path only" : "";
-    has_no_effect(!environment.source.empty() && !is_none, has_environment, "--environment", only_paths);
-    has_no_effect(environment.rotation_degrees.has_value(), has_environment, "--environment-rotation", only_paths);
-    has_no_effect(environment.brightness.has_value(), has_environment, "--environment-brightness", only_paths);
+    bool const has_environment = is_lit && plan.job.integrator == Integrator::path && scene.has_environment;
+    char const* const why = !is_lit || is_none                        ? ""
+                            : plan.job.integrator != Integrator::path ? ": it lights pictures by --integrator path only"
+                                                                      : ": the scene has no environment";
+    has_no_effect(!environment.source.empty() && !is_none, has_environment, "--environment", why);
+    has_no_effect(environment.rotation_degrees.has_value(), has_environment, "--environment-rotation", why);
+    has_no_effect(environment.brightness.has_value(), has_environment, "--environment-brightness", why);
     has_no_effect(options_.resume, format.read_fingerprint != nullptr, "--resume");
   }
   return found;

@@ -124,6 +124,7 @@ void SceneLoader::load(std::string const& input) {
   LoadedScene script = read(*opened.source);
   opened.load_ms = stopwatch.milliseconds();
   opened.is_model = script.is_model();
+  opened.has_environment = script.scene().environment.has_value();
   opened.diagnostics = script.diagnostics();
   std::exception_ptr faulty_plan;
   try {

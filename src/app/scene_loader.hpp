@@ -18,6 +18,7 @@ namespace lichtraum::app {
 struct SceneOpened {
   std::shared_ptr<SceneSource const> source;
   bool is_model = false;
+  bool has_environment = false;
   double load_ms = 0;
   std::vector<Diagnostic> diagnostics;
   std::vector<PicturePlan> plans;

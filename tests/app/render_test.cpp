@@ -368,5 +368,10 @@ TEST_CASE("an environment that lights nothing is said to have no effect", "[app]
              contains_text("--environment-rotation has no effect on 'ball.ppm'"));
   CHECK_THAT(said("--environment studio --environment-rotation 9 --environment-brightness 5"),
              !contains_text("no effect"));
+  for (std::string const option : {"--environment-rotation 9", "--environment-brightness 5"}) {
+    std::string const name = option.substr(0, option.find(' '));
+    CHECK_THAT(said("--integrator path " + option),
+               contains_text(name + " has no effect on 'ball.ppm': the scene has no environment [W0101]"));
+  }
   CHECK_THAT(said("--integrator whitted --environment none"), !contains_text("no effect"));
 }

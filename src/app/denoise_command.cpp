@@ -33,6 +33,7 @@ struct DenoiseOptions {
   std::filesystem::path output;
   Denoising denoising = Denoising::on;
   bool has_noisy_guides = false;
+  bool has_development = false;  // --exposure, --tonemap or --transfer
   std::string device;
   Development development{0, ToneMap::none, Transfer::srgb};
 };
@@ -49,15 +50,24 @@ bool parse_denoise(Arguments const& arguments, DenoiseOptions& options, Console&
   auto const path = [](std::string const& text) { return std::filesystem::path(parse_name(text)); };
   add_value(*parser, "-o,--output", options.output, path, "FILE",
             "Write to FILE: an .exr keeps all layers, others are\npictures (default: <name>-denoised.exr)", "Output");
-  auto const tone_map = [](std::string const& text) {
+  auto const exposure = [&options](std::string const& text) {
+    options.has_development = true;
+    return parse_exposure(text);
+  };
+  auto const tone_map = [&options](std::string const& text) {
+    options.has_development = true;
     ToneMap const parsed = parse_tone_map(text);
     return parsed == ToneMap::automatic ? ToneMap::none : parsed;
   };
-  add_value(*parser, "--exposure", options.development.exposure_ev, parse_exposure, "EV",
+  auto const transfer = [&options](std::string const& text) {
+    options.has_development = true;
+    return parse_transfer(text);
+  };
+  add_value(*parser, "--exposure", options.development.exposure_ev, exposure, "EV",
             "Of a picture: stops brighter, or darker (default: 0)", "Output");
   add_value(*parser, "--tonemap", options.development.tone_map, tone_map, "NAME",
             "Of a picture: none (default), neutral (as for\nmodels), agx, aces or reinhard", "Output");
-  add_value(*parser, "--transfer", options.development.transfer, parse_transfer, "NAME",
+  add_value(*parser, "--transfer", options.development.transfer, transfer, "NAME",
             "Of a picture: srgb (default) or linear", "Output");
   add_value(*parser, "--denoise", options.denoising, parse_denoiser, "NAME",
             "on (default): by Open Image Denoise where it is found;\nbuiltin: by lichtraum's own filter", "Denoising");
@@ -69,6 +79,22 @@ bool parse_denoise(Arguments const& arguments, DenoiseOptions& options, Console&
             "Where the built-in filter runs: index, part of a name,\ncpu, gpu or reference", "Denoising");
   add_verbosity(*parser, console);
   return parse(*parser, arguments);
+}
+
+std::vector<Diagnostic> options_without_effect(DenoiseOptions const& options, std::filesystem::path const& output,
+                                               ImageFormat const& format) {
+  std::vector<Diagnostic> found;
+  auto const add = [&](std::string message) {
+    found.push_back({Severity::warning, DiagnosticCode::option_without_effect, {}, 1, std::move(message), {}, {}});
+  };
+  if (options.has_development && !format.encode) {
+    add(fmt::format("--exposure, --tonemap or --transfer has no effect on '{}': it stores radiance as it is",
+                    output.string()));
+  }
+  if (options.has_noisy_guides && options.denoising == Denoising::builtin) {
+    add("--prefilter has no effect with --denoise builtin: it is for Open Image Denoise");
+  }
+  return found;
 }
 
 std::string list_of(std::vector<std::string> const& channels) {
@@ -140,6 +166,7 @@ int denoise_command(Arguments const& arguments, Console& console) {
   files.add(options.input);
   files.refuse_to_overwrite(output);
   check_writable(output);
+  console.show(options_without_effect(options, output, format));
 
   ExrLayers layers(read_file(options.input), options.input);
   auto const [width, height] = layers.size();

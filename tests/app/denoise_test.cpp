@@ -178,6 +178,25 @@ TEST_CASE("a stored film gives the picture that is drawn at once", "[app][denois
   CHECK(run("denoise film.exr -q -o stored.jpg").exit_code == 0);
 }
 
+TEST_CASE("options of denoise without effect are told", "[app][denoise]") {
+  Lichtraum const lichtraum;
+  Run const run{lichtraum};
+  REQUIRE(run("render - -q --device reference --planes radiance,albedo,normal -o film.exr", scene).exit_code == 0);
+  auto const said = [&](std::string const& words) {
+    auto const result = run("denoise film.exr --device reference " + words);
+    CHECK(result.exit_code == 0);
+    return result.err;
+  };
+  for (char const* const option : {"--exposure 1", "--tonemap agx", "--transfer linear"}) {
+    CHECK_THAT(said(option), contains_text("--exposure, --tonemap or --transfer has no effect on 'film-denoised.exr'"));
+    CHECK_THAT(said(std::string(option) + " -o picture.pfm"), contains_text("has no effect on 'picture.pfm'"));
+    CHECK_THAT(said(std::string(option) + " -o picture.png"), !contains_text("no effect"));
+  }
+  CHECK_THAT(said("--denoise builtin --prefilter"),
+             contains_text("--prefilter has no effect") && contains_text("[W0101]"));
+  CHECK_THAT(said("--prefilter"), !contains_text("no effect"));
+}
+
 TEST_CASE("what cannot be denoised is said", "[app][denoise]") {
   Lichtraum const lichtraum;
   Run const run{lichtraum};

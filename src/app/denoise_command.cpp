@@ -66,9 +66,11 @@ bool parse_denoise(Arguments const& arguments, DenoiseOptions& options, Console&
   add_value(*parser, "--exposure", options.development.exposure_ev, exposure, "EV",
             "Of a picture: stops brighter, or darker (default: 0)", "Output");
   add_value(*parser, "--tonemap", options.development.tone_map, tone_map, "NAME",
-            "Of a picture: none (default), neutral (as for\nmodels), agx, aces or reinhard", "Output");
+            "Of a picture: none (default; a film does not tell\nwhat its scene needs), neutral (as 'lichtraum\nrender' "
+            "develops models), agx, aces or reinhard",
+            "Output");
   add_value(*parser, "--transfer", options.development.transfer, transfer, "NAME",
-            "Of a picture: srgb (default) or linear", "Output");
+            "Of a picture: srgb (default) or linear (as\n'lichtraum render' stores scenes)", "Output");
   add_value(*parser, "--denoise", options.denoising, parse_denoiser, "NAME",
             "on (default): by Open Image Denoise where it is found;\nbuiltin: by lichtraum's own filter", "Denoising");
   parser

@@ -93,7 +93,7 @@ int job_merge_command(Arguments const& arguments, Console& console) {
   if (options.frames_per_second) render.frames_per_second = options.frames_per_second;
   render.load.whole_animation_rate.reset();  // the plan has the pictures that it has
   MergingRenderer renderer(folder, options.allow_mixed ? "" : folder.plan().device.hash,
-                           make_renderer(reference_device()), console);
+                           make_renderer(reference_device()));
   RunReport report;
   return draw_sequence(inputs, render, names, renderer, console, report);
 }

@@ -33,12 +33,8 @@ class LackingUnits {
 }  // namespace
 
 MergingRenderer::MergingRenderer(farm::PlanFolder const& folder, std::string allowed_class,
-                                 std::unique_ptr<Renderer> other, Console const& console)
-    : folder_(folder),
-      allowed_class_(std::move(allowed_class)),
-      other_(std::move(other)),
-      console_(console),
-      device_(other_->device()) {
+                                 std::unique_ptr<Renderer> other)
+    : folder_(folder), allowed_class_(std::move(allowed_class)), other_(std::move(other)), device_(other_->device()) {
   device_.kind = folder.plan().device.kind;
   device_.name = folder.plan().device.name;
 }

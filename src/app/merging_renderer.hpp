@@ -3,7 +3,6 @@
 #include <memory>
 #include <string>
 
-#include "app/console.hpp"
 #include "farm/unit_file.hpp"
 #include "lichtraum/renderer.hpp"
 
@@ -14,8 +13,7 @@ namespace lichtraum::app {
 class MergingRenderer final : public Renderer {
  public:
   /// `allowed_class`: what must have drawn the units; empty: any may have.
-  MergingRenderer(farm::PlanFolder const& folder, std::string allowed_class, std::unique_ptr<Renderer> other,
-                  Console const& console);
+  MergingRenderer(farm::PlanFolder const& folder, std::string allowed_class, std::unique_ptr<Renderer> other);
 
   DeviceInfo const& device() const override { return device_; }
   std::shared_ptr<PreparedScene const> prepare(Scene const& scene, std::string_view root,
@@ -43,7 +41,6 @@ class MergingRenderer final : public Renderer {
   farm::PlanFolder const& folder_;
   std::string allowed_class_;
   std::unique_ptr<Renderer> other_;
-  Console const& console_;
   DeviceInfo device_;
   int picture_ = -1;
 };

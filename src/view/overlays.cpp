@@ -89,7 +89,7 @@ void OverlayLayer::add_grid(Film const& film, Camera const& camera, Bounds const
   };
   std::vector<Place> row(std::size_t(width) + 1), below(std::size_t(width) + 1);
   auto const fill = [&](std::vector<Place>& places, int y) {
-    for (int x = 0; x <= width; ++x) places[std::size_t(x)] = place(x, y);
+    for (int x = 0; x <= film.size().width; ++x) places[std::size_t(x)] = place(x, y);
   };
   fill(below, 0);
   for (int y = 0; y < height; ++y) {

@@ -14,8 +14,6 @@ std::string text_of(Light const& light) {
   return out.str();
 }
 
-double const infinity = std::numeric_limits<double>::infinity();
-
 }  // namespace
 
 TEST_CASE("what arrives of a light", "[unit]") {

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <initializer_list>
 #include <iterator>
 #include <string>
 
@@ -38,13 +39,18 @@ bool edit_color(char const* label, Rgb& color) {
   return true;
 }
 
+/// Where `a || b` would leave out the second widget once the first has changed.
+bool any_of(std::initializer_list<bool> has_changed) {
+  return std::ranges::find(has_changed, true) != has_changed.end();
+}
+
 /// A colour, and how bright it is in its brightest channel.
 bool edit_light_color(Rgb& color, Rgb const& original) {
   auto const brightest = [](Rgb const& c) { return std::max({c.r, c.g, c.b}); };
   double brightness = brightest(color);
   Rgb hue = brightness > 0 ? color / brightness : brightest(original) > 0 ? original / brightest(original) : Rgb(1);
   double const range = brightest(original) > 0 ? 4 * brightest(original) : 4;
-  bool const has_changed = edit_number("brightness", brightness, 0, range) | edit_color("colour", hue);
+  bool const has_changed = any_of({edit_number("brightness", brightness, 0, range), edit_color("colour", hue)});
   if (has_changed) color = brightness * hue;
   return has_changed;
 }
@@ -62,7 +68,7 @@ bool edit_direction(Vec3& direction) {
   double azimuth = glm::degrees(std::atan2(direction.x, -direction.z));
   double elevation = glm::degrees(std::asin(std::clamp(direction.y, -1.0, 1.0)));
   bool const has_changed =
-      edit_number("azimuth", azimuth, -180, 180) | edit_number("elevation", elevation, -89.9, 89.9);
+      any_of({edit_number("azimuth", azimuth, -180, 180), edit_number("elevation", elevation, -89.9, 89.9)});
   if (!has_changed) return false;
   double const a = glm::radians(azimuth), e = glm::radians(elevation);
   direction = {std::cos(e) * std::sin(a), std::sin(e), -std::cos(e) * std::cos(a)};
@@ -70,8 +76,8 @@ bool edit_direction(Vec3& direction) {
 }
 
 bool edit_cone(SpotCone& cone) {
-  bool const has_changed =
-      edit_number("inner angle", cone.inner_degrees, 0, 89) | edit_number("outer angle", cone.outer_degrees, 0.5, 90);
+  bool const has_changed = any_of(
+      {edit_number("inner angle", cone.inner_degrees, 0, 89), edit_number("outer angle", cone.outer_degrees, 0.5, 90)});
   cone.inner_degrees = std::min(cone.inner_degrees, cone.outer_degrees - 0.5);
   return has_changed;
 }

@@ -68,7 +68,7 @@ Child start_child(fs::path const& folder, std::string const& path) {
   pid_t const child = ::fork();
   REQUIRE(child >= 0);
   if (child == 0) {
-#ifndef __SANITIZE_ADDRESS__                                // whose shadow is terabytes
+#ifndef LICHTRAUM_SANITIZED                                 // AddressSanitizer's shadow is terabytes
     rlimit const memory{rlim_t(5) << 28, rlim_t(5) << 28};  // 1 GB, and the program itself
     ::setrlimit(RLIMIT_AS, &memory);
     rlimit const time{10, 10};

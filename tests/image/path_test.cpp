@@ -508,6 +508,28 @@ transform eye translate 0 0.5 0.5
   CHECK(small_box.error < 0.1 * small_cylinder.error);
 }
 
+TEST_CASE("paths: a clear coat dims what shines below it, most at grazing angles", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  for (double const degrees : {0., 60., 80.}) {
+    INFO(degrees);
+    Scene scene = scene_of(R"(
+define material lamp 0 0 0  0 0 0  0 0 0 1
+define shape plane sheet 0 0 0  0 0 1 lamp
+define camera eye 0.01
+transform eye translate 0 0 1
+transform eye rotate )" + std::to_string(degrees) +
+                           " 1 0 0\n");
+    PbrModel lamp = pbr(Rgb(0), 0, 1);  // of a black dielectric: what it reflects is black, as nothing else is there
+    lamp.emissive = Rgb(2);
+    lamp.clearcoat = 0.75;
+    **scene.materials.find("lamp") = Material("lamp", lamp);
+    double const cosine = std::cos(degrees * 3.14159265358979 / 180);
+    double const fresnel = 0.04 + 0.96 * std::pow(1 - cosine, 5);
+    Mean const seen = mean_of(trace(scene, path_request(scene, {8, 8}, 16, 2)));
+    CHECK(seen.value == Approx(2 * (1 - 0.75 * fresnel)).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("what shines beyond all measure leaves no pixel without a number", "[image][path]") {
   REQUIRE_OPENCL_DEVICE();
   Scene const scene = scene_of(R"(

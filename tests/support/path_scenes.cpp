@@ -166,6 +166,27 @@ define light diffuse key -4 5 5  0.5 0.5 0.5
   return {"coats", std::move(scene), 3, false, true};
 }
 
+/// Lamps of each kind that are looked for, below clear coats, some of which they are seen through at grazing angles.
+PathScene coated_lamps() {
+  Scene scene = scene_of(std::string(things) + R"(
+define shape box floor -4 -1.2 -4  4 -1 3 floor
+define shape triangle panel -2 -1 -0.5  -1.2 -1 1  -1.6 1.4 0.4 a
+define shape sphere ball 0 0.1 0  1.1 b
+define shape box tube 1.6 -1.2 -0.2  1.9 2 0 c
+)");
+  PbrModel lamp = pbr({0.5, 0.5, 0.5}, 0, 1);
+  lamp.emissive = {6, 5, 4};
+  lamp.double_sided = true;
+  lamp.clearcoat = 0.9;
+  lamp.clearcoat_roughness = 1;
+  set_material(scene, "a", lamp);
+  lamp.clearcoat = 1;
+  set_material(scene, "b", lamp);
+  set_material(scene, "c", lamp);
+  scene.environment = around(uniform_environment(0.1f, 0.1f, 0.1f));
+  return {"lamps below clear coats", std::move(scene), 3, true};
+}
+
 /// Without lights of no size: their images in it would be seen once in a million samples.
 PathScene smooth() {
   Scene scene = scene_of(four_balls +
@@ -417,6 +438,7 @@ std::vector<PathScene> path_scenes() {
   scenes.push_back(metal_and_rough("metal and rough, window", window_environment()));
   scenes.push_back(rough_glass());
   scenes.push_back(coats());
+  scenes.push_back(coated_lamps());
   scenes.push_back(smooth());
   scenes.push_back(sheets());
   scenes.push_back(panes());

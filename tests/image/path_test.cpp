@@ -177,6 +177,19 @@ TEST_CASE("paths: glass and mirrors in ambient light keep all of it", "[image][p
   }
 }
 
+TEST_CASE("paths: what clear glass absorbs does not depend on the way, however short its distance", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  for (double const distance : {1., 1e-30, 1e-40}) {
+    INFO(distance);
+    Scene scene = scene_of(ball("0 0 0  0 0 0  0 0 0 1") + ambient_light + "define background 1 1 1\n");
+    PbrModel glass = pbr(Rgb(1), 0, 0);
+    glass.transmission = glass.thickness = 1;
+    glass.attenuation_distance = distance;
+    **scene.materials.find("m") = Material("m", glass);
+    check_mean(trace(scene, path_request(scene, {32, 32}, 64, 64)), 1);
+  }
+}
+
 TEST_CASE("paths: a closed body that shines within shows the sum of all bounces", "[image][path]") {
   REQUIRE_OPENCL_DEVICE();
   Scene scene = scene_of(
@@ -506,6 +519,40 @@ transform eye translate 0 0.5 0.5
   CHECK(small_cylinder.value == Approx(0.5 * 2 * 0.04 / 4.04).margin(3.5 * small_cylinder.error));
   CHECK(small_ball.error < 0.1 * small_cylinder.error);
   CHECK(small_box.error < 0.1 * small_cylinder.error);
+}
+
+TEST_CASE("paths: lamps of too many triangles to look for count in full, whatever else has their material",
+          "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  // Two triangles, doubled twenty times: a sheet of 10 x 10 just above the floor.
+  double const tile = 10.0 / 1024;
+  std::string const s = "0.009765625";  // the same
+  std::string text = R"(
+define material matt 0 0 0  0.5 0.5 0.5  0 0 0 1
+define material lamp 0 0 0  0 0 0  0 0 0 1  emission 2 2 2
+define shape plane floor 0 0 0  0 1 0 matt
+define shape sphere hidden 0 -20 0  1 lamp
+define camera eye 0.01
+transform eye rotate -90 1 0 0
+transform eye translate 0 0.1 0
+)";
+  text += "define shape triangle t 0 0 0  " + s + " 0 0  " + s + " 0 " + s + " lamp\n";
+  text += "define shape triangle u 0 0 0  " + s + " 0 " + s + "  0 0 " + s + " lamp\ndefine shape composite g0 t u\n";
+  for (int level = 0; level < 20; ++level) {
+    std::string const whole = "g" + std::to_string(level + 1), half = "h" + std::to_string(level);
+    std::string const shift = std::to_string(tile * (1 << level / 2));
+    text += "define shape composite " + half + " g" + std::to_string(level) + "\n";
+    text += "transform " + half + " translate " + (level % 2 == 0 ? shift + " 0 0" : "0 0 " + shift) + "\n";
+    text += "define shape composite " + whole + " g" + std::to_string(level) + " " + half + "\n";
+  }
+  text += "transform g20 translate -5 0.2 -5\n";
+  Scene const scene = scene_of(text);
+  Mean const seen = mean_of(trace(scene, path_request(scene, {32, 32}, 64, 1)));
+  double const side = 5, slant = std::hypot(side, 0.2);
+  double const form_factor = 4 / 3.14159265358979 * side / slant * std::atan(side / slant);
+  INFO(seen.value << " +- " << seen.error);
+  CHECK(seen.value == Approx(0.5 * 2 * form_factor).margin(3.5 * seen.error));
+  CHECK(seen.error < 0.01);
 }
 
 TEST_CASE("paths: a clear coat dims what shines below it, most at grazing angles", "[image][path]") {

@@ -131,8 +131,8 @@ class PreparedScene {
 
   SceneStatistics statistics;  ///< device_bytes and upload_ms are known once a renderer was given the scene
   Bounds bounds;               ///< of all that is drawn, in the world
-  double lowest_y =
-      std::numeric_limits<double>::infinity();  ///< of all but infinite planes; infinity: nothing is drawn
+  /// How far along Scene::up all but infinite planes begins, from the world's origin; infinity: nothing is drawn.
+  double lowest_point = std::numeric_limits<double>::infinity();
   /// A hash of all that decides what rays see: shapes as floats, where they are, materials with their textures, lights,
   /// background, tone map; not names. 32 hexadecimal digits. Equal for equal scenes, whichever renderer prepared them
   /// and whether they were written or edited so.

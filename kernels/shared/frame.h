@@ -57,8 +57,7 @@ typedef struct {
   uint background_kind; /* BACKGROUND_... */
   float max_indirect;   /* of paths, see RenderRequest; may be INFINITY */
   uint ground;          /* GROUND_... */
-  float ground_y;       /* world */
-  uint padding[3];
+  float4 ground_plane;  /* unit normal, upwards, and how far along it the plane lies from the world's origin */
 } FrameParameters;
 DEVICE_STRUCT_SIZE(FrameParameters, 240);
 

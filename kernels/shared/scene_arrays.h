@@ -96,15 +96,14 @@ typedef struct {
   /* The environment; all 0 where there is none. */
   uint environment_width; /* texels */
   uint environment_height;
-  float environment_cosine; /* of the angle by which it is turned about y, counter-clockwise seen from above */
-  float environment_sine;
+  float map_from_world[3][3];      /* a rotation: of directions, to the map's; by rows */
   float environment_brightness;    /* what its radiance is multiplied by */
   float environment_power;         /* the mean luminance of that, over the sphere, times 4 pi; 0: black */
   float environment_sampled_power; /* what of it environment_sample draws from; 0: it draws nothing */
   float environment_poles[6];      /* rgb at the top, and at the bottom: the mean of the first row, and of the last */
   float environment_on_level[3];   /* its irradiance on a level surface, from above, over pi */
 } SceneConstants;
-DEVICE_STRUCT_SIZE(SceneConstants, 100);
+DEVICE_STRUCT_SIZE(SceneConstants, 128);
 
 /* For SceneConstants.ray_epsilon: 16 rounding units of float, several times what the device code can be off. */
 #define DEFAULT_RAY_EPSILON 9.5367431640625e-7f

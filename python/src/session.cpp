@@ -70,8 +70,7 @@ app::LoadOptions Session::load_options(app::RenderOptions const& options) {
   app::LoadOptions load;
   load.models = models_;
   load.environments = environments_;
-  load.device = renderer_->device().kind;
-  load.integrator = asked_integrator(options.job);
+  load.set_drawing(options.job, renderer_->device().kind);
   return load;
 }
 

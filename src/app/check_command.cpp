@@ -81,8 +81,7 @@ int check_command(Arguments const& arguments, Console& console) {
   std::vector<std::string> const inputs = expand_patterns(options.scenes);
   combine(options, inputs, names);
   auto const renderer = choose_renderer(options.device, options.traversal, console);
-  options.load.device = renderer->device().kind;
-  options.load.integrator = asked_integrator(options.job);
+  options.load.set_drawing(options.job, renderer->device().kind);
 
   int code = 0;
   std::vector<Prediction> predictions;

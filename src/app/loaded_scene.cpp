@@ -2,6 +2,12 @@
 
 namespace lichtraum::app {
 
+void LoadOptions::set_drawing(Job const& job, DeviceKind drawing_device) {
+  device = drawing_device;
+  integrator = asked_integrator(job);
+  up = job.view.up;
+}
+
 LoadedScene::LoadedScene(GltfAnimation animation, std::optional<double> time_seconds, std::vector<double> times_seconds,
                          std::function<void(Scene&)> adjust)
     : content_([&] {

@@ -20,11 +20,15 @@ struct LoadOptions {
   std::shared_ptr<ModelCache> models;             ///< null: each scene has one for itself
   DeviceKind device = DeviceKind::cpu;            ///< that draws: see usual_integrator
   std::optional<Integrator> integrator;           ///< that was asked for: by paths, models stand in the studio
+  std::optional<Vec3> up;                         ///< of models, where not +y (JobView::up)
   std::shared_ptr<EnvironmentMaps> environments;  ///< null: each scene has its maps for itself
   /// A picture of a model's animation at each; empty: one, see ModelChoice::time_seconds.
   std::vector<double> times_seconds;
   std::optional<double> whole_animation_rate;  ///< a model's whole animation, at that many pictures a second
   bool is_posed_later = false;                 ///< see LoadedScene::pose
+
+  /// What of it depends on who draws, and how that was asked for.
+  void set_drawing(Job const& job, DeviceKind drawing_device);
 };
 
 /// What a scene file or a model file became.

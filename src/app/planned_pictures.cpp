@@ -43,8 +43,7 @@ farm::Plan make_plan(RenderOptions& options, std::vector<std::string> const& giv
   make_absolute(options, inputs);
   std::set<std::string> files;
   options.load.on_read = [&files](std::filesystem::path const& path) { files.insert(absolute_text(path)); };
-  options.load.device = device.kind;
-  options.load.integrator = asked_integrator(options.job);
+  options.load.set_drawing(options.job, device.kind);
   options.output.file = any_picture;
   OutputNames names(options.output);
   combine(options, inputs, names);
@@ -94,8 +93,7 @@ RenderOptions options_of(farm::Plan const& plan, std::vector<std::string>& input
   options.frames_per_second = plan.frames_per_second;
   options.turntable = plan.turntable;
   options.tile = plan.tile;
-  options.load.device = plan.device.kind;
-  options.load.integrator = asked_integrator(options.job);
+  options.load.set_drawing(options.job, plan.device.kind);
   options.output.file = any_picture;
   for (farm::PlannedScene const& scene : plan.scenes) inputs.push_back(scene.file);
   options.scenes = inputs;

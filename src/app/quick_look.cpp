@@ -24,8 +24,7 @@ QuickLook::QuickLook(RenderOptions const& options, Console const& console) {
   renderer_ = choose_renderer(options.device, std::nullopt, console);
   Job job = source.job(options.job);
   LoadOptions load;
-  load.device = renderer_->device().kind;
-  load.integrator = job.integrator;
+  load.set_drawing(job, renderer_->device().kind);
   LoadedScene loaded = source.load(job.reading, load);
   console.show(loaded.diagnostics());
   bool const has_sampling = job.sampling.has_value();

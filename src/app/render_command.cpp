@@ -93,8 +93,7 @@ int render_command(Arguments const& arguments, Console& console) {
   Stopwatch const stopwatch;
   auto const renderer = choose_renderer(options.device, options.traversal, console);
   console.detail(fmt::format("device {}: {}", renderer->device().index, renderer->device().name));
-  options.load.device = renderer->device().kind;
-  options.load.integrator = asked_integrator(options.job);
+  options.load.set_drawing(options.job, renderer->device().kind);
   RunReport report;
   report.device = renderer->device();
   int const code = draw_sequence(inputs, options, names, *renderer, console, report);

@@ -33,7 +33,8 @@ void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string
   add_value(parser, "--eye", view.eye, parse_point, "X,Y,Z", "Put the camera there", group);
   add_value(parser, "--look-at", view.look_at, parse_point, "X,Y,Z",
             "Turn it to that point (default, where it is moved:\nthe middle of what is in view)", group);
-  add_value(parser, "--up", view.up, parse_point, "X,Y,Z", "What is up for it and for --orbit (default: 0,1,0)", group);
+  add_value(parser, "--up", view.up, parse_point, "X,Y,Z",
+            "What is up for it, for --orbit, and for a model's\nenvironment and --ground (default: 0,1,0)", group);
   add_value(parser, "--orbit", view.orbit, parse_orbit, "A,E[,D]",
             "Put it at azimuth A to the right of the front\n(+z), elevation E, in degrees; at distance D, or\nwhere it "
             "sees everything",

@@ -84,7 +84,12 @@ std::function<void(Scene&)> scene_adjustment(EnvironmentChoice const& choice, bo
   LoadOptions options = given;
   if (!options.environments) options.environments = std::make_shared<EnvironmentMaps>();
   bool const is_by_paths = options.integrator.value_or(usual_integrator(is_model, options.device)) == Integrator::path;
-  return chooser(choice, is_model && is_by_paths, options);
+  auto const choose = chooser(choice, is_model && is_by_paths, options);
+  if (!is_model || !options.up) return choose;
+  return [choose, up = *options.up](Scene& scene) {
+    if (choose) choose(scene);
+    scene.up = up;
+  };
 }
 
 SceneSource::SceneSource(std::string argument, std::string input_format) : name_(std::move(argument)) {

@@ -12,6 +12,7 @@
 #include "core/elementary.hpp"
 #include "core/luminance.hpp"
 #include "core/parallel_ranges.hpp"
+#include "lichtraum/orbit.hpp"
 
 namespace lichtraum {
 namespace {
@@ -176,14 +177,16 @@ EnvironmentTable make_environment_table(std::shared_ptr<EnvironmentMap const> sh
   return table;
 }
 
-void set_environment(device::SceneConstants& constants, EnvironmentTable const& table, EnvironmentLight const& light) {
+void set_environment(device::SceneConstants& constants, EnvironmentTable const& table, EnvironmentLight const& light,
+                     Vec3 const& up) {
   constants.environment_width = device::uint(table.map->width);
   constants.environment_height = device::uint(table.map->height);
-  // Whole turns are taken off first, so that large angles keep their digits.
-  double const turns = light.rotation_degrees / 360;
-  double const angle = 2 * pi * (turns - std::floor(turns));
-  constants.environment_cosine = float(cos_of(angle));
-  constants.environment_sine = float(sin_of(angle));
+  Mat3 const world_from_map(orbit_rotation({light.rotation_degrees, 0}, up).matrix());
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      constants.map_from_world[row][column] = float(world_from_map[row][column]);  // the transpose: glm's are columns
+    }
+  }
   constants.environment_brightness = to_float(light.brightness);
   constants.environment_power = to_float(4 * pi * light.brightness * table.mean_luminance);
   constants.environment_sampled_power = to_float(4 * pi * light.brightness * table.sampled_mean_luminance);

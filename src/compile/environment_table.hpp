@@ -26,6 +26,7 @@ struct EnvironmentTable : device::EnvironmentArrays {
 EnvironmentTable make_environment_table(std::shared_ptr<EnvironmentMap const> map, bool is_compensated = true);
 
 /// Fills what `constants` say of it.
-void set_environment(device::SceneConstants& constants, EnvironmentTable const& table, EnvironmentLight const& light);
+void set_environment(device::SceneConstants& constants, EnvironmentTable const& table, EnvironmentLight const& light,
+                     Vec3 const& up);
 
 }  // namespace lichtraum

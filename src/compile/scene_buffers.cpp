@@ -360,7 +360,8 @@ class Compiler {
 }  // namespace
 
 SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, TreeLayout layout,
-                           SceneBuffers const* previous, std::optional<EnvironmentLight> const& environment) {
+                           SceneBuffers const* previous, std::optional<EnvironmentLight> const& environment,
+                           Vec3 const& up) {
   Compiler compiler(layout, previous);
   auto world = compiler.take(std::move(scene.objects[0]));
   std::vector<CompiledObject> objects(1);  // the world's comes last: it needs the others' bounds
@@ -392,6 +393,7 @@ SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, Tre
   shading.pbr_materials = std::move(table.pbr);
   shading.lights = make_light_table({lights.begin(), lights.end()}, buffers.world_bounds);
   shading.features |= table.features | features_of(shading.lights);
+  shading.up = up;
   set_environment(shading, environment, previous ? &previous->shading : nullptr);
   find_emissive_shapes(buffers, objects, built, scene.instances);
   set_light_choices(shading, buffers);
@@ -412,7 +414,7 @@ device::SceneConstants scene_constants(SceneBuffers const& scene, ShadingTables 
     constants.environment_probability = shading.light_probabilities[shading.lights.size()];
     if (!shading.light_tree.empty()) constants.light_tree_probability = shading.light_probabilities.back();
   }
-  if (shading.environment) set_environment(constants, *shading.environment_table, *shading.environment);
+  if (shading.environment) set_environment(constants, *shading.environment_table, *shading.environment, shading.up);
   return constants;
 }
 

@@ -43,6 +43,7 @@ struct CompiledObject {
 /// What surfaces and lights are like: all of a scene that can change without a look at its shapes.
 struct ShadingTables : device::ShadingArrays {
   device::uint features = 0;  ///< SCENE_...
+  Vec3 up{0, 1, 0};           ///< of the scene
   std::optional<EnvironmentLight> environment;
   std::shared_ptr<EnvironmentTable const> environment_table =  ///< of its map; without elements where there is none
       std::make_shared<EnvironmentTable>();
@@ -86,7 +87,7 @@ device::SceneConstants scene_constants(SceneBuffers const& scene, ShadingTables 
 /// same map.
 SceneBuffers compile_scene(FlatScene&& scene, Registry<Light> const& lights, TreeLayout layout,
                            SceneBuffers const* previous = nullptr,
-                           std::optional<EnvironmentLight> const& environment = {});
+                           std::optional<EnvironmentLight> const& environment = {}, Vec3 const& up = {0, 1, 0});
 
 /// The tables of a compiled scene after edits. `materials`: whose entries its materials are, as FlatScene lists them.
 ShadingTables edit_tables(SceneBuffers const& scene, std::vector<Material const*> const& materials,

@@ -4,14 +4,12 @@
 #include <numbers>
 
 #include "core/elementary.hpp"
+#include "lichtraum/orbit.hpp"
 
 namespace lichtraum {
 
-ReferenceEnvironment::ReferenceEnvironment(EnvironmentLight light) : light_(std::move(light)) {
-  double const turns = light_.rotation_degrees / 360;
-  double const angle = 2 * std::numbers::pi * (turns - std::floor(turns));
-  cosine_ = cos_of(angle);
-  sine_ = sin_of(angle);
+ReferenceEnvironment::ReferenceEnvironment(EnvironmentLight light, Vec3 const& up)
+    : light_(std::move(light)), map_from_world_(orbit_rotation({light_.rotation_degrees, 0}, up).inverse()) {
   north_ = mean_of_row(0);
   south_ = mean_of_row(light_.map->height - 1);
 }
@@ -39,11 +37,9 @@ Rgb ReferenceEnvironment::value(int row, double column) const {
 
 Rgb ReferenceEnvironment::radiance(Vec3 const& direction) const {
   if (!light_.map) return Rgb(0);
-  // The light is turned counter-clockwise, seen from above; so the direction is turned back.
-  double const x = cosine_ * direction.x - sine_ * direction.z;
-  double const z = sine_ * direction.x + cosine_ * direction.z;
-  double const u = 0.5 + atan2_of(z, x) / (2 * std::numbers::pi);
-  double const v = atan2_of(std::sqrt(x * x + z * z), direction.y) / std::numbers::pi;
+  Vec3 const in_map = map_from_world_.vector(direction);
+  double const u = 0.5 + atan2_of(in_map.z, in_map.x) / (2 * std::numbers::pi);
+  double const v = atan2_of(std::hypot(in_map.x, in_map.z), in_map.y) / std::numbers::pi;
   double const column = u * light_.map->width - 0.5;
   double const row = v * light_.map->height - 0.5;
   int const upper = int(std::floor(row));

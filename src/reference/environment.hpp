@@ -4,6 +4,7 @@
 
 #include "lichtraum/environment.hpp"
 #include "lichtraum/math.hpp"
+#include "lichtraum/transform.hpp"
 
 namespace lichtraum {
 
@@ -11,7 +12,8 @@ namespace lichtraum {
 class ReferenceEnvironment {
  public:
   ReferenceEnvironment() = default;  ///< none: black
-  explicit ReferenceEnvironment(EnvironmentLight light);
+  /// `up`: of the scene.
+  explicit ReferenceEnvironment(EnvironmentLight light, Vec3 const& up = {0, 1, 0});
 
   explicit operator bool() const { return light_.map != nullptr; }
 
@@ -25,7 +27,7 @@ class ReferenceEnvironment {
 
   EnvironmentLight light_;
   Rgb north_{0}, south_{0};
-  double cosine_ = 1, sine_ = 0;
+  Transform map_from_world_;
 };
 
 }  // namespace lichtraum

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "core/elementary.hpp"
+#include "lichtraum/orbit.hpp"
+#include "scene/unit_vector.hpp"
 
 namespace lichtraum {
 namespace {
@@ -12,14 +14,16 @@ namespace {
 using std::numbers::pi;
 
 /// The irradiance from above, over pi: by the middles of a fine grid of directions.
-Rgb light_on_level(ReferenceEnvironment const& environment) {
+Rgb light_on_level(ReferenceEnvironment const& environment, Vec3 const& up) {
   constexpr int rings = 512, sectors = 1024;
+  Transform const world_from_level = orbit_rotation({0, 0}, up);
   Rgb sum(0);
   for (int ring = 0; ring < rings; ++ring) {
     double const theta = 0.5 * pi * (ring + 0.5) / rings, sine = sin_of(theta), cosine = cos_of(theta);
     for (int sector = 0; sector < sectors; ++sector) {
       double const phi = 2 * pi * (sector + 0.5) / sectors;
-      sum += sine * cosine * environment.radiance({sine * cos_of(phi), cosine, sine * sin_of(phi)});
+      Vec3 const direction(sine * cos_of(phi), cosine, sine * sin_of(phi));
+      sum += sine * cosine * environment.radiance(world_from_level.vector(direction));
     }
   }
   return sum * (pi / rings / sectors);
@@ -37,23 +41,24 @@ double share_of_disc(Light const& light, double distance) {
 }  // namespace
 
 ReferenceGround::ReferenceGround(ReferenceScene const& scene, ReferenceEnvironment const& environment, Ground kind)
-    : kind_(std::isfinite(scene.lowest_y) ? kind : Ground::none), lights_(scene.lights) {
+    : kind_(std::isfinite(scene.lowest_point) ? kind : Ground::none), lights_(scene.lights) {
   if (kind_ == Ground::none) return;
-  y_ = scene.lowest_y;
-  from_afar_ = environment ? light_on_level(environment) : scene.ambient;
+  up_ = unit_vector(scene.up);
+  height_ = scene.lowest_point;
+  from_afar_ = environment ? light_on_level(environment, up_) : scene.ambient;
 }
 
 double ReferenceGround::distance(Ray const& ray) const {
-  double const height = ray.origin.y - y_;
-  bool const meets = height > 0 && ray.direction.y < 0;
-  return meets ? height / -ray.direction.y : std::numeric_limits<double>::infinity();
+  double const height = glm::dot(up_, ray.origin) - height_, fall = -glm::dot(up_, ray.direction);
+  return height > 0 && fall > 0 ? height / fall : std::numeric_limits<double>::infinity();
 }
 
 Rgb ReferenceGround::open_radiance(Vec3 const& position) const {
   Rgb sum = from_afar_;
   for (Light const& light : lights_) {
     Vec3 const way = light.way_from(position);
-    if (way.y > 0) sum += glm::normalize(way).y * share_of_disc(light, glm::length(way)) * light.arriving_at(position);
+    double const cosine = glm::dot(up_, glm::normalize(way));
+    if (cosine > 0) sum += cosine * share_of_disc(light, glm::length(way)) * light.arriving_at(position);
   }
   return sum;
 }
@@ -61,8 +66,8 @@ Rgb ReferenceGround::open_radiance(Vec3 const& position) const {
 ReferenceScatteringPoint ReferenceGround::black_point(Ray const& ray, double t) const {
   ReferenceScatteringPoint point{};
   point.position = ray.origin + t * ray.direction;
-  point.position.y = y_;
-  point.geometric_normal = point.normal = Vec3(0, 1, 0);
+  point.position += (height_ - glm::dot(up_, point.position)) * up_;
+  point.geometric_normal = point.normal = up_;
   point.to_viewer = -ray.direction;
   point.offset = reference_ray_epsilon * glm::length(point.position);
   return point;

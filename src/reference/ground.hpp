@@ -32,7 +32,8 @@ class ReferenceGround {
   Rgb open_radiance(Vec3 const& position) const;
 
   Ground kind_ = Ground::none;
-  double y_ = 0;
+  Vec3 up_{0, 1, 0};   // unit
+  double height_ = 0;  // along that
   Rgb from_afar_{0};
   std::vector<Light> lights_;
 };

@@ -66,7 +66,7 @@ PixelTracer::PixelTracer(ReferenceScene const& scene, ReferenceNumbers const& nu
       background_(request.background.value_or(scene.background)),
       samples_(samples),
       film_(film) {
-  if (scene.environment) environment_ = ReferenceEnvironment(*scene.environment);
+  if (scene.environment) environment_ = ReferenceEnvironment(*scene.environment, scene.up);
   if (request.integrator == Integrator::path) {
     for (auto const& [material, number] : numbers.materials) {
       if (material) check_is_known(*material);

@@ -139,9 +139,9 @@ class ReferenceRenderer final : public Renderer {
       materials.emplace(flat.materials[i].get(), std::uint32_t(i + 1));
     }
     prepared.numbers.objects = ObjectNumbers(flat);
-    prepared.lowest_y = prepared.graph.lowest_y = lowest_point(flat);
-    prepared.fingerprint =
-        scene_fingerprint(content_of(flat, prepared.lights, prepared.graph.environment), prepared.graph);
+    prepared.lowest_point = prepared.graph.lowest_point = lowest_point(flat, unit_vector(prepared.graph.up));
+    prepared.fingerprint = scene_fingerprint(
+        content_of(flat, prepared.lights, prepared.graph.environment, prepared.graph.up), prepared.graph);
   }
 
   /// Whether all rows are there: not where `goes_on` has said no.

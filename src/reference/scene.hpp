@@ -15,7 +15,7 @@ struct ReferenceScene : SceneShading {
   std::vector<std::shared_ptr<Shape const>> roots;
   std::vector<Light> lights;  ///< all but ambient ones
   std::optional<EnvironmentLight> environment;
-  double lowest_y = 0;  ///< see PreparedScene
+  double lowest_point = 0;  ///< see PreparedScene
 };
 
 /// All but ambient ones.

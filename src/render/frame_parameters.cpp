@@ -55,7 +55,7 @@ device::uint ground_of(Ground ground) {
 
 }  // namespace
 
-device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene, double lowest_y) {
+device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene, double lowest_point) {
   check_request(request);
   device::FrameParameters frame{};
   frame.camera = pinhole_camera(request.camera, request.resolution);
@@ -75,11 +75,12 @@ device::FrameParameters frame_parameters(RenderRequest const& request, SceneShad
   frame.seed_low = device::uint(request.seed);
   frame.seed_high = device::uint(request.seed >> 32);
   frame.max_indirect = float(request.max_indirect);
-  bool const has_ground = request.ground != Ground::none && std::isfinite(lowest_y);
+  bool const has_ground = request.ground != Ground::none && std::isfinite(lowest_point);
   bool const is_lit = request.planes.has(FilmPlane::radiance) || (has_ground && has_shadows_in_alpha(request));
   frame.max_depth = is_lit ? device::uint(request.max_depth) : 0;
   frame.ground = has_ground && is_lit ? ground_of(request.ground) : GROUND_NONE;
-  frame.ground_y = has_ground ? float(lowest_y) : 0;
+  frame.ground_plane = device_float4(unit_vector(scene.up));
+  frame.ground_plane.w = has_ground ? float(lowest_point) : 0;
   return frame;
 }
 

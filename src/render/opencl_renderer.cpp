@@ -15,6 +15,7 @@
 #include "scene/lowest_point.hpp"
 #include "scene/object_numbers.hpp"
 #include "scene/scene_content.hpp"
+#include "scene/unit_vector.hpp"
 
 namespace lichtraum {
 namespace {
@@ -117,8 +118,8 @@ class OpenClRenderer final : public Renderer {
     FlatScene flat = flatten(drawn_roots(scene, root));
     for (auto const& material : flat.materials) prepared->materials.push_back(material.get());
     prepared->numbers = ObjectNumbers(flat);
-    prepared->lowest_y = lowest_point(flat);
-    prepared->content = content_of(flat, {scene.lights.begin(), scene.lights.end()}, scene.environment);
+    prepared->lowest_point = lowest_point(flat, unit_vector(scene.up));
+    prepared->content = content_of(flat, {scene.lights.begin(), scene.lights.end()}, scene.environment, scene.up);
     prepared->fingerprint = scene_fingerprint(prepared->content, prepared->shading);
     statistics.flatten_ms = 1e3 * seconds_since(start);
 
@@ -126,8 +127,9 @@ class OpenClRenderer final : public Renderer {
     if (old && old->content == prepared->content) {
       prepared->buffers = old->buffers;
     } else {
-      prepared->buffers = std::make_shared<SceneBuffers>(compile_scene(
-          std::move(flat), scene.lights, traversal_.layout, old ? old->buffers.get() : nullptr, scene.environment));
+      prepared->buffers = std::make_shared<SceneBuffers>(compile_scene(std::move(flat), scene.lights, traversal_.layout,
+                                                                       old ? old->buffers.get() : nullptr,
+                                                                       scene.environment, scene.up));
     }
     prepared->tables = {prepared->buffers, &prepared->buffers->shading};
     SceneBuffers const& buffers = *prepared->buffers;
@@ -166,7 +168,7 @@ class OpenClRenderer final : public Renderer {
   }
 
   RenderResult render(RenderRequest const& request, Film& film, ProgressFunction const& progress) override {
-    auto const frame = frame_parameters(request, scene_->shading, scene_->lowest_y);
+    auto const frame = frame_parameters(request, scene_->shading, scene_->lowest_point);
     SampleRange const wanted = wanted_samples(request);
     if (!has_begun(request, film)) {
       PlaneSet planes = request.planes;

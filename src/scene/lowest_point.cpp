@@ -86,9 +86,9 @@ struct ObjectBox {
 
 }  // namespace
 
-double lowest_point(FlatScene const& scene) {
+double lowest_point(FlatScene const& scene, Vec3 const& up) {
   if (scene.objects.empty()) return infinity;
-  double lowest = least(scene.objects.front(), {Vec3(0, 1, 0)});
+  double lowest = least(scene.objects.front(), {up});
   if (scene.instances.empty()) return lowest;
   std::vector<ObjectBox> const boxes(scene.objects.begin() + 1, scene.objects.end());  // instances show no world
   for (FlatInstance const& instance : scene.instances) {
@@ -98,9 +98,9 @@ double lowest_point(FlatScene const& scene) {
     for (int i = 0; i < 3; ++i) {
       Vec3 axis(0);
       axis[i] = 1;
-      direction[i] = instance.world_from_object.vector(axis).y;
+      direction[i] = glm::dot(instance.world_from_object.vector(axis), up);
     }
-    Height const height{direction, instance.world_from_object.point(Vec3(0)).y};
+    Height const height{direction, glm::dot(instance.world_from_object.point(Vec3(0)), up)};
     // Most are not worth a look at all of their primitives.
     if (boxes[instance.object - 1].least_of(height) < lowest) lowest = std::min(lowest, least(object, height));
   }

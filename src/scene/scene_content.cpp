@@ -142,8 +142,8 @@ ContentHash content_of(FlatObject const& object) {
 }
 
 SceneContent content_of(FlatScene const& scene, std::vector<Light> const& lights,
-                        std::optional<EnvironmentLight> const& environment) {
-  SceneContent content{content_of_shapes(scene), {}, content_of(lights), {}, content_of(environment)};
+                        std::optional<EnvironmentLight> const& environment, Vec3 const& up) {
+  SceneContent content{content_of_shapes(scene), {}, content_of(lights), {}, content_of(environment), up};
   if (environment) content.environment_map = content_of(*environment->map);
   for (auto const& material : scene.materials) {
     content.materials.push_back(content_of(material ? *material : Material()));
@@ -171,6 +171,7 @@ std::string scene_fingerprint(SceneContent const& content, SceneShading const& s
   hasher.add(content.lights);
   hasher.add(content.environment_map);
   hasher.add(content.environment);
+  hasher.add(content.up);
   hasher.add(shading.ambient);
   hasher.add(shading.background);
   hasher.add(shading.tone_map);

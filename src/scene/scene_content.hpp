@@ -19,6 +19,7 @@ struct SceneContent {
   ContentHash lights;
   ContentHash environment_map;  ///< of none where there is no environment
   ContentHash environment;      ///< how its map is turned and how bright it is
+  Vec3 up{0, 1, 0};             ///< of the scene
   friend bool operator==(SceneContent const&, SceneContent const&) = default;
 };
 
@@ -26,7 +27,7 @@ struct SceneContent {
 ContentHash content_of(FlatObject const& object);
 /// Takes the objects' own hashes as flatten left them.
 SceneContent content_of(FlatScene const& scene, std::vector<Light> const& lights,
-                        std::optional<EnvironmentLight> const& environment);
+                        std::optional<EnvironmentLight> const& environment, Vec3 const& up);
 /// As if the scene had been written so. `materials` and `map`: whose hashes those are, as FlatScene lists them, and the
 /// environment's (null: there is none).
 SceneContent edit_content(SceneContent content, std::vector<Material const*> const& materials,

@@ -9,6 +9,7 @@ struct SceneShading {
   Rgb ambient{0};  ///< the sum of all lights' La
   Rgb background{0};
   ToneMap tone_map = ToneMap::none;  ///< what `automatic` means
+  Vec3 up{0, 1, 0};                  ///< see Scene
 };
 
 inline Rgb ambient(std::vector<Light> const& lights) {
@@ -17,6 +18,8 @@ inline Rgb ambient(std::vector<Light> const& lights) {
   return sum;
 }
 
-inline SceneShading shading_of(Scene const& scene) { return {scene.ambient(), scene.background, scene.tone_map}; }
+inline SceneShading shading_of(Scene const& scene) {
+  return {scene.ambient(), scene.background, scene.tone_map, scene.up};
+}
 
 }  // namespace lichtraum

@@ -111,8 +111,7 @@ void Worker::work(std::stop_token const& stop) {
       news_.device = renderer->device().name;
     }
     wake_();
-    load_options_.device = renderer->device().kind;
-    load_options_.integrator = asked_integrator(job_);
+    load_options_.set_drawing(job_, renderer->device().kind);
     load(*renderer);
     while (!stop.stop_requested()) {
       look_at_files();

@@ -278,6 +278,42 @@ TEST_CASE("the camera sees both sides of OBJ and PLY, and of glTF's surfaces as 
   }
 }
 
+TEST_CASE("a model whose up is elsewhere is lit and stands as one that is upright", "[app][obj][ground]") {
+  Lichtraum const lichtraum;
+  if (lichtraum("devices --json").out.find("\"cpu\"") == std::string::npos) SKIP_TEST("no OpenCL device");
+  lichtraum.folder.write("y.obj", "v -1 0 1\nv 1 0 1\nv 0 0 -1\nv 0.3 2 0\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  lichtraum.folder.write("z.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nv 0.3 0 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  auto const picture = [&](std::string const& words) {
+    auto const result = lichtraum("render " + words + " --size 48x36 --denoise off -o picture.png");
+    INFO(words << ": " << result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK(result.err.find("no effect") == std::string::npos);
+    return decode(lichtraum.folder.read("picture.png"));
+  };
+  auto const difference = [](auto const& a, auto const& b) {
+    double sum = 0;
+    for (int y = 0; y < 36; ++y) {
+      for (int x = 0; x < 48; ++x) {
+        for (int c = 0; c < 3; ++c) sum += std::abs(a.at(x, y, c) - b.at(x, y, c));
+      }
+    }
+    return sum / (36 * 48 * 3);
+  };
+  for (std::string const ground : {"", " --ground", " --ground=glossy"}) {
+    INFO(ground);
+    auto const upright = picture("y.obj" + ground);
+    CHECK(difference(picture("z.obj --up 0,0,1" + ground), upright) < 1);
+    CHECK(difference(picture("z.obj" + ground), upright) > 5);
+  }
+  CHECK(difference(picture("y.obj --ground"), picture("y.obj")) > 1);
+  // So it is where machines share the work.
+  REQUIRE(lichtraum("job plan z.obj --up 0,0,1 --ground --size 48x36 --denoise off -o plan").exit_code == 0);
+  REQUIRE(lichtraum("job work plan").exit_code == 0);
+  REQUIRE(lichtraum("job merge plan -o merged.png").exit_code == 0);
+  CHECK(lichtraum.folder.read("merged.png") ==
+        (picture("z.obj --up 0,0,1 --ground"), lichtraum.folder.read("picture.png")));
+}
+
 TEST_CASE("an STL model is drawn like the same triangles in a PLY file", "[app][stl]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write(

@@ -2,6 +2,7 @@
 /// else is for path_oracle_test.cpp.
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <cmath>
 
@@ -167,6 +168,40 @@ TEST_CASE("ground: nobody but the camera sees it", "[image][path][ground]") {
     }
     CHECK(with != without);
   }
+}
+
+TEST_CASE("ground: with the environment it is where the scene has its up", "[image][path][ground]") {
+  REQUIRE_OPENCL_DEVICE();
+  EnvironmentMap map{8, 4, {}};
+  for (int i = 0; i < 32; ++i) map.radiance.insert(map.radiance.end(), {0.1f * float(i % 5), 0.02f * float(i), 0.5f});
+  auto const drawn = [&](std::string const& more, Vec3 const& up) {
+    Scene scene = scene_of(camera + R"(
+define shape sphere ball 0.3 0 0 1 grey
+define shape box tower -1.5 -1 -1  -1 1.5 -0.4 grey
+define shape triangle leaf 1 -0.5 1  2 -0.8 1  1.5 0.5 1.5 grey
+define shape composite all ball tower leaf
+)" + more);
+    scene.environment = EnvironmentLight{"made here", std::make_shared<EnvironmentMap const>(map), 50, 1};
+    scene.up = up;
+    RenderRequest request = ground_request(scene, Ground::matt, 256);
+    request.background = Background::environment();
+    Film const film = film_on(opencl_devices().front(), scene, request);
+    auto const values = film.values(FilmPlane::radiance);
+    return std::vector<float>(values.begin(), values.end());
+  };
+  std::vector<float> const usual = drawn("", {0, 1, 0});
+  auto const difference = [&](std::vector<float> const& values) {
+    double sum = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) sum += std::abs(double(values[i]) - usual[i]);
+    return sum / double(values.size());
+  };
+  // The same, turned as a whole. Noise is what they differ by.
+  std::string const forward = "transform all rotate 90 1 0 0\ntransform eye rotate 90 1 0 0\n";
+  CHECK(difference(drawn(forward, {0, 0, 2})) < 0.002);
+  CHECK(difference(drawn("transform all rotate 180 0 0 1\ntransform eye rotate 180 0 0 1\n", {0, -1, 0})) < 0.002);
+  CHECK(difference(drawn("transform all rotate 40 0 0 1\ntransform eye rotate 40 0 0 1\n",
+                         {-std::sin(glm::radians(40.)), std::cos(glm::radians(40.)), 0})) < 0.002);
+  CHECK(difference(drawn(forward, {0, 1, 0})) > 0.05);
 }
 
 TEST_CASE("ground: it takes paths, and a picture that keeps what it shows", "[image][path][ground]") {

@@ -63,11 +63,11 @@ std::shared_ptr<EnvironmentMap const> one_texel_map(int width, int height, int a
 /// What the probes take of a scene that has nothing but an environment.
 struct Environment {
   explicit Environment(std::shared_ptr<EnvironmentMap const> map, bool is_compensated = true, double rotation = 0,
-                       double brightness = 1)
+                       double brightness = 1, Vec3 const& up = {0, 1, 0})
       : table(make_environment_table(map, is_compensated)) {
     static_cast<device::EnvironmentArrays&>(scene) = table;
     scene.constants.features = SCENE_ENVIRONMENT;
-    set_environment(scene.constants, table, {"", map, rotation, brightness});
+    set_environment(scene.constants, table, {"", map, rotation, brightness}, up);
   }
   EnvironmentTable table;
   SceneArrays scene;

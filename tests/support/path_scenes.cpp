@@ -408,6 +408,14 @@ PathScene on_ground_in_the_open() {
   return {"on the ground, in the open", std::move(scene), 3, false, false, 1, Ground::matt};
 }
 
+/// Where neither the ground nor the environment lies along an axis.
+PathScene on_sloping_ground() {
+  Scene scene = still_life();
+  scene.environment = window_environment();
+  scene.up = {-0.4, 0.8, 0.45};
+  return {"on the ground, up being elsewhere", std::move(scene), 3, false, false, 1, Ground::matt};
+}
+
 PathScene on_ground_seen_through() {
   return {"on the ground, seen through", still_life(), 3, true, false, 1, Ground::matt};
 }
@@ -448,6 +456,7 @@ std::vector<PathScene> path_scenes() {
   scenes.push_back(round_and_square_lamps());
   scenes.push_back(textures());
   scenes.push_back(on_ground_in_the_open());
+  scenes.push_back(on_sloping_ground());
   scenes.push_back(on_ground_seen_through());
   return scenes;
 }

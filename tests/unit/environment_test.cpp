@@ -126,9 +126,9 @@ TEST_CASE("an environment's table has densities, and its light's power", "[unit]
       bright->radiance[3 * 700] = value;
       EnvironmentTable const table = make_environment_table(bright, is_compensated);
       device::SceneConstants constants{};
-      set_environment(constants, table, {"", bright, 1e300, 1e30});
+      set_environment(constants, table, {"", bright, 1e300, 1e30}, {0, 1, 0});
       CHECK(std::isfinite(constants.environment_power));
-      CHECK(std::abs(constants.environment_cosine) <= 1);
+      CHECK(std::abs(constants.map_from_world[0][0]) <= 1);
       CHECK(std::all_of(table.environment_densities.begin(), table.environment_densities.end(),
                         [](float density) { return std::isfinite(density) && density >= 0; }));
     }
@@ -149,8 +149,8 @@ TEST_CASE("edits turn an environment without a look at its map", "[unit][environ
   ShadingTables const turned = edit_tables(buffers, {}, edits);
   CHECK(turned.environment_table == buffers.shading.environment_table);
   device::SceneConstants const after = scene_constants(buffers, turned);
-  CHECK(before.environment_sine == 0);
-  CHECK(after.environment_sine == Approx(1));
+  CHECK(before.map_from_world[2][0] == 0);
+  CHECK(after.map_from_world[2][0] == Approx(1));
   CHECK(after.environment_power == Approx(3 * double(before.environment_power)));
 
   edits.environment->map = random_map(8, 4);

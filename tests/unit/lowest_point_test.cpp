@@ -10,9 +10,9 @@ using namespace lichtraum;
 
 namespace {
 
-double lowest(std::string const& shapes) {
+double lowest(std::string const& shapes, Vec3 const& up = {0, 1, 0}) {
   Scene const scene = test::scene_of("define material m 0 0 0  1 1 1  0 0 0 1\n" + shapes);
-  return lowest_point(flatten(scene.roots()));
+  return lowest_point(flatten(scene.roots()), up);
 }
 
 /// Nine boxes of a unit's size in a row, shown twice: instances.
@@ -52,6 +52,16 @@ TEST_CASE("the lowest point is that of instances, not of boxes around them", "[u
   CHECK(lowest(row + "transform one rotate -30 0 0 1\n" + higher) == Approx(-4.5));
   CHECK(lowest(row + "transform one rotate 30 1 0 0\ntransform two rotate -30 1 0 0\n") == Approx(-0.5));
   CHECK(lowest(row + "transform one scale 1 -1 1\n" + higher) == Approx(-1));
+}
+
+TEST_CASE("the lowest point is along up", "[unit][scene]") {
+  double const half = std::sqrt(0.5);
+  CHECK(lowest("define shape box b -1 -2 -3 4 5 6 m\n", {0, 0, 1}) == Approx(-3));
+  CHECK(lowest("define shape box b -1 -2 -3 4 5 6 m\n", {0, -1, 0}) == Approx(-5));
+  CHECK(lowest("define shape sphere s 2 0 0 1 m\n", {half, half, 0}) == Approx(2 * half - 1));
+  CHECK(lowest("define shape cylinder c 0 0 0  0 0 2  0.5 m\n", {0, 0, -1}) == Approx(-2));
+  CHECK(lowest(row + "transform one rotate 90 0 0 1\ntransform two translate 20 0 0\n", {1, 0, 0}) == Approx(-1));
+  CHECK(lowest(row + "transform one translate 0 0 7\ntransform two translate 0 0 8\n", {0, 0, 1}) == Approx(7));
 }
 
 TEST_CASE("infinite planes have no lowest point, nor has nothing", "[unit][scene]") {

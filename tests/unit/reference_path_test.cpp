@@ -183,4 +183,8 @@ TEST_CASE("reference environment: texels lie where the format says, and the map 
   light.rotation_degrees = 30;
   double const turned = angle - 3.141592653589793 / 6;
   CHECK(ReferenceEnvironment(light).radiance({std::cos(turned), 0, std::sin(turned)}).g == Approx(1));
+  // Where +z is up, +y is what -z was, and the pole is there.
+  ReferenceEnvironment const lying(light, {0, 0, 3});
+  CHECK(lying.radiance({std::cos(turned), -std::sin(turned), 0}).g == Approx(1));
+  CHECK(lying.radiance({0, 0, 1}).r == Approx(0.5 * 3.5));
 }

@@ -38,6 +38,7 @@ struct Draft {
   std::optional<EnvironmentLight> environment{{"sky", nullptr, 0, 1}};
   Rgb background{0};
   ToneMap tone_map = ToneMap::none;
+  Vec3 up{0, 1, 0};
 
   Draft() {
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -93,6 +94,7 @@ struct Draft {
     }
     made.background = background;
     made.tone_map = tone_map;
+    made.up = up;
     return made;
   }
 
@@ -195,6 +197,7 @@ std::vector<Change> light_changes() {
           {"environment's shape", [](Draft& d) { std::swap(d.sky.width, d.sky.height); }},
           {"environment's rotation", [](Draft& d) { d.environment->rotation_degrees = 90; }},
           {"environment's brightness", [](Draft& d) { d.environment->brightness = 2; }},
+          {"up", [](Draft& d) { d.up.z = 1; }},
           {"background", [](Draft& d) { d.background.r = 0.5; }},
           {"tone map", [](Draft& d) { d.tone_map = ToneMap::reinhard; }}};
 }

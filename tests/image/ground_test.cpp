@@ -174,7 +174,7 @@ TEST_CASE("ground: with the environment it is where the scene has its up", "[ima
   REQUIRE_OPENCL_DEVICE();
   EnvironmentMap map{8, 4, {}};
   for (int i = 0; i < 32; ++i) map.radiance.insert(map.radiance.end(), {0.1f * float(i % 5), 0.02f * float(i), 0.5f});
-  auto const drawn = [&](std::string const& more, Vec3 const& up) {
+  auto const drawn = [&](std::string const& more, Vec3 const& up, Vec3 const& lamp) {
     Scene scene = scene_of(camera + R"(
 define shape sphere ball 0.3 0 0 1 grey
 define shape box tower -1.5 -1 -1  -1 1.5 -0.4 grey
@@ -182,6 +182,7 @@ define shape triangle leaf 1 -0.5 1  2 -0.8 1  1.5 0.5 1.5 grey
 define shape composite all ball tower leaf
 )" + more);
     scene.environment = EnvironmentLight{"made here", std::make_shared<EnvironmentMap const>(map), 50, 1};
+    scene.lights.insert(Light::point("lamp", lamp, Rgb(2)));
     scene.up = up;
     RenderRequest request = ground_request(scene, Ground::matt, 256);
     request.background = Background::environment();
@@ -189,19 +190,21 @@ define shape composite all ball tower leaf
     auto const values = film.values(FilmPlane::radiance);
     return std::vector<float>(values.begin(), values.end());
   };
-  std::vector<float> const usual = drawn("", {0, 1, 0});
+  std::vector<float> const usual = drawn("", {0, 1, 0}, {-3, 4, 2});
   auto const difference = [&](std::vector<float> const& values) {
     double sum = 0;
     for (std::size_t i = 0; i < values.size(); ++i) sum += std::abs(double(values[i]) - usual[i]);
     return sum / double(values.size());
   };
+  double const sine = std::sin(glm::radians(40.)), cosine = std::cos(glm::radians(40.));
   // The same, turned as a whole. Noise is what they differ by.
   std::string const forward = "transform all rotate 90 1 0 0\ntransform eye rotate 90 1 0 0\n";
-  CHECK(difference(drawn(forward, {0, 0, 2})) < 0.002);
-  CHECK(difference(drawn("transform all rotate 180 0 0 1\ntransform eye rotate 180 0 0 1\n", {0, -1, 0})) < 0.002);
-  CHECK(difference(drawn("transform all rotate 40 0 0 1\ntransform eye rotate 40 0 0 1\n",
-                         {-std::sin(glm::radians(40.)), std::cos(glm::radians(40.)), 0})) < 0.002);
-  CHECK(difference(drawn(forward, {0, 1, 0})) > 0.05);
+  CHECK(difference(drawn(forward, {0, 0, 2}, {-3, -2, 4})) < 0.002);
+  CHECK(difference(drawn("transform all rotate 180 0 0 1\ntransform eye rotate 180 0 0 1\n", {0, -1, 0}, {3, -4, 2})) <
+        0.002);
+  CHECK(difference(drawn("transform all rotate 40 0 0 1\ntransform eye rotate 40 0 0 1\n", {-sine, cosine, 0},
+                         {-3 * cosine - 4 * sine, -3 * sine + 4 * cosine, 2})) < 0.002);
+  CHECK(difference(drawn(forward, {0, 1, 0}, {-3, -2, 4})) > 0.05);
 }
 
 TEST_CASE("ground: it takes paths, and a picture that keeps what it shows", "[image][path][ground]") {

@@ -18,6 +18,7 @@
 #include "scene/graph_order.hpp"
 #include "scene/lowest_point.hpp"
 #include "scene/scene_content.hpp"
+#include "scene/unit_vector.hpp"
 
 namespace lichtraum {
 namespace {

@@ -13,9 +13,9 @@
 namespace LICHTRAUM_API lichtraum {
 
 /// Radiance from infinitely far away, in latitude and longitude: a texel (column, row) holds what arrives from the
-/// direction whose u = (column + 0.5) / width and v = (row + 0.5) / height, where, in the world before the light's
-/// rotation,  u = 0.5 + atan2(z, x) / (2 pi)  and  v = acos(y) / pi.  So +y is up, and -x lies at the left and right
-/// edge.
+/// direction whose u = (column + 0.5) / width and v = (row + 0.5) / height, where, in a world whose Scene::up is
+/// +y, before the light's rotation,  u = 0.5 + atan2(z, x) / (2 pi)  and  v = acos(y) / pi.  So +y is up, and -x lies
+/// at the left and right edge.
 struct EnvironmentMap {
   int width = 0;
   int height = 0;
@@ -39,7 +39,7 @@ struct EnvironmentLight {
   /// Where the map is from: a file's path, a built-in one's name, or the numbers of its one colour.
   std::string source;
   std::shared_ptr<EnvironmentMap const> map;
-  double rotation_degrees = 0;  ///< about the y axis, counter-clockwise seen from above
+  double rotation_degrees = 0;  ///< about Scene::up, counter-clockwise seen from above
   double brightness = 1;        ///< >= 0; what the map's radiance is multiplied by
   std::string name{};           ///< in the scene's file; empty for one that was chosen elsewhere
 };

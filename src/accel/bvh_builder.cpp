@@ -115,7 +115,7 @@ class Builder {
     auto const build_child = [&](Range const& child) { return is_leaf(child) ? Subtree() : build(child, depth + 1); };
     bool const on_a_thread = depth <= spawn_depth_ && std::min(left.size(), right.size()) >= min_parallel_size;
     auto later = std::async(on_a_thread ? thread_if_any : std::launch::deferred,
-                            [&, &right = right] { return build_child(right); });
+                            [&, &second = right] { return build_child(second); });
     Subtree left_tree = build_child(left);
     return put_above(left, std::move(left_tree), right, later.get());
   }

@@ -53,7 +53,7 @@ class Planner {
   Costs plan(std::size_t root, std::size_t end) {
     auto const& [left, right] = bvh_.nodes[root].children;
     if (end - root <= part_size || left.count > 0 || right.count > 0) return plan_by_itself(root, end);
-    auto later = std::async(thread_if_any, [&, &right = right] { return plan(right.first, end); });
+    auto later = std::async(thread_if_any, [&, &second = right] { return plan(second.first, end); });
     Costs const of_left = plan(left.first, right.first);
     Costs const of_right = later.get();
     return combine(root, of_left, of_right);

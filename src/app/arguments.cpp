@@ -141,8 +141,7 @@ void add_language_options(CLI::App& parser, SceneReading& reading) {
           "--allow-path",
           [&reading](std::vector<std::string> const& folders) {
             for (std::string const& folder : folders) {
-              if (folder.empty()) throw Error(ErrorKind::usage, "--allow-path: expected a folder, not ''");
-              reading.allowed_paths.emplace_back(folder);
+              reading.allowed_paths.emplace_back(value_of("--allow-path", folder, parse_name));
             }
           },
           "Folder that a scene may read and write besides\nits own (may be repeated)")

@@ -22,6 +22,16 @@ std::unique_ptr<CLI::App> make_parser(std::string const& command, std::string co
 /// one line that says what is wrong and what to do.
 bool parse(CLI::App& parser, std::vector<std::string> arguments);
 
+/// The value that an option has in `text`. Throws Error{usage} for what `parse_value` refuses.
+template <class Parse>
+auto value_of(std::string const& option, std::string const& text, Parse const& parse_value) {
+  try {
+    return parse_value(text);
+  } catch (std::invalid_argument const& error) {
+    throw Error(ErrorKind::usage, option + ": " + error.what() + ", not '" + text + "'");
+  }
+}
+
 /// An option with one value (the last one given counts). `parse_value` makes it from text, and throws
 /// std::invalid_argument that says what it expects.
 template <class Target, class Parse>
@@ -32,11 +42,7 @@ void add_value(CLI::App& parser, std::string const& names, Target& target, Parse
       .add_option_function<std::string>(
           names,
           [&target, parse_value, long_name](std::string const& text) {
-            try {
-              target = parse_value(text);
-            } catch (std::invalid_argument const& error) {
-              throw Error(ErrorKind::usage, long_name + ": " + error.what() + ", not '" + text + "'");
-            }
+            target = value_of(long_name, text, parse_value);
           },
           description)
       ->type_name(value_name)
@@ -51,13 +57,8 @@ void add_flag_or_value(CLI::App& parser, std::string const& name, Target& target
                        std::string const& description, std::string const& group) {
   auto const text = std::make_shared<std::string>();
   parser.add_flag(name, *text, description)
-      ->each([text, &target, parse_value, name](std::string const& value) {
-        try {
-          target = parse_value(value);
-        } catch (std::invalid_argument const& error) {
-          throw Error(ErrorKind::usage, name + ": " + error.what() + ", not '" + value + "'");
-        }
-      })
+      ->each(
+          [text, &target, parse_value, name](std::string const& value) { target = value_of(name, value, parse_value); })
       ->take_last()
       ->group(group);
 }

@@ -121,7 +121,7 @@ void write_standard_output(std::string_view bytes) {
 
 bool is_standard_output_closed() {
   int const flags = ::fcntl(STDOUT_FILENO, F_GETFL);
-  return flags < 0 || (flags & O_ACCMODE) == O_RDONLY;  // see run_program
+  return flags < 0 || (flags & O_ACCMODE) == O_RDONLY;  // see open_standard_streams in app/program.cpp
 }
 
 }  // namespace lichtraum::app

@@ -46,7 +46,7 @@ std::vector<Diagnostic> PlanFindings::next(SceneOpened const& scene) {
     Vec3 const up = options_.job.view.up.value_or(Vec3(0, 1, 0));
     bool const is_upright = up.x == 0 && up.z == 0 && up.y > 0;
     has_no_effect(options_.job.ground != Ground::none, is_lit && (is_upright || scene.is_model), "--ground",
-                  is_lit ? ": of a scene it is level where y is up, not where --up says" : "");
+                  is_lit ? ": under a scene it is level in y, whatever --up says" : "");
     ModelChoice const& model = options_.job.reading.model;
     bool const is_posed = model.time_seconds || !model.animation.empty();
     constexpr char const* as_in_files = ": a scene's models stand as in their files";

@@ -39,7 +39,7 @@ Rgb ReferenceEnvironment::radiance(Vec3 const& direction) const {
   if (!light_.map) return Rgb(0);
   Vec3 const in_map = map_from_world_.vector(direction);
   double const u = 0.5 + atan2_of(in_map.z, in_map.x) / (2 * std::numbers::pi);
-  double const v = atan2_of(std::hypot(in_map.x, in_map.z), in_map.y) / std::numbers::pi;
+  double const v = atan2_of(std::sqrt(in_map.x * in_map.x + in_map.z * in_map.z), in_map.y) / std::numbers::pi;
   double const column = u * light_.map->width - 0.5;
   double const row = v * light_.map->height - 0.5;
   int const upper = int(std::floor(row));

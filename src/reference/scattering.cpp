@@ -23,6 +23,8 @@ double cosine_beyond_squared(double eta, double cosine) { return 1 - eta * eta *
 
 }  // namespace
 
+double coat_fresnel(double cosine) { return schlick(Rgb(coat_f0), Rgb(1), cosine).r; }
+
 ReferenceScattering::ReferenceScattering(ReferenceBsdf const& bsdf, Vec3 const& normal, Vec3 const& to_viewer,
                                          bool from_outside)
     : bsdf_(bsdf), normal_(normal), to_viewer_(to_viewer), eta_(from_outside ? 1 / bsdf.ior : bsdf.ior) {
@@ -98,7 +100,7 @@ Rgb ReferenceScattering::evaluate(Vec3 const& to_light, Lobes lobes) const {
     f += below_coat_ * fresnel(facet_cosine) * microfacet_reflection(bsdf_.alpha, normal_, to_viewer_, to_light);
   }
   if (counts_coat && bsdf_.coat > 0) {
-    f += bsdf_.coat * schlick(Rgb(coat_f0), Rgb(1), facet_cosine) *
+    f += bsdf_.coat * coat_fresnel(facet_cosine) *
          microfacet_reflection(bsdf_.coat_alpha, normal_, to_viewer_, to_light);
   }
   return cosine * f;
@@ -137,7 +139,7 @@ std::vector<ReferenceScattering::Ray> ReferenceScattering::smooth_rays() const {
     }
   }
   if (bsdf_.coat_alpha <= smooth_alpha) {
-    add(mirrored(), bsdf_.coat * schlick(Rgb(coat_f0), Rgb(1), cosine), false);
+    add(mirrored(), Rgb(bsdf_.coat * coat_fresnel(cosine)), false);
   }
   return rays;
 }

@@ -26,6 +26,9 @@ struct ReferenceBsdf {
 /// GGX is no sharper than this, in the kernels as well; as far as directions are chosen here, this is no spread at all.
 inline constexpr double smooth_alpha = 0.001;
 
+/// What a clear coat of index 1.5 reflects. `cosine`: of the direction and the normal, not negative.
+double coat_fresnel(double cosine);
+
 /// A BSDF at a point, as seen from one direction: docs/RAYTRACING.md, section 17. Vectors are unit, in the world.
 class ReferenceScattering {
  public:

@@ -125,9 +125,7 @@ void set_pbr(PbrModel const& material, Hit const& hit, ReferenceScatteringPoint&
       material.clearcoat_roughness * texel_at(material.clearcoat_roughness_texture, at, TexelContent::data).g;
   bsdf.coat_alpha = std::max(square(std::clamp(coat_roughness, 0., 1.)), smooth_alpha);
   // KHR_materials_clearcoat, "Emission".
-  double const away = 1 - glm::dot(point.geometric_normal, point.to_viewer);
-  double const grazing = square(square(away)) * away;
-  point.emission *= 1 - bsdf.coat * (0.04 + 0.96 * grazing);
+  point.emission *= 1 - bsdf.coat * coat_fresnel(glm::dot(point.geometric_normal, point.to_viewer));
   if (transmission > 0 && material.thickness > 0) point.solid = &material;
   cover_with_film(material, at, point);
   open_pane(material, hit, point);

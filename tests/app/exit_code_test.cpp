@@ -99,7 +99,7 @@ TEST_CASE("64: what makes no sense is refused in one line that says what to do",
   nowhere.arguments.push_back("");
   ProcessResult const result = run_process(nowhere);
   CHECK(result.exit_code == 64);
-  CHECK_THAT(result.err, contains_text("--allow-path: expected a folder, not ''"));
+  CHECK_THAT(result.err, contains_text("--allow-path: expected a name, not ''"));
   CHECK(lichtraum.folder.names() == std::vector<std::string>{"a.sdf", "two.sdf"});
 }
 

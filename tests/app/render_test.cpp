@@ -348,8 +348,7 @@ TEST_CASE("a ground that is not where up is, is told", "[app][render]") {
   auto const said = [&](std::string const& words) {
     return lichtraum.render("a.sdf --device reference --size 4x4 --samples 1 --ground " + words).err;
   };
-  CHECK_THAT(said("--up 0,0,1"),
-             contains_text("--ground has no effect on 'ball.ppm': of a scene it is level where y is up"));
+  CHECK_THAT(said("--up 0,0,1"), contains_text("--ground has no effect on 'ball.ppm': under a scene it is level in y"));
   CHECK_THAT(said("--up 0,-1,0"), contains_text("--ground has no effect"));
   CHECK_THAT(said("--up 0,2,0"), !contains_text("no effect"));
   CHECK_THAT(said(""), !contains_text("no effect"));

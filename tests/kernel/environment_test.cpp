@@ -174,7 +174,8 @@ TEST_CASE("an environment's radiance is the map's, interpolated, turned and scal
   ProbeProgram const program = program_with(1);
   for (auto const& map : {random_map(64, 32), random_map(7, 5), random_map(1, 1), random_map(2, 1), random_map(1, 3)}) {
     for (double const rotation : {0.0, 90.0, -37.0, 3600.0 + 180.0}) {
-      Environment const environment(map, true, rotation, 2.5);
+      bool const is_z_up = rotation != 0;
+      Environment const environment(map, true, rotation, 2.5, is_z_up ? Vec3(0, 0, 1) : Vec3(0, 1, 0));
       std::vector<float4> directions;
       for (std::size_t i = 0; i < scaled_count(20000); ++i) directions.push_back(to_float4(random.direction()));
       for (double const y : {1.0, -1.0}) directions.push_back(to_float4({0, y, 0}));
@@ -183,7 +184,8 @@ TEST_CASE("an environment's radiance is the map's, interpolated, turned and scal
       for (std::size_t i = 0; i < directions.size(); ++i) {
         // Seen from above x is to the right and z down: counter-clockwise is from x to -z.
         double const angle = glm::radians(rotation);
-        Vec3 const d = to_vec3(directions[i]);
+        Vec3 d = to_vec3(directions[i]);
+        if (is_z_up) d = {d.x, d.z, -d.y};  // what is towards -y of the world is in front, as +z is otherwise
         Vec3 const turned_back(std::cos(angle) * d.x - std::sin(angle) * d.z, d.y,
                                std::sin(angle) * d.x + std::cos(angle) * d.z);
         auto const [u, v] = place_of(turned_back);
@@ -330,7 +332,7 @@ TEST_CASE("what is sampled of an environment is its radiance there, and the dens
   for (double const rotation : {0.0, 77.0}) {
     for (auto const& map : {random_map(40, 20), sky_map(512, 256), random_map(3, 1)}) {
       INFO(map->width << " x " << map->height << ", rotation " << rotation);
-      Environment const environment(map, false, rotation, 0.5);
+      Environment const environment(map, false, rotation, 0.5, rotation == 0 ? Vec3(0, 1, 0) : Vec3(1, 2, -3));
       Samples const samples = sample(program, environment, random_uniforms(random, count));
       std::vector<float4> const values = evaluate(program, environment, samples.directions);
       std::size_t others = 0;

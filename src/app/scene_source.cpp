@@ -8,6 +8,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "lichtraum/orbit.hpp"
+#include "lichtraum/turntable.hpp"
+
 namespace lichtraum::app {
 namespace {
 
@@ -61,6 +64,21 @@ void light_model(Scene& scene, bool is_studio_chosen) {
   }
 }
 
+/// Turns what was made up to light a model without lights, so that it comes from above.
+void turn_lights(Scene& scene, Vec3 const& up) {
+  Vec3 const center = center_of_interest(scene, {}, scene.cameras.front());
+  Transform const upright = orbit_rotation({0, 0}, up);
+  Registry<Light> turned;
+  for (Light const& light : scene.lights) {
+    Light::Model model = light.model();
+    if (auto* const point = std::get_if<PointLight>(&model)) {
+      point->position = center + upright.vector(point->position - center);
+    }
+    turned.insert(Light(light.name(), std::move(model)));
+  }
+  scene.lights = std::move(turned);
+}
+
 /// Gives a scene the environment that was chosen. Empty where nothing was.
 std::function<void(Scene&)> chooser(EnvironmentChoice choice, bool stands_in_studio, LoadOptions const& options) {
   if (stands_in_studio) {
@@ -89,6 +107,7 @@ std::function<void(Scene&)> scene_adjustment(EnvironmentChoice const& choice, bo
   return [choose, up = *options.up](Scene& scene) {
     if (choose) choose(scene);
     scene.up = up;
+    if (!scene.has_own_lights) turn_lights(scene, up);
   };
 }
 

@@ -97,7 +97,8 @@ class Film {
   static constexpr int block_size = 16;
 
   Film() = default;
-  /// Without samples yet; the next one is `first_sample`, a multiple of block_size. All planes hold 0.
+  /// Without samples yet; the next one is `first_sample`, a multiple of block_size. All planes hold 0. Throws
+  /// std::invalid_argument for another one, and for a region with a negative side.
   Film(Region const& region, PlaneSet const& planes, int first_sample = 0);
 
   Region const& region() const { return region_; }
@@ -112,7 +113,8 @@ class Film {
   void merge(Film const& next);
 
   /// The value of a pixel of the region's row `y` and column `x` (0, 0: its top left corner), a channel each. Planes of
-  /// rule `center` are only in films that begin with sample 0.
+  /// rule `center` are only in films that begin with sample 0. Throws std::invalid_argument for a plane that is not
+  /// there.
   float value(FilmPlane plane, int x, int y, int channel = 0) const;
   std::uint32_t number(FilmPlane plane, int x, int y) const;
   /// All values of a plane: height x width x channels.

@@ -1,5 +1,7 @@
 #include "lichtraum/film.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -17,6 +19,10 @@ void allocate(std::vector<float>& values, std::size_t count) {
 void add(std::vector<float>& sums, std::vector<float> const& block) {
   if (sums.empty()) sums.assign(block.size(), 0.0f);
   for (std::size_t i = 0; i < block.size(); ++i) sums[i] += block[i];
+}
+
+std::invalid_argument without(FilmPlane plane) {
+  return std::invalid_argument(fmt::format("the film has no plane \"{}\"", info_of(plane).name));
 }
 
 }  // namespace
@@ -51,6 +57,7 @@ std::vector<FilmPlane> PlaneSet::list() const {
 
 Film::Film(Region const& region, PlaneSet const& planes, int first_sample)
     : region_(region), planes_(planes), samples_{first_sample, first_sample} {
+  if (region.width < 0 || region.height < 0) throw std::invalid_argument("a film's sides are not negative");
   if (first_sample % block_size != 0) throw std::invalid_argument("a film begins where a block of samples does");
   for (FilmPlane const plane : planes.list()) {
     PlaneInfo const& info = info_of(plane);
@@ -83,6 +90,7 @@ std::span<std::uint32_t const> Film::numbers(FilmPlane plane) const { return num
 
 float Film::value(FilmPlane plane, int x, int y, int channel) const {
   PlaneInfo const& info = info_of(plane);
+  if (sums_[std::size_t(plane)].open.empty()) throw without(plane);
   std::size_t const i = pixel_index(x, y) * info.channels.size() + std::size_t(channel);
   Sums const& sums = sums_[std::size_t(plane)];
   if (info.rule == PlaneRule::center) return sums.open[i];
@@ -92,6 +100,7 @@ float Film::value(FilmPlane plane, int x, int y, int channel) const {
 }
 
 std::uint32_t Film::number(FilmPlane plane, int x, int y) const {
+  if (numbers_[std::size_t(plane)].empty()) throw without(plane);
   return numbers_[std::size_t(plane)][pixel_index(x, y)];
 }
 

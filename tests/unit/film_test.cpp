@@ -70,6 +70,15 @@ TEST_CASE("planes that are not kept are gone", "[unit][film]") {
   CHECK(film.numbers(FilmPlane::object).size() == 4);
 }
 
+TEST_CASE("a plane that a film lacks has no values", "[unit][film]") {
+  Film const film({0, 0, 2, 2}, {FilmPlane::radiance, FilmPlane::depth, FilmPlane::object}, 16);
+  CHECK(film.value(FilmPlane::radiance, 1, 1) != 0);  // of no samples
+  CHECK_THROWS_AS(film.value(FilmPlane::alpha, 0, 0), std::invalid_argument);
+  CHECK_THROWS_AS(film.value(FilmPlane::depth, 0, 0), std::invalid_argument);  // only with sample 0
+  CHECK_THROWS_AS(film.number(FilmPlane::object, 0, 0), std::invalid_argument);
+  CHECK_THROWS_AS(Film({0, 0, -1, 2}, {FilmPlane::radiance}), std::invalid_argument);
+}
+
 TEST_CASE("planes are shown as pictures", "[unit][film]") {
   auto const shown = [](FilmPlane plane, std::vector<float> const& values) {
     std::size_t const channels = info_of(plane).channels.size();

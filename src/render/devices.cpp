@@ -74,7 +74,7 @@ DeviceList find_devices(ProbeInChild probe) {
 }
 
 DeviceInfo const& select_device(DeviceList const& list, std::string_view selector) {
-  if (selector.empty()) return list.devices.front();
+  if (selector.empty() && !list.devices.empty()) return list.devices.front();
   auto const lower = to_lower_ascii(selector);
   std::string known;
   for (DeviceInfo const& device : list.devices) {

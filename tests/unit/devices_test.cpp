@@ -45,6 +45,10 @@ TEST_CASE("an unknown device is refused with the list of those there are", "[uni
   }
 }
 
+TEST_CASE("of no devices none can be selected", "[unit][device]") {
+  for (char const* selector : {"", "0"}) CHECK_THROWS_AS(select_device(DeviceList(), selector), Error);
+}
+
 TEST_CASE("the reference tracer is always there, and last", "[unit][device]") {
   DeviceList const list = find_devices();
   REQUIRE(!list.devices.empty());

@@ -34,6 +34,15 @@ std::string with_scans(std::string const& jpeg, int more) {
 
 }  // namespace
 
+TEST_CASE("pictures are halved until they fit, to one pixel at the least", "[unit][image]") {
+  std::string reason;
+  for (auto const& [largest, width] : {std::pair(0, 1), std::pair(-5, 1), std::pair(1, 1), std::pair(8, 8)}) {
+    auto const image = decode_image(progressive_jpeg(), largest, reason);
+    REQUIRE(image);
+    CHECK(image->width <= width);
+  }
+}
+
 TEST_CASE("a JPEG texture that goes over its pixels again and again is refused", "[unit][image]") {
   std::string const jpeg = progressive_jpeg();
   std::string reason;

@@ -111,7 +111,7 @@ std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, s
     reason = "it is not a PNG, JPEG or WebP file";
   }
   if (!is_decoded) return std::nullopt;
-  while (image.width > max_size || image.height > max_size) image = halved(image);
+  while (std::max(image.width, image.height) > std::max(max_size, 1)) image = halved(image);
   return image;
 }
 

@@ -168,6 +168,7 @@ class OpenClRenderer final : public Renderer {
   }
 
   RenderResult render(RenderRequest const& request, Film& film, ProgressFunction const& progress) override {
+    if (!scene_) throw Error(ErrorKind::usage, "there is no scene to draw: set_scene comes first");
     auto const frame = frame_parameters(request, scene_->shading, scene_->lowest_point);
     SampleRange const wanted = wanted_samples(request);
     if (!has_begun(request, film)) {
@@ -186,7 +187,7 @@ class OpenClRenderer final : public Renderer {
 
   Image develop(Film film, Development const& development) override {
     Development known = development;
-    if (known.tone_map == ToneMap::automatic) known.tone_map = scene_->shading.tone_map;
+    if (known.tone_map == ToneMap::automatic) known.tone_map = scene_ ? scene_->shading.tone_map : ToneMap::none;
     return develop_film(
         std::move(film), known, [&](auto& radiance, auto const& alpha, device::DevelopParameters const& parameters) {
           // A mean alone takes the host no longer than the device's program takes to load.

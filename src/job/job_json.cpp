@@ -212,8 +212,10 @@ constexpr auto job_fields = [](auto& job, auto&& field) {
 }  // namespace
 
 std::string to_json(Job const& job) {
+  Job finite = job;
+  if (job.max_indirect == std::numeric_limits<double>::infinity()) finite.max_indirect.reset();  // the same: no limit
   Json json{{version_key, version}};
-  json.update(Object{job_fields}.write(job));
+  json.update(Object{job_fields}.write(finite));
   try {
     return json.dump(2) + "\n";
   } catch (Json::type_error const&) {

@@ -84,7 +84,10 @@ struct Number {
   double high;
   std::string expected;
 
-  static Json write(double value) { return value; }
+  static Json write(double value) {
+    if (!std::isfinite(value)) throw Error(ErrorKind::usage, fmt::format("JSON cannot hold the number {}", value));
+    return value;
+  }
   double read(Json const& json, Pointer const& at) const {
     bool const is_good = json.is_number() && json.get<double>() >= low && json.get<double>() <= high;
     at.expect(is_good, expected);

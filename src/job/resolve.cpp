@@ -162,7 +162,22 @@ PlaneSet traced_planes(Job const& job) {
   return is_denoised ? with_guides(shown_planes(job)) : shown_planes(job);
 }
 
+namespace {
+
+/// Those that are no part of the request, nor of the view.
+void check_numbers(Job const& job) {
+  auto const require = [](bool holds, char const* message) {
+    if (!holds) throw Error(ErrorKind::usage, message);
+  };
+  require(!job.noise || (*job.noise > 0 && *job.noise <= 1), "--noise: expected a number above 0, at most 1");
+  require(std::isfinite(job.exposure_ev), "--exposure: expected a number of stops");
+  require(!job.turn_degrees || std::isfinite(*job.turn_degrees), "a turn is a number of degrees");
+}
+
+}  // namespace
+
 Job resolved(Job job, Scene const& scene) {
+  check_numbers(job);
   if (!job.planes.has(FilmPlane::radiance)) job.noise.reset();  // other planes have next to none
   RenderCommand const command = command_of(job, scene);
   Camera const camera = find_camera(job, scene, command.camera);

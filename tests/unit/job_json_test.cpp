@@ -317,7 +317,19 @@ TEST_CASE("a job that is cut off or damaged anywhere is refused or read, and not
   }
 }
 
-TEST_CASE("a job with a name that is not UTF-8 has no JSON", "[unit][job]") {
+TEST_CASE("no limit of indirect light is the same as an infinite one", "[unit][job]") {
+  Job job;
+  job.scene = "a.sdf";
+  std::string const unlimited = to_json(job);
+  job.max_indirect = std::numeric_limits<double>::infinity();
+  CHECK(to_json(job) == unlimited);
+}
+
+TEST_CASE("a job with a name that is not UTF-8 or a number that is none has no JSON", "[unit][job]") {
+  Job unsure;
+  unsure.scene = "a.sdf";
+  unsure.exposure_ev = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(to_json(unsure), Error);
   Job job;
   job.scene = "\xff.sdf";
   CHECK_THROWS_AS(to_json(job), Error);

@@ -233,6 +233,10 @@ TEST_CASE("what a job cannot have", "[unit][job]") {
   expect([](Job& job) { job.planes = {}; }, "no plane");
   expect([](Job& job) { job.background = JobBackground{Background::environment()}; }, "only with an environment");
   expect([](Job& job) { job.sampling = Sampling{Sampling::Pattern::grid, 5}; }, "not square");
+  expect([](Job& job) { job.noise = 2; }, "--noise");
+  expect([](Job& job) { job.noise = 0; }, "--noise");
+  expect([](Job& job) { job.exposure_ev = std::numeric_limits<double>::quiet_NaN(); }, "--exposure");
+  expect([](Job& job) { job.turn_degrees = std::numeric_limits<double>::infinity(); }, "a turn");
 }
 
 TEST_CASE("what a scene lacks is the scene's fault", "[unit][job]") {

@@ -75,7 +75,11 @@ bool create(fs::path const& file, std::string const& text) {
 PlanFolder::PlanFolder(fs::path folder) : folder_(std::move(folder)) {
   fs::path const file = folder_ / plan_name;
   std::error_code ignored;
-  if (!fs::exists(file, ignored)) {
+  if (fs::is_regular_file(folder_, ignored)) {
+    throw Error(ErrorKind::no_input, fmt::format("'{}' is not a folder: lichtraum job plan {} -o FOLDER makes one",
+                                                 folder_.string(), folder_.string()));
+  }
+  if (!is_there()) {
     throw Error(ErrorKind::no_input, fmt::format("'{}' has no {}: lichtraum job plan SCENE -o {} makes one",
                                                  folder_.string(), plan_name, folder_.string()));
   }
@@ -102,6 +106,11 @@ PlanFolder::PlanFolder(fs::path folder, Plan plan) : folder_(std::move(folder)),
   if (is_ours || read_file(file) == text) return;
   throw Error(ErrorKind::cannot_create,
               fmt::format("'{}' is another plan: choose another folder, or remove this one", file.string()));
+}
+
+bool PlanFolder::is_there() const {
+  std::error_code ignored;
+  return fs::exists(folder_ / plan_name, ignored);
 }
 
 fs::path PlanFolder::unit_file(std::int64_t number) const {

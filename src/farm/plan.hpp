@@ -97,6 +97,7 @@ class PlanFolder {
   PlanFolder(std::filesystem::path folder, Plan plan);
 
   std::filesystem::path const& path() const { return folder_; }
+  bool is_there() const;  ///< with a plan, now
   Plan const& plan() const { return plan_; }
   /// Of the plan's bytes; the units know it.
   std::string const& hash() const { return hash_; }

@@ -151,6 +151,13 @@ class NewFile {
 
 void write_unit(PlanFolder const& folder, std::int64_t number, DrawnUnit& unit) {
   fs::path const path = folder.unit_file(number);
+  // A share that is no longer mounted leaves its folder behind, on the local disk: nobody would look for units there.
+  if (!folder.is_there()) {
+    throw Error(ErrorKind::try_again,
+                fmt::format("'{}' no longer has the plan: is it not mounted any more? What is done stays; begin again "
+                            "once it is back",
+                            folder.path().string()));
+  }
   std::error_code failure;
   fs::create_directories(path.parent_path(), failure);
   if (failure) {
@@ -211,7 +218,7 @@ UnitCheck check_unit(PlanFolder const& folder, std::int64_t number, std::string_
     check.problem = "cannot be read to its end";
   } else if (text_of(hash) != hasher.finish().text()) {
     check.is_spoilt = true;
-    check.problem = "has not the bytes that were written";
+    check.problem = "does not have the bytes that were written to it";
   } else {
     check.rays = {head.rays[0], head.rays[1], head.rays[2], head.rays[3], head.rays[4]};
   }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "farm/plan.hpp"
+#include "farm/unit_file.hpp"
 #include "lichtraum/error.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
@@ -64,4 +65,26 @@ TEST_CASE("the same plan may be made for its folder again", "[unit][farm]") {
   CHECK(first.hash() == second.hash());
   CHECK_THROWS_AS(PlanFolder(folder.path(), plan_with_seed(2)), Error);
   CHECK(PlanFolder(folder.path()).plan().job.seed == 1);
+}
+
+TEST_CASE("a folder whose plan is gone gets no units", "[unit][farm]") {
+  TemporaryFolder const folder;
+  PlanFolder const plan(folder / "job", plan_with_seed(1));
+  DrawnUnit unit{std::string(32, 'a'), {}, Film({0, 0, 32, 32}, {FilmPlane::radiance})};
+  unit.film.set_end(1);
+  write_unit(plan, 0, unit);
+  CHECK(std::filesystem::exists(plan.unit_file(0)));
+  // Where a share was unmounted, its folder is there still.
+  for (bool const is_folder_left : {true, false}) {
+    std::filesystem::remove_all(folder / "job");
+    if (is_folder_left) std::filesystem::create_directory(folder / "job");
+    try {
+      write_unit(plan, 0, unit);
+      FAIL("the unit was written");
+    } catch (Error const& error) {
+      CHECK(error.kind() == ErrorKind::try_again);
+    }
+    CHECK(std::filesystem::exists(folder / "job") == is_folder_left);
+    if (is_folder_left) CHECK(std::filesystem::is_empty(folder / "job"));
+  }
 }

@@ -94,7 +94,7 @@ bool parse(CLI::App& parser, std::vector<std::string> arguments) {
     return false;
   } catch (CLI::RequiredError const&) {
     refuse_unknown_options(parser);
-    fail(parser, "no file is given");
+    fail(parser, parser.get_option("inputs")->get_type_name() == "DIR" ? "no folder is given" : "no file is given");
   } catch (CLI::ArgumentMismatch const& error) {
     refuse_unknown_options(parser);
     std::string const text = error.what();

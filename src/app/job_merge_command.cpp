@@ -57,8 +57,8 @@ bool parse_job_merge(Arguments const& arguments, JobMergeOptions& options, Conso
 /// Before scenes are read, which takes time.
 void check_all_there(farm::PlanFolder const& folder) {
   farm::Progress const progress = farm::progress_of(folder);
-  std::int64_t const missing = folder.plan().unit_count() - progress.done - progress.cut_short;
-  if (missing == 0) return;  // what was cut short is found and set aside while it is read
+  std::int64_t const missing = folder.plan().unit_count() - progress.done;
+  if (missing == progress.cut_short) return;  // they are set aside when they are read
   auto const first = progress.missing(1).front();
   std::string const where =
       first.first == first.last ? fmt::format("{}", first.first) : fmt::format("{}..{}", first.first, first.last);

@@ -77,8 +77,9 @@ int job_plan_command(Arguments const& arguments, Console& console) {
   farm::Plan plan = make_plan(options.render, inputs, device_class_of(*renderer, options.traversal), options.traversal,
                               options.unit_samples, console);
   farm::PlanFolder const folder(options.folder, std::move(plan));
-  console.info(fmt::format("{}: {}; 'lichtraum job work {}' draws them", options.folder,
-                           unit_text(folder.plan().unit_count()), options.folder));
+  std::int64_t const units = folder.plan().unit_count();
+  console.info(fmt::format("{}: {}; 'lichtraum job work {}' draws {}", options.folder, unit_text(units), options.folder,
+                           units == 1 ? "it" : "them"));
   return 0;
 }
 

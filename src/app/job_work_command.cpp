@@ -172,7 +172,7 @@ bool parse_job_work(Arguments const& arguments, JobWorkOptions& options, Console
   auto const parser = make_parser("job work", job_work_description, job_work_examples);
   add_inputs(*parser, options.folder, "DIR");
   std::string const group = "Units";
-  add_value(*parser, "--units", options.units, parse_frames, "A..B",
+  add_value(*parser, "--units", options.units, parse_units, "A..B",
             "Draw these, both included (default: all that are\nmissing)", group);
   add_value(*parser, "--device", options.device, parse_name, "NAME",
             "Index, part of a name, cpu, gpu or reference\n(default: the best)", group);

@@ -114,15 +114,25 @@ double parse_time(std::string_view text) {
   return *seconds;
 }
 
-FrameRange parse_frames(std::string_view text) {
+namespace {
+
+/// `noun`: what is numbered, one and several.
+FrameRange parse_range(std::string_view text, std::string_view noun, std::string_view nouns) {
   std::size_t const dots = text.find("..");
   auto const first = number<int>(text.substr(0, dots));
   auto const last = dots == std::string_view::npos ? first : number<int>(text.substr(dots + 2));
-  if (!first || !last || *first < 0) throw std::invalid_argument("expected numbers of frames, such as 0..99");
-  if (*first > *last) throw std::invalid_argument("expected the first frame before the last");
-  if (*last > 10'000'000) throw std::invalid_argument("expected frames up to 10000000");
+  if (!first || !last || *first < 0)
+    throw std::invalid_argument(fmt::format("expected numbers of {}, such as 0..99", nouns));
+  if (*first > *last) throw std::invalid_argument(fmt::format("expected the first {} before the last", noun));
+  if (*last > 10'000'000) throw std::invalid_argument(fmt::format("expected {} up to 10000000", nouns));
   return {*first, *last};
 }
+
+}  // namespace
+
+FrameRange parse_frames(std::string_view text) { return parse_range(text, "frame", "frames"); }
+
+FrameRange parse_units(std::string_view text) { return parse_range(text, "unit", "units"); }
 
 double parse_ui_scale(std::string_view text) {
   auto const scale = number<double>(text);

@@ -29,6 +29,7 @@ int parse_depth(std::string_view text);           ///< 0..1000
 std::uint64_t parse_seed(std::string_view text);  ///< any 64-bit number
 double parse_time(std::string_view text);         ///< seconds
 FrameRange parse_frames(std::string_view text);   ///< 0..99, both included
+FrameRange parse_units(std::string_view text);    ///< the same
 double parse_ui_scale(std::string_view text);     ///< 0.5..8
 double parse_frame_rate(std::string_view text);   ///< frames a second: > 0, <= 1000
 int parse_turntable(std::string_view text);       ///< 1..100000

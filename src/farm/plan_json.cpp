@@ -122,7 +122,7 @@ void check(Plan const& plan) {
   (root / "unit_samples").expect(has_blocks, fmt::format("a multiple of {}", Film::block_size));
   (root / "planes").expect(!plan.planes.is_empty(), "the planes that are stored");
   double const units = double(plan.columns()) * plan.rows() * plan.sample_blocks() * double(pictures);
-  root.expect(units <= double(most_units), fmt::format("at most {} units: larger regions make fewer", most_units));
+  root.expect(units <= double(most_units), fmt::format("at most {} units: larger tiles make fewer", most_units));
 }
 
 }  // namespace

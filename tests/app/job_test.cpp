@@ -223,14 +223,18 @@ TEST_CASE("units that cannot be used are found and drawn again", "[app][job]") {
   put(farm.unit(5), foreign);
 
   CHECK(farm.status()["cut_short"] == 1);
+  fs::path const last = farm.unit(5), kept = farm.folder / "kept";
+  fs::rename(last, kept);
+  CHECK_THAT(farm.merge("-o many.png").err, contains_text("2 of 6 units missing, the first of them 0"));
+  fs::rename(kept, last);
   auto const refused = farm.merge("-o many.png");
   INFO(refused.err);
   CHECK(refused.exit_code == 75);
-  CHECK_THAT(refused.err, contains_text("unit 0 has") && contains_text("unit 1 has not the bytes that were written") &&
-                              contains_text("unit 2 is unit 3") &&
-                              contains_text("unit 4 was drawn by a device of another class") &&
-                              contains_text("unit 5 is of another plan") &&
-                              contains_text("lichtraum job work shared") && contains_text("E0209"));
+  CHECK_THAT(refused.err,
+             contains_text("unit 0 has") && contains_text("unit 1 does not have the bytes that were written") &&
+                 contains_text("unit 2 is unit 3") && contains_text("unit 4 was drawn by a device of another class") &&
+                 contains_text("unit 5 is of another plan") && contains_text("lichtraum job work shared") &&
+                 contains_text("E0209"));
   CHECK(!fs::exists(farm.folder / "many.png"));
   CHECK(farm.files(".bad").size() == 4);  // the other class's may be of use
   CHECK(farm.merge("-o many.png").exit_code == 75);
@@ -404,6 +408,9 @@ TEST_CASE("what cannot be planned or drawn is refused in a sentence", "[app][job
   CHECK(farm.plan("ball.sdf").exit_code == 0);  // the same again is no harm
   refused("plan lamp.sdf -o shared --device reference", 73, "another plan");
   refused("work shared --units 0..1 --device reference", 64, "units 0..0, not 1");
+  refused("work shared --units 5..2", 64, "expected the first unit before the last");
+  refused("work", 64, "no folder is given");
+  refused("work ball.sdf", 66, "'ball.sdf' is not a folder: lichtraum job plan ball.sdf -o FOLDER");
   for (std::string const text : {"{}", "[", "{\"lichtraum_plan\": 1}", "{\"lichtraum_plan\": 2}"}) {
     put(farm.folder / "shared/plan.json", text);
     refused("work shared", 65, "plan.json");

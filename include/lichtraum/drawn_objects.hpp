@@ -13,7 +13,7 @@ namespace LICHTRAUM_API lichtraum {
 
 /// The objects that a scene draws: each path from a root to a shape that is not a composite is one. They are numbered
 /// from 1 in the order in which a walk down from the roots meets them, so those below one path of a composite follow
-/// each other. What Aov::object_id shows.
+/// each other. What FilmPlane::object shows.
 class DrawnObjects {
  public:
   DrawnObjects() = default;

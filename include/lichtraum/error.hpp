@@ -47,7 +47,7 @@ struct Diagnostic {
 /// the hint. Ends with a newline.
 std::string format_diagnostic(Diagnostic const& diagnostic);
 
-/// Everything the library throws on purpose.
+/// What is wrong with input, a request, a device or a file. Values that no object can have are a std::invalid_argument.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, std::string const& message) : std::runtime_error(message), kind_(kind) {}

@@ -142,7 +142,8 @@ Job resolved(Job job, Scene const& scene);
 
 /// What to trace for the job. `scene` is what is drawn, of which the camera is taken: for the picture of a `render`,
 /// the scene as defined up to there. The camera is moved as the job's view says, and fitted to the size of the picture.
-/// Same exceptions as `resolved`, also Error{usage} for an unknown root, and where the camera would look along `up`.
+/// Same exceptions as `resolved`, also Error{usage} where the camera would look along `up`. Renderer::prepare refuses
+/// an unknown root; so does this where it has to look at what is drawn.
 /// `turn_center`: what the camera is carried around unless the job's view looks at something, for those who know it;
 /// else center_of_interest finds it, which takes a walk through the scene.
 RenderRequest request_of(Job const& job, Scene const& scene, std::optional<Vec3> const& turn_center = {});

@@ -188,8 +188,8 @@ class Renderer {
 RenderResult render_image(Renderer& renderer, RenderRequest const& request, Image& image,
                           Development const& development = {}, ProgressFunction const& progress = {});
 
-/// For a device of `list` (see select_device). `traversal`: nothing for the device's default. The reference tracer has
-/// one way to trace only.
+/// `device`: of find_devices, or reference_device. `traversal`: nothing for the device's default. The reference tracer
+/// has one way to trace only.
 std::unique_ptr<Renderer> make_renderer(DeviceInfo const& device, std::optional<Traversal> traversal = {});
 
 }  // namespace lichtraum

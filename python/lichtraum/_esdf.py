@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 from pathlib import Path
-from typing import Any
+from typing import Any, Collection
 
 import numpy
 
@@ -16,22 +16,25 @@ from ._values import Color, color, is_word, text_of
 
 
 class Writer:
-    """Collects the statements of one scene. `folder`: where its file will be, and the files of its meshes. What eSDF
-    cannot say is a UsageError, or, of a scene that is only drawn, in `materials` and `lights`."""
+    """Collects the statements of one scene. `target`: its file, beside which those of its meshes will be. `models`: the
+    files that it reads. What eSDF cannot say is a UsageError, or, of a scene that is only drawn, in `materials` and
+    `lights`."""
 
-    def __init__(self, folder: Path, prefix: str, *, only_drawn: bool = False) -> None:
+    def __init__(self, target: Path, models: Collection[str], *, only_drawn: bool = False) -> None:
         self._only_drawn = only_drawn
         self.materials: dict[str, Material] = {}
         self.lights: dict[str, Light] = {}
         self._links: dict[str, str] = {}
-        self._folder = folder
-        self._prefix = prefix
+        self._target = target
+        self._folder = target.parent
+        self._models = models
         self._lines: list[str] = []
         self._materials: dict[Material, str] = {}
         self._shapes: dict[int, str] = {}
         self._open: set[int] = set()
         self._names: set[str] = set()
-        self._meshes: dict[int, str] = {}
+        self._meshes: dict[int, tuple[Mesh, str]] = {}
+        self._mesh_count = 0
 
     def _line(self, *words: Any) -> None:
         self._lines.append(text_of([*words]))
@@ -104,14 +107,24 @@ class Writer:
         self._line("render", name, picture)
 
     def file_of(self, mesh: Mesh) -> str:
-        """The name of a PLY file with its triangles, which is written unless it is there."""
+        """The name of a PLY file with its triangles, which `write_meshes` writes."""
         if id(mesh) not in self._meshes:
-            name = self._meshes[id(mesh)] = f"{self._prefix}{len(self._meshes) + 1}.ply"
-            content = _ply(mesh)
-            path = self._folder / name
+            self._meshes[id(mesh)] = mesh, self._free_name()
+        return self._meshes[id(mesh)][1]
+
+    def _free_name(self) -> str:
+        """Of no file but one that an earlier save to the same target has made."""
+        while True:
+            self._mesh_count += 1
+            path = self._folder / f"{self._target.stem}_mesh_{self._mesh_count}.ply"
+            if not os.path.lexists(path) or (_is_made_for(path, self._target) and os.path.realpath(path) not in self._models):
+                return path.name
+
+    def write_meshes(self) -> None:
+        for mesh, name in self._meshes.values():
+            path, content = self._folder / name, _ply(mesh, self._target)
             if not path.exists() or path.read_bytes() != content:
                 path.write_bytes(content)
-        return self._meshes[id(mesh)]
 
     def path_of(self, path: str) -> str:
         """As seen from the scene's file. Of one that eSDF cannot name, a link's."""
@@ -144,14 +157,28 @@ class Writer:
         return "\n".join(self._lines) + "\n"
 
 
-def _ply(mesh: Mesh) -> bytes:
+def _ply_begin(target: Path) -> bytes:
+    """How the files of the meshes of `target` begin, and no others."""
+    return b"ply\nformat binary_little_endian 1.0\ncomment a mesh of lichtraum's scene " + os.fsencode(target.name) + b"\n"
+
+
+def _is_made_for(path: Path, target: Path) -> bool:
+    begin = _ply_begin(target)
+    if not path.is_file() or path.is_symlink():
+        return False
+    with path.open("rb") as file:
+        return file.read(len(begin)) == begin
+
+
+def _ply(mesh: Mesh, target: Path) -> bytes:
     rows = numpy.empty(len(mesh.faces), dtype=[("count", "u1"), ("corners", "<i4", 3)])
     rows["count"], rows["corners"] = 3, mesh.faces
     columns = [("x y z", mesh.vertices), ("nx ny nz", mesh.normals), ("u v", mesh.texcoords)]
     given = [(names, values) for names, values in columns if values is not None]
     head = (
-        f"ply\nformat binary_little_endian 1.0\nelement vertex {len(mesh.vertices)}\n"
+        f"element vertex {len(mesh.vertices)}\n"
         + "".join(f"property float {name}\n" for names, _ in given for name in names.split())
         + f"element face {len(mesh.faces)}\nproperty list uchar int vertex_indices\nend_header\n"
     )
-    return head.encode() + numpy.hstack([values for _, values in given]).tobytes() + rows.tobytes()
+    vertices = numpy.hstack([values for _, values in given])
+    return _ply_begin(target) + head.encode() + vertices.tobytes() + rows.tobytes()

@@ -42,14 +42,18 @@ class Scene:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the scene as eSDF (.sdf): `lichtraum render` draws the same picture of it. Meshes become .ply files beside
-        it; models stay where they are, and outside the scene's folder take --allow-path. Raises FileError, and UsageError
-        for what eSDF cannot say: Pbr, spot and directional lamps, files with spaces in their names."""
+        it, and replace only those of earlier saves to the same file; models stay where they are, and outside the scene's
+        folder take --allow-path. Raises FileError, and UsageError for what eSDF cannot say: Pbr, spot and directional
+        lamps, files with spaces in their names."""
         self._write(Path(path))
 
     def _write(self, path: Path, *, only_drawn: bool = False) -> Writer:
         if not is_word(path.name):
             raise UsageError(f"{path.name!r}: eSDF cannot name files with spaces or a #, such as the meshes beside it")
-        writer = Writer(path.parent, path.stem + "_mesh_", only_drawn=only_drawn)
+        models = {os.path.realpath(model.path) for model in self._models()}
+        if os.path.realpath(path) in models:
+            raise UsageError(f"{str(path)!r} is a model of this scene, and would be lost: save the scene under another name")
+        writer = Writer(path, models, only_drawn=only_drawn)
         temporary = path.with_name(path.name + ".partial")
         try:
             for item in self.items:
@@ -60,6 +64,7 @@ class Scene:
             if self.background is not None:
                 writer.background(self.background)
             writer.camera(self.camera, path.stem + ".png")
+            writer.write_meshes()
             temporary.write_text(writer.text(), encoding="utf-8")
             os.replace(temporary, path)
         except OSError as error:
@@ -72,15 +77,23 @@ class Scene:
             self._folder = tempfile.TemporaryDirectory(prefix="lichtraum-")
         path = Path(self._folder.name) / "scene.sdf"
         writer = self._write(path, only_drawn=True)
-        folders: set[str] = set()
-        waiting = list(self.items)
+        folders = {os.path.dirname(os.path.realpath(model.path)) for model in self._models()}
+        return str(path), sorted(folders), writer
+
+    def _models(self) -> list[Model]:
+        found: list[Model] = []
+        waiting: list[Item] = list(self.items)
+        seen: set[int] = set()
         while waiting:
             item = waiting.pop()
+            if id(item) in seen:
+                continue
+            seen.add(id(item))
             if isinstance(item, Group):
                 waiting += item.children
             elif isinstance(item, Model):
-                folders.add(os.path.dirname(os.path.realpath(item.path)))
-        return str(path), sorted(folders), writer
+                found.append(item)
+        return found
 
     def __repr__(self) -> str:
         return f"<lichtraum.Scene of {len(self.items)} things>"

@@ -130,3 +130,49 @@ def test_faulty_scenes(renderer, tmp_path):
         renderer.render(lt.Scene([lt.Sphere((0, 0, 0), 1, lt.Phong(reflect=0.9, transmit=0.9))]), **SIZE)
     with pytest.raises(lt.FileError, match="nowhere"):
         lt.Scene([CUBE]).save(Path("/nowhere/scene.sdf"))
+
+
+def mesh(height):
+    return lt.Mesh([(-1, 0, -6), (1, 0, -6), (0, height, -6)], [(0, 1, 2)])
+
+
+def test_saving_replaces_no_file_but_its_own(renderer, tmp_path):
+    """What happens to lie where a mesh would be written, as a model of the scene or not, is somebody's."""
+    own, foreign = tmp_path / "table_mesh_1.ply", tmp_path / "table_mesh_2.ply"
+    lt.Scene([mesh(3)]).save(tmp_path / "other.sdf")
+    (tmp_path / "other_mesh_1.ply").rename(own)
+    foreign.write_text("dear to somebody")
+    before = own.read_bytes()
+    scene = lt.Scene([mesh(1), lt.Model(own), lt.Light.ambient(1)])
+    drawn = renderer.render(scene, **SIZE)
+    for _ in range(2):
+        scene.save(tmp_path / "table.sdf")
+        assert own.read_bytes() == before and foreign.read_text() == "dear to somebody"
+        assert sorted(path.name for path in tmp_path.glob("table*")) == ["table.sdf", own.name, foreign.name, "table_mesh_3.ply"]
+        assert np.array_equal(drawn, renderer.render(tmp_path / "table.sdf", integrator=drawn.job["integrator"], **SIZE))
+
+
+def test_saving_again_replaces_its_own_meshes_but_those_that_it_reads(tmp_path):
+    target, written = tmp_path / "table.sdf", tmp_path / "table_mesh_1.ply"
+    lt.Scene([mesh(1)]).save(target)
+    first = written.read_bytes()
+    lt.Scene([mesh(2)]).save(target)
+    second = written.read_bytes()
+    assert first != second and len(list(tmp_path.iterdir())) == 2
+    lt.Scene([mesh(3), lt.Model(written)]).save(target)
+    assert written.read_bytes() == second and "table_mesh_2.ply" in target.read_text()
+
+
+def test_scene_is_not_saved_over_its_model(tmp_path):
+    (tmp_path / "model.ply").write_text("dear to somebody")
+    with pytest.raises(lt.UsageError, match="model of this scene"):
+        lt.Scene([lt.Model(tmp_path / "model.ply")]).save(tmp_path / "model.ply")
+    assert (tmp_path / "model.ply").read_text() == "dear to somebody"
+
+
+def test_scene_that_cannot_be_saved_leaves_its_meshes(tmp_path):
+    lt.Scene([mesh(1)]).save(tmp_path / "table.sdf")
+    before = (tmp_path / "table_mesh_1.ply").read_bytes()
+    with pytest.raises(lt.UsageError, match="Pbr"):
+        lt.Scene([mesh(2), lt.Sphere((0, 0, 0), 1, lt.Pbr())]).save(tmp_path / "table.sdf")
+    assert (tmp_path / "table_mesh_1.ply").read_bytes() == before

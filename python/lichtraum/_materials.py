@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Iterable, Optional, Union
 
 from ._errors import UsageError
 from ._texture import Texture
-from ._values import Color, color, number
+from ._values import Color, color, number, unchanging
 
 if TYPE_CHECKING:
     from . import _native
@@ -30,6 +30,9 @@ class Phong:
     transmit: float = 0.0
     ior: float = 1.0
     emission: Color = 0.0
+
+    def __post_init__(self) -> None:
+        _settle(self, ("ambient", "diffuse", "specular", "emission"))
 
     def words(self) -> list[Any]:
         """Of eSDF, after the name."""
@@ -104,6 +107,9 @@ class Pbr:
     iridescence_texture: Optional[Texture] = None
     iridescence_thickness_texture: Optional[Texture] = None
 
+    def __post_init__(self) -> None:
+        _settle(self, _COLORS)
+
     def has_textures(self) -> bool:
         return any(getattr(self, field.name) is not None for field in fields(self) if field.name in _TEXTURES)
 
@@ -127,6 +133,12 @@ class Pbr:
         if made["alpha"][0] < 1 or (base is not None and base.has_alpha):
             made["alpha_mode"] = [2]  # AlphaMode::blend
         return "pbr", made, textures
+
+
+def _settle(material: Material, colors: Iterable[str]) -> None:
+    """Lists and arrays become tuples, as scenes look materials up."""
+    for name in colors:
+        object.__setattr__(material, name, unchanging(getattr(material, name)))
 
 
 def _texture(name: str, value: Any) -> _native.Texture:

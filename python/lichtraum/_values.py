@@ -49,9 +49,20 @@ def vector(value: Vector, *, least: float = -math.inf) -> tuple[float, float, fl
     return numbers[0], numbers[1], numbers[2]
 
 
+def _is_single(value: Any) -> bool:
+    """Whether it is one number: Python's, or NumPy's, whose arrays have `__float__` as well."""
+    return hasattr(value, "__float__") and not getattr(value, "ndim", 0)
+
+
 def color(value: Color, *, least: float = -math.inf) -> tuple[float, float, float]:
     """Three numbers, or one for all."""
-    return vector([value] * 3 if isinstance(value, (int, float)) else value, least=least)
+    given: Any = value
+    return vector([given] * 3 if _is_single(given) else given, least=least)
+
+
+def unchanging(value: Color) -> Color:
+    """The same, in numbers that nobody can change and that have a hash."""
+    return number(value) if _is_single(value) else color(value)
 
 
 def translation(offset: Vector) -> list[Any]:

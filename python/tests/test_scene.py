@@ -132,6 +132,26 @@ def test_faulty_scenes(renderer, tmp_path):
         lt.Scene([CUBE]).save(Path("/nowhere/scene.sdf"))
 
 
+@pytest.mark.parametrize("kind", [list, np.array, tuple, lambda numbers: np.array(numbers, dtype=np.float32)])
+@pytest.mark.parametrize("material", [lambda color: lt.Phong(diffuse=color), lambda color: lt.Pbr(base_color=color)])
+def test_colours_are_any_three_numbers(renderer, kind, material):
+    colour = kind([0.5, 0.25, 1])
+    mine, same = material(colour), material((0.5, 0.25, 1))
+    assert mine == same and hash(mine) == hash(same)
+    images = [renderer.render(lt.Scene([lt.Sphere((0, 0, -5), 1, each), lt.Light.ambient(colour)]), denoise="off", **SIZE) for each in (mine, same)]
+    assert np.array_equal(*images) and np.max(images[0]) > 0
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.int64, np.array])
+def test_numbers_are_numpys_as_well(renderer, kind):
+    def image(two):
+        ball = lt.Sphere((0, 0, -9), 1, lt.Phong(diffuse=two))
+        ball.scale(two)
+        return renderer.render(lt.Scene([ball, lt.Light.point((0, 9, 0), two)], background=two), **SIZE)
+
+    assert np.array_equal(image(kind(2)), image(2))
+
+
 def mesh(height):
     return lt.Mesh([(-1, 0, -6), (1, 0, -6), (0, height, -6)], [(0, 1, 2)])
 

@@ -63,6 +63,11 @@ class RenderOptions(TypedDict, total=False):
 
 
 FLAGS = frozenset({"strict", "keep_going", "both_sides"})
+#: Those that say how a file is read.
+READING = (
+    "time", "animation", "scene", "variant", "max_texture", "point_size", "both_sides", "strict",
+    "keep_going", "transform_order", "rotation", "material_extras", "allow_path",
+)  # fmt: skip
 
 
 def _flat(value: Iterable[Any]) -> list[Any]:

@@ -7,10 +7,10 @@ import warnings
 from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Union
 
 from . import _native
-from ._errors import SceneWarning
+from ._errors import SceneWarning, UsageError
 from ._image import Image
 from ._loaded import LoadedScene
-from ._options import Path, parsed
+from ._options import READING, Path, parsed
 from ._progress import Bar
 from ._scene import Scene
 from ._waiting import wait_for
@@ -65,6 +65,7 @@ class Renderer:
         for name in ("device", "traversal"):
             if name in given:
                 raise TypeError(f"{name} is chosen when the Renderer is made")
+        _check(scene, picture, given)
         return self._draw(scene, picture, progress, given)
 
     def _draw(self, scene: Drawable, picture: int, progress: Progress, given: dict[str, Any]) -> Image:
@@ -87,13 +88,30 @@ class Renderer:
         return f"<lichtraum.Renderer on {self.device!r}>"
 
 
+def _check(scene: Drawable, picture: int, given: dict[str, Any]) -> None:
+    """Raises UsageError for what has no effect on a scene that is no file, and as `parsed` does."""
+    parsed(given)
+    if isinstance(scene, Scene) and picture:
+        raise UsageError(f"there is no picture {picture}: a Scene has one, number 0")
+    if not isinstance(scene, LoadedScene):
+        return
+    if picture:
+        raise UsageError(
+            f"picture: {scene.name!r} was loaded as it is at the end of its file: render the file for its picture {picture}"
+        )
+    for name in READING:
+        if given.get(name) is not None:
+            raise UsageError(f"{name}: {scene.name!r} was read before: give {name} to lt.load")
+
+
 def _as_drawn(scene: Scene, given: dict[str, Any]) -> tuple[str | LoadedScene, dict[str, Any]]:
     """The file of a scene, or, where eSDF cannot say all of it, what was read of that, with the rest."""
     path, folders, writer = scene._drawable()
     given = {**given, "allow_path": [*_folders(given.get("allow_path")), *folders]}
     if not writer.materials and not writer.lights:
         return path, given
-    loaded = load(path, allow_path=given["allow_path"])
+    reading: Any = {name: given.pop(name) for name in READING if name in given}
+    loaded = load(path, **reading)
     for name, material in writer.materials.items():
         loaded.set_material(name, material)
     for name, light in writer.lights.items():
@@ -108,7 +126,7 @@ def render(
 ) -> Image:
     """Draws a scene or a model: a file's name, what `load` read, or a Scene.
 
-    `picture`: which of those that the file asks for, from 0. `progress`: False for no bar, or a function that is called
+    `picture`: which of the file's `render` statements, counted from 0. `progress`: False for no bar, or a function that is called
     with a number from 0 to 1. The others are in RenderOptions, and mean what they mean to `lichtraum render`. Other
     threads run meanwhile, and Ctrl-C stops it.
 
@@ -120,7 +138,7 @@ def render(
     """
     given: dict[str, Any] = dict(options)
     device, traversal = given.pop("device", None), given.pop("traversal", None)
-    parsed(given)  # mistakes are told before a device is looked for
+    _check(scene, picture, given)  # mistakes are told before a device is looked for
     return Renderer(device, traversal=traversal)._draw(scene, picture, progress, given)
 
 
@@ -128,16 +146,14 @@ def load(path: Path, /, **options: Unpack[RenderOptions]) -> LoadedScene:
     """Reads a scene or a model, as it is at the end of its file; with `time`, at that second of its animation.
 
     The options are those that say how files are read: `time`, `animation`, `scene`, `variant`, `max_texture`,
-    `point_size`, `strict`, `keep_going`, `transform_order`, `rotation`, `material_extras`, `allow_path`.
+    `point_size`, `both_sides`, `strict`, `keep_going`, `transform_order`, `rotation`, `material_extras`, `allow_path`.
     Raises SceneError, UsageError, FileError.
 
     >>> load("scenes/hello.sdf").cameras
     ['eye']
     """
-    reading = {"time", "animation", "scene", "variant", "max_texture", "point_size", "both_sides", "strict"}
-    reading |= {"keep_going", "transform_order", "rotation", "material_extras", "allow_path"}
     for name in options:
-        if name not in reading:
+        if name not in READING:
             raise TypeError(f"{name!r} says nothing about reading: it is for render")
     how, how_saved = parsed(dict(options)), parsed({"allow_path": options.get("allow_path")})
     scene = LoadedScene(os.fspath(path), how, how_saved)

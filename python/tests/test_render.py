@@ -164,6 +164,35 @@ def test_model_has_an_option_that_is_called_as_the_first_argument(renderer, tmp_
             use()
 
 
+@pytest.mark.parametrize("name, value", [
+    ("time", 2), ("animation", 1), ("scene", 0), ("variant", "a"), ("max_texture", 64), ("point_size", 1), ("both_sides", True),
+    ("strict", True), ("keep_going", True), ("transform_order", "local"), ("rotation", "left"), ("material_extras", "ignore"),
+    ("allow_path", "/tmp"),
+])
+def test_what_was_loaded_is_not_read_again(renderer, film, name, value):
+    scene = lt.load(film)
+    for draw in (renderer.render, lt.render):
+        with pytest.raises(lt.UsageError, match=f"^{name}: .*film.sdf.* give {name} to lt.load"):
+            draw(scene, size=(8, 8), **{name: value})
+    assert renderer.render(scene, size=(8, 8), **{name: None}).size == (8, 8)
+
+
+def test_pictures_are_those_of_files(renderer, film):
+    with pytest.raises(lt.UsageError, match="render the file for its picture 1"):
+        renderer.render(lt.load(film), picture=1)
+    for material in (lt.Phong(), lt.Pbr()):
+        with pytest.raises(lt.UsageError, match="no picture 1: a Scene has one"):
+            renderer.render(lt.Scene([lt.Sphere((0, 0, -5), 1, material)]), picture=1)
+
+
+@pytest.mark.parametrize("material", [lt.Phong(), lt.Pbr()])
+def test_scenes_are_read_as_asked(renderer, material):
+    """By way of eSDF, whether that can say all of them or not."""
+    shining = lt.Sphere((0, 0, -5), 1, lt.Phong(emission=1))
+    with pytest.raises(lt.SceneError, match="emission"):
+        renderer.render(lt.Scene([shining, lt.Sphere((9, 9, 9), 0.1, material)]), strict=True)
+
+
 def test_errors_say_where(tmp_path):
     path = tmp_path / "broken.sdf"
     path.write_text("define shpe sphere\nrender eye x.png\n")

@@ -10,6 +10,7 @@ from typing import Any, Collection
 import numpy
 
 from ._errors import UsageError
+from ._files import replacement
 from ._materials import WHITE, Material, Pbr, Phong
 from ._nodes import Camera, Light, Mesh, Shape
 from ._values import Color, color, is_word, text_of
@@ -124,7 +125,8 @@ class Writer:
         for mesh, name in self._meshes.values():
             path, content = self._folder / name, _ply(mesh, self._target)
             if not path.exists() or path.read_bytes() != content:
-                path.write_bytes(content)
+                with replacement(path) as temporary:
+                    temporary.write_bytes(content)
 
     def path_of(self, path: str) -> str:
         """As seen from the scene's file. Of one that eSDF cannot name, a link's."""

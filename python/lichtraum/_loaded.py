@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from . import _native
 from ._edited_text import EditedText
 from ._errors import FileError, SceneError, UsageError
+from ._files import replacement
 from ._materials import Material
 from ._nodes import Camera, Light
 from ._values import Color, Vector, Words, rotation, scaling, translation
@@ -104,17 +105,12 @@ class LoadedScene:
         target = Path(path)
         if self._native.is_model:
             raise UsageError(f"{self._path}: a model is not saved as eSDF; lt.Scene([lt.Model(...)]) holds one")
-        temporary = target.with_name(target.name + ".partial")
         try:
-            text = self._edited(Path(self._path).read_bytes())
-            temporary.write_bytes(text)
-            self._check(temporary, target)
-            os.replace(temporary, target)
+            with replacement(target) as temporary:
+                temporary.write_bytes(self._edited(Path(self._path).read_bytes()))
+                self._check(temporary, target)
         except OSError as error:
-            raise FileError(f"cannot save {self._path!r} as {str(target)!r}: {error.strerror}") from error
-        finally:
-            if temporary.exists():
-                temporary.unlink()
+            raise FileError(f"cannot save {self._path!r} as {str(target)!r}: {error.strerror or error}") from error
 
     def _edited(self, source: bytes) -> bytes:
         statements = wait_for(lambda _: _native.statements_of(source, self._path, self._how))

@@ -70,7 +70,9 @@ class Renderer:
 
     def _draw(self, scene: Drawable, picture: int, progress: Progress, given: dict[str, Any]) -> Image:
         if isinstance(scene, Scene):
-            scene, given = _as_drawn(scene, given)
+            with scene._workplace.turn:
+                written, given = _as_drawn(scene, given)
+                return self._draw(written, picture, progress, given)
         options = parsed(given)
         session = self._session
 

@@ -4,15 +4,34 @@ from __future__ import annotations
 
 import os
 import tempfile
+import threading
 from pathlib import Path
 from typing import Iterable, Optional, Union
 
 from ._errors import FileError, UsageError
 from ._esdf import Writer
+from ._files import replacement
 from ._nodes import Camera, Group, Light, Model, Shape
 from ._values import Color, is_word
 
 Item = Union[Shape, Light]
+
+
+class _Workplace:
+    """Where the files of a scene are while it is drawn. `turn`: they are those of one picture at a time. A copy of the
+    scene, and one that was pickled, gets another."""
+
+    def __init__(self) -> None:
+        self.turn = threading.RLock()  # again by one thread: `progress` may draw
+        self._folder: Optional[tempfile.TemporaryDirectory[str]] = None
+
+    def folder(self) -> Path:
+        if self._folder is None:
+            self._folder = tempfile.TemporaryDirectory(prefix="lichtraum-")
+        return Path(self._folder.name)
+
+    def __reduce__(self) -> tuple[type[_Workplace], tuple[()]]:
+        return _Workplace, ()
 
 
 class Scene:
@@ -30,7 +49,7 @@ class Scene:
         self.items: list[Item] = []
         self.camera = camera or Camera()
         self.background = background
-        self._folder: Optional[tempfile.TemporaryDirectory[str]] = None
+        self._workplace = _Workplace()
         for item in items:
             self.add(item)
 
@@ -54,7 +73,6 @@ class Scene:
         if os.path.realpath(path) in models:
             raise UsageError(f"{str(path)!r} is a model of this scene, and would be lost: save the scene under another name")
         writer = Writer(path, models, only_drawn=only_drawn)
-        temporary = path.with_name(path.name + ".partial")
         try:
             for item in self.items:
                 if isinstance(item, Light):
@@ -65,17 +83,15 @@ class Scene:
                 writer.background(self.background)
             writer.camera(self.camera, path.stem + ".png")
             writer.write_meshes()
-            temporary.write_text(writer.text(), encoding="utf-8")
-            os.replace(temporary, path)
+            with replacement(path) as temporary:
+                temporary.write_bytes(writer.text().encode("utf-8", "surrogateescape"))
         except OSError as error:
-            raise FileError(f"cannot write {str(path)!r}: {error.strerror}") from error
+            raise FileError(f"cannot write {str(path)!r}: {error.strerror or error}") from error
         return writer
 
     def _drawable(self) -> tuple[str, list[str], Writer]:
         """A file of the scene as it is now, the folders of its models, and what eSDF could not say."""
-        if self._folder is None:
-            self._folder = tempfile.TemporaryDirectory(prefix="lichtraum-")
-        path = Path(self._folder.name) / "scene.sdf"
+        path = self._workplace.folder() / "scene.sdf"
         writer = self._write(path, only_drawn=True)
         folders = {os.path.dirname(os.path.realpath(model.path)) for model in self._models()}
         return str(path), sorted(folders), writer

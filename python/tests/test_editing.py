@@ -5,6 +5,7 @@ import math
 import os
 import struct
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -83,6 +84,20 @@ def test_all_changes_at_once(renderer, loaded, tmp_path):
         change(loaded)
     loaded.save(tmp_path / "scene.sdf")  # over its own file
     assert np.array_equal(pixels(renderer, loaded), pixels(renderer, tmp_path / "scene.sdf"))
+
+
+def test_threads_save_to_one_file(loaded, tmp_path):
+    scenes = [lt.load(tmp_path / "scene.sdf") for _ in range(4)]
+    for number, scene in enumerate(scenes):
+        scene.set_material("red", lt.Phong(diffuse=number / 4))
+
+    def save(number):
+        scenes[number % 4].save(tmp_path / "saved.sdf")
+        return lt.load(tmp_path / "saved.sdf").shapes
+
+    with ThreadPoolExecutor(8) as threads:
+        assert all(shapes == loaded.shapes for shapes in threads.map(save, range(60)))
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["saved.sdf", "scene.sdf"]
 
 
 DIALECT = """\ufeff// material red is below\x0crender eye never.png

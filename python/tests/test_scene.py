@@ -1,7 +1,10 @@
 """Scenes that are made in Python."""
 
+import copy
 import os
+import pickle
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -196,3 +199,51 @@ def test_scene_that_cannot_be_saved_leaves_its_meshes(tmp_path):
     with pytest.raises(lt.UsageError, match="Pbr"):
         lt.Scene([mesh(2), lt.Sphere((0, 0, 0), 1, lt.Pbr())]).save(tmp_path / "table.sdf")
     assert (tmp_path / "table_mesh_1.ply").read_bytes() == before
+
+
+def test_threads_draw_and_save_one_scene(renderer, tmp_path):
+    meshes = [mesh(1), mesh(2)]
+    scene = lt.Scene([meshes[0], lt.Light.ambient(1)])
+    wanted = {renderer.render(lt.Scene([each, lt.Light.ambient(1)]), **SIZE).encoded() for each in meshes}
+
+    def draw(number):
+        scene.items[0] = meshes[number % 2]
+        return renderer.render(scene, **SIZE).encoded()
+
+    def save(_):
+        scene.save(tmp_path / "scene.sdf")
+        return lt.load(tmp_path / "scene.sdf").shapes
+
+    with ThreadPoolExecutor(8) as threads:
+        drawn, saved = list(threads.map(draw, range(60))), list(threads.map(save, range(60)))
+    assert set(drawn) == wanted and set(map(tuple, saved)) == {("mesh_1",)}
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["scene.sdf", "scene_mesh_1.ply"]
+
+
+def test_scene_is_drawn_while_it_is_drawn(renderer):
+    scene, small = lt.Scene([mesh(1), lt.Light.ambient(1)]), []
+
+    def show(_):
+        if not small:
+            small.append(lt.Renderer().render(scene, size=(8, 8)))
+
+    renderer.render(scene, size=(1500, 1500), samples=64, progress=show)
+    assert [image.size for image in small] == [(8, 8)]
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda scene: pickle.loads(pickle.dumps(scene))])
+def test_scene_can_be_copied_after_it_was_drawn(renderer, copied):
+    scene = lt.Scene([mesh(1), lt.Light.ambient(1)])
+    wanted = renderer.render(scene, **SIZE).encoded()
+    other = copied(scene)
+    del scene
+    assert renderer.render(other, **SIZE).encoded() == wanted
+
+
+def test_failed_save_leaves_nothing(tmp_path):
+    for name in ("\ud800.sdf", "scene.sdf"):
+        group = lt.Group([CUBE], name="\ud800")
+        with pytest.raises(ValueError):
+            lt.Scene([group]).save(tmp_path / name)
+    lt.Scene([CUBE]).save(tmp_path / os.fsdecode(b"\xff.sdf"))
+    assert [os.fsencode(path.name) for path in tmp_path.iterdir()] == [b"\xff.sdf"]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Union
 
 from . import _native
 from ._errors import SceneWarning, UsageError
+from ._forks import OPENCL
 from ._image import Image
 from ._loaded import LoadedScene
 from ._options import READING, Path, parsed
@@ -48,7 +49,11 @@ class Renderer:
 
     def __init__(self, device: str | int | None = None, *, traversal: Optional[str] = None) -> None:
         wanted = "" if device is None else str(device)
+        if wanted != "reference":
+            OPENCL.check()
         self._session = wait_for(lambda _: _native.Session(wanted, traversal or ""))
+        if not self._session.is_reference:
+            OPENCL.begin()
         if self._session.warnings:
             warnings.warn("\n".join(self._session.warnings), SceneWarning, stacklevel=3)
 
@@ -69,12 +74,14 @@ class Renderer:
         return self._draw(scene, picture, progress, given)
 
     def _draw(self, scene: Drawable, picture: int, progress: Progress, given: dict[str, Any]) -> Image:
+        session = self._session
+        if not session.is_reference:
+            OPENCL.check()
         if isinstance(scene, Scene):
             with scene._workplace.turn:
                 written, given = _as_drawn(scene, given)
                 return self._draw(written, picture, progress, given)
         options = parsed(given)
-        session = self._session
 
         def work(control: _native.Control) -> _native.Picture:
             if isinstance(scene, LoadedScene):

@@ -350,6 +350,38 @@ def child(code, **environment):
 DRAW = f"import lichtraum as lt; print(lt.render({str(HELLO)!r}, size=(16, 9)).size)"
 
 
+FORK = f"""
+import os, signal, warnings
+import lichtraum as lt
+warnings.simplefilter("ignore")
+def draw(renderer=None):
+    return (renderer or lt.Renderer()).render({str(HELLO)!r}, size=(16, 9)).size
+def in_child(use):
+    if child := os.fork():
+        return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    signal.alarm(60)  # if it hangs
+    try:
+        use()
+    except lt.DeviceError as error:
+        os._exit(3 if "spawn" in str(error) else 4)
+    os._exit(0)
+"""
+
+
+def test_forked_process_is_told_that_it_cannot_draw():
+    code = FORK + (
+        "before = in_child(draw)\n"
+        "renderer = lt.Renderer()\n"
+        "draw(renderer)\n"
+        "print(before, in_child(draw), in_child(lambda: draw(renderer)), in_child(lambda: draw(lt.Renderer('reference'))))\n"
+        "print(draw(), draw(renderer))\n"
+    )
+    run = child(code)
+    no_device = "reference" in lt.Renderer().device
+    told = "0 0 0 0" if no_device else "0 3 3 0"
+    assert run.stdout == f"{told}\n(16, 9) (16, 9)\n", run.stdout + run.stderr
+
+
 def test_without_the_loader_of_opencl_importing_says_what_to_install(tmp_path):
     (tmp_path / "libOpenCL.so.1").touch()  # found first, and not one
     run = child(DRAW, LD_LIBRARY_PATH=str(tmp_path))

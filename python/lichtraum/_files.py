@@ -1,4 +1,4 @@
-"""Files that are written."""
+"""Files: their names, and how they are written."""
 
 from __future__ import annotations
 
@@ -6,7 +6,21 @@ import os
 import uuid
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Iterator
+from typing import Iterator, Union
+
+from ._errors import UsageError
+
+
+def file_name(path: Union[str, os.PathLike[str]]) -> str:
+    """As the library takes it. Raises UsageError for what it would cut off or not understand."""
+    name = os.fspath(path)
+    if "\0" in name:
+        raise UsageError(f"{name!r}: no file has a name with a NUL character")
+    try:
+        name.encode()
+    except UnicodeEncodeError:
+        raise UsageError(f"{name!r}: expected a name in UTF-8: rename the file") from None
+    return name
 
 
 @contextmanager

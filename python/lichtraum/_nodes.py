@@ -12,6 +12,7 @@ import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from ._errors import UsageError
+from ._files import file_name
 from ._materials import WHITE, Fields, Material
 from ._values import Color, Vector, color, length, number, rotation, scaling, translation, vector
 
@@ -179,7 +180,7 @@ class Model(Shape):
         self, path: str | os.PathLike[str], material: Optional[Material] = None, *, name: Optional[str] = None
     ) -> None:
         super().__init__(material, name)
-        self.path = os.path.abspath(os.fspath(path))
+        self.path = os.path.abspath(file_name(path))
         self.has_texcoords = True  # for all we know
 
     kind = "mesh"

@@ -119,6 +119,8 @@ def parsed(options: dict[str, Any]) -> _native.Options:
             raise TypeError(f"there is no option {name!r}; there are: {', '.join(RenderOptions.__annotations__)}")
         if value is not None:
             words += _words(name, value)
+            if any("\0" in word for word in words):
+                raise UsageError(f"{name}: expected no NUL character, not {value!r}")
     try:
         return _native.parse_options(words)
     except UsageError as error:  # which names them as on the command line

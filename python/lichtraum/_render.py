@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Union
 
 from . import _native
 from ._errors import SceneWarning, UsageError
+from ._files import file_name
 from ._forks import OPENCL
 from ._image import Image
 from ._loaded import LoadedScene
@@ -82,11 +83,12 @@ class Renderer:
                 written, given = _as_drawn(scene, given)
                 return self._draw(written, picture, progress, given)
         options = parsed(given)
+        name = "" if isinstance(scene, LoadedScene) else file_name(scene)
 
         def work(control: _native.Control) -> _native.Picture:
             if isinstance(scene, LoadedScene):
                 return session.draw_scene(scene._native, options, picture, control)
-            return session.draw_file(os.fspath(scene), options, picture, control)
+            return session.draw_file(name, options, picture, control)
 
         with Bar(progress) as bar:
             drawn = wait_for(work, bar.show)
@@ -165,6 +167,6 @@ def load(path: Path, /, **options: Unpack[RenderOptions]) -> LoadedScene:
         if name not in READING:
             raise TypeError(f"{name!r} says nothing about reading: it is for render")
     how, how_saved = parsed(dict(options)), parsed({"allow_path": options.get("allow_path")})
-    scene = LoadedScene(os.fspath(path), how, how_saved)
+    scene = LoadedScene(file_name(path), how, how_saved)
     _warn(scene.diagnostics)
     return scene

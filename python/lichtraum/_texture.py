@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from . import _native
 from ._errors import UsageError
+from ._files import file_name
 
 _LARGEST = 16384  # texels a side
 
@@ -26,7 +27,7 @@ class Texture:
         self, picture: Union[str, os.PathLike[str], ArrayLike], *, wrap: str = "repeat", filter: str = "linear"
     ) -> None:
         if isinstance(picture, (str, os.PathLike)):
-            self._native = _native.read_texture(os.fspath(picture), wrap, filter)
+            self._native = _native.read_texture(file_name(picture), wrap, filter)
             return
         texels = numpy.asarray(picture)
         if texels.dtype != numpy.uint8:

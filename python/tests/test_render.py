@@ -225,6 +225,31 @@ def test_wrong_values(renderer, options, message):
         renderer.render(HELLO, **options)
 
 
+@pytest.mark.parametrize("name, message", [("sec\0.png", "NUL"), (os.fsdecode(b"\xff.png"), "UTF-8")])
+def test_names_that_no_file_can_have(renderer, tmp_path, monkeypatch, name, message):
+    """What is behind a NUL was cut off, and another file overwritten."""
+    monkeypatch.chdir(tmp_path)
+    Path("sec").write_text("dear to somebody")
+    image = renderer.render(HELLO, size=(8, 8))
+    for use in (image.save, lt.load, lt.render, lt.Texture, lt.Model):
+        with pytest.raises(lt.UsageError, match=message):
+            use(name)
+    assert os.listdir() == ["sec"] and Path("sec").read_text() == "dear to somebody"
+
+
+@pytest.mark.parametrize("use", [
+    lambda: lt.render(HELLO, environment="studio\0"),
+    lambda: lt.load(HELLO, allow_path=["/tmp", "/\0"]),
+    lambda: lt.load(HELLO).save("a\0.sdf"),
+    lambda: lt.Scene().save("a\0.sdf"),
+])
+def test_nul_is_refused(tmp_path, monkeypatch, use):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ValueError, match="NUL|null"):
+        use()
+    assert not list(tmp_path.iterdir())
+
+
 def test_unknown_names(renderer):
     with pytest.raises(TypeError, match="no option 'sizes'"):
         renderer.render(HELLO, sizes=(1, 1))

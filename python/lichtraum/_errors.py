@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Sequence
+from typing import TYPE_CHECKING, Any, Sequence
 
 if TYPE_CHECKING:
     from ._native import Diagnostic
@@ -40,6 +40,9 @@ class JobError(Error):
         super().__init__(message)
         #: That of the program: 75 where the same may go well later, 65 where it never will.
         self.status = status
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (str(self), self.status), self.__dict__
 
 
 class SceneWarning(UserWarning):

@@ -1,5 +1,6 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include "bindings.hpp"
@@ -9,6 +10,10 @@ namespace nb = nanobind;
 
 namespace lichtraum::python {
 namespace {
+
+/// What pickle stores of a diagnostic, in the order of its members.
+using State =
+    std::tuple<int, int, std::string, std::size_t, std::size_t, std::size_t, std::string, std::string, std::string>;
 
 char const* name_of(Severity severity) {
   switch (severity) {
@@ -78,6 +83,17 @@ void bind_errors(nb::module_& module) {
       .def_ro("message", &Diagnostic::message, "What and why.")
       .def_ro("hint", &Diagnostic::hint, "What to do; may be empty.")
       .def_ro("source_line", &Diagnostic::source_line, "The line as written; may be empty.")
+      .def("__getstate__",
+           [](Diagnostic const& d) {
+             return State(int(d.severity), int(d.code), d.location.file, d.location.line, d.location.column, d.length,
+                          d.message, d.source_line, d.hint);
+           })
+      .def("__setstate__",
+           [](Diagnostic& d, State const& state) {
+             auto const& [severity, code, file, line, column, length, message, source_line, hint] = state;
+             new (&d) Diagnostic{
+                 Severity(severity), DiagnosticCode(code), {file, line, column}, length, message, source_line, hint};
+           })
       .def("__str__", [](Diagnostic const& d) { return format_diagnostic(d); })
       .def("__repr__", [](Diagnostic const& d) {
         return "<" + std::string(name_of(d.severity)) + " " + d.location.file + ":" + std::to_string(d.location.line) +

@@ -1,12 +1,15 @@
 """Pictures, drawn by the package and by the program."""
 
+import copy
 import os
+import pickle
 import signal
 import subprocess
 import sys
 import threading
 import time
 import warnings
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -207,6 +210,38 @@ def test_errors_say_where(tmp_path):
         lt.load(tmp_path / "nowhere.sdf")
     with pytest.raises(lt.FileError, match="-"):
         lt.load("-")  # a file, not standard input
+
+
+@pytest.fixture
+def errors(tmp_path):
+    """One of each class."""
+    (tmp_path / "broken.sdf").write_text("define shpe sphere\nrender eye x.png\n")
+    uses = [
+        lambda: lt.load(tmp_path / "broken.sdf"),
+        lambda: lt.load(HELLO, time="x"),
+        lambda: lt.load(tmp_path / "nowhere.sdf"),
+        lambda: lt.Renderer("abacus"),
+        lambda: lt.Scene().save("/nowhere/scene.sdf"),
+    ]
+    found = [lt.JobError("nobody answers", 75)]
+    for use in uses:
+        with pytest.raises(lt.Error) as caught:
+            use()
+        found.append(caught.value)
+    return found
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, *(partial(lambda p, e: pickle.loads(pickle.dumps(e, p)), p) for p in range(2, 6))])
+def test_errors_go_to_other_processes(errors, copied):
+    assert {type(error) for error in errors} == {lt.SceneError, lt.UsageError, lt.FileError, lt.DeviceError, lt.JobError}
+    for error in errors:
+        other = copied(error)
+        assert type(other) is type(error) and str(other) == str(error) and len(other.diagnostics) == len(error.diagnostics)
+        assert [str(each) for each in other.diagnostics] == [str(each) for each in error.diagnostics]
+        for mine, theirs in zip(error.diagnostics, other.diagnostics):
+            for name in ("severity", "file", "line", "column", "code", "message", "hint", "source_line"):
+                assert getattr(mine, name) == getattr(theirs, name)
+        assert getattr(other, "status", 0) == getattr(error, "status", 0)
 
 
 @pytest.mark.parametrize(

@@ -134,7 +134,7 @@ class LoadedScene:
         try:
             again = wait_for(lambda _: _native.read_scene(str(saved), self._how_saved))
         except SceneError as error:
-            first = error.diagnostics[0]
+            first = next(found for found in error.diagnostics if found.severity == "error")
             raise UsageError(f"{refused}: line {first.line} would be wrong: {first.message}{hint}") from error
         if _native.identity_of(again) != _native.identity_of(self._native):
             why = "eSDF cannot say these changes, options such as rotation made it what it is, or its file was changed"

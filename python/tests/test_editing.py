@@ -163,6 +163,15 @@ def test_what_would_be_another_scene_is_not_saved(tmp_path, monkeypatch, change,
     assert Path("saved.sdf").read_text() == "before" and sorted(os.listdir()) == ["dialect.sdf", "saved.sdf"]
 
 
+def test_refused_save_names_the_line_that_is_wrong(tmp_path):
+    text = SCENE.replace("0 0 0  1\n", "0 0 0  1 0.5\n").replace("render eye one", "transform nobody scale 2\nrender eye one")
+    (tmp_path / "scene.sdf").write_text(text)
+    with pytest.warns(lt.SceneWarning):
+        scene = lt.load(tmp_path / "scene.sdf", keep_going=True)
+    with pytest.raises(lt.UsageError, match="line 11 would be wrong: .*nobody"):
+        scene.save(tmp_path / "saved.sdf")
+
+
 def test_long_names_of_materials_are_still_found(renderer, tmp_path):
     name = "a_name_that_is_longer_than_what_a_string_holds_in_itself"
     (tmp_path / "long.sdf").write_text(SCENE.replace("red", name))

@@ -5,30 +5,31 @@ from __future__ import annotations
 import os
 import shutil
 from pathlib import Path
-from typing import Any, Collection
+from typing import Any, Sequence
 
 import numpy
 
 from ._errors import UsageError
 from ._files import replacement
 from ._materials import WHITE, Material, Pbr, Phong
-from ._nodes import Camera, Light, Mesh, Shape
+from ._nodes import Camera, Light, Mesh, Model, Shape
 from ._values import Color, color, is_word, text_of
 
 
 class Writer:
-    """Collects the statements of one scene. `target`: its file, beside which those of its meshes will be. `models`: the
-    files that it reads. What eSDF cannot say is a UsageError, or, of a scene that is only drawn, in `materials` and
+    """Collects the statements of one scene. `target`: its file, beside which those of its meshes will be. `parts`: all that
+    it will be told of. What eSDF cannot say is a UsageError, or, of a scene that is only drawn, in `materials` and
     `lights`."""
 
-    def __init__(self, target: Path, models: Collection[str], *, only_drawn: bool = False) -> None:
+    def __init__(self, target: Path, parts: Sequence[Shape | Light], *, only_drawn: bool = False) -> None:
         self._only_drawn = only_drawn
         self.materials: dict[str, Material] = {}
         self.lights: dict[str, Light] = {}
         self._links: dict[str, str] = {}
         self._target = target
         self._folder = target.parent
-        self._models = models
+        self._models = {os.path.realpath(part.path) for part in parts if isinstance(part, Model)}
+        self._reserved = {part.name for part in parts if part.name is not None}
         self._lines: list[str] = []
         self._materials: dict[Material, str] = {}
         self._shapes: dict[int, str] = {}
@@ -50,7 +51,7 @@ class Writer:
         count = 1
         while wanted is None or (wanted in self._names):
             candidate = f"{kind}_{count}"
-            wanted = candidate if candidate not in self._names else None
+            wanted = candidate if candidate not in self._names and candidate not in self._reserved else None
             count += 1
         self._names.add(wanted)
         return wanted

@@ -69,10 +69,10 @@ class Scene:
     def _write(self, path: Path, *, only_drawn: bool = False) -> Writer:
         if not is_word(path.name):
             raise UsageError(f"{path.name!r}: eSDF cannot name files with spaces or a #, such as the meshes beside it")
-        models = {os.path.realpath(model.path) for model in self._models()}
-        if os.path.realpath(path) in models:
+        parts = self._parts()
+        if any(isinstance(part, Model) and os.path.realpath(part.path) == os.path.realpath(path) for part in parts):
             raise UsageError(f"{str(path)!r} is a model of this scene, and would be lost: save the scene under another name")
-        writer = Writer(path, models, only_drawn=only_drawn)
+        writer = Writer(path, parts, only_drawn=only_drawn)
         try:
             for item in self.items:
                 if isinstance(item, Light):
@@ -93,23 +93,19 @@ class Scene:
         """A file of the scene as it is now, the folders of its models, and what eSDF could not say."""
         path = self._workplace.folder() / "scene.sdf"
         writer = self._write(path, only_drawn=True)
-        folders = {os.path.dirname(os.path.realpath(model.path)) for model in self._models()}
+        folders = {os.path.dirname(os.path.realpath(model.path)) for model in self._parts() if isinstance(model, Model)}
         return str(path), sorted(folders), writer
 
-    def _models(self) -> list[Model]:
-        found: list[Model] = []
-        waiting: list[Item] = list(self.items)
-        seen: set[int] = set()
+    def _parts(self) -> list[Item]:
+        """All that is in it and in its groups, once."""
+        found: dict[int, Item] = {}
+        waiting = list(self.items)
         while waiting:
             item = waiting.pop()
-            if id(item) in seen:
-                continue
-            seen.add(id(item))
-            if isinstance(item, Group):
+            if id(item) not in found and isinstance(item, Group):
                 waiting += item.children
-            elif isinstance(item, Model):
-                found.append(item)
-        return found
+            found[id(item)] = item
+        return list(found.values())
 
     def __repr__(self) -> str:
         return f"<lichtraum.Scene of {len(self.items)} things>"

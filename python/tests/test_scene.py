@@ -155,6 +155,17 @@ def test_numbers_are_numpys_as_well(renderer, kind):
     assert np.array_equal(image(kind(2)), image(2))
 
 
+def test_names_are_given_to_what_has_none(renderer, tmp_path):
+    def ball(name=None):
+        return lt.Sphere((0, 0, -5), 1, name=name)
+
+    items = [ball(), ball("sphere_1"), lt.Group([ball("sphere_2"), ball()]), lt.Light.ambient(), lt.Light.ambient(name="light_1"), ball("camera_1")]
+    lt.Scene(items).save(tmp_path / "scene.sdf")
+    scene = lt.load(tmp_path / "scene.sdf")
+    assert scene.shapes == ["sphere_3", "sphere_1", "sphere_2", "sphere_4", "composite_1", "camera_1"]
+    assert scene.lights == ["light_2", "light_1"] and scene.cameras == ["camera_2"]
+
+
 def mesh(height):
     return lt.Mesh([(-1, 0, -6), (1, 0, -6), (0, height, -6)], [(0, 1, 2)])
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import argparse
 import asyncio
+import math
 import os
 import sys
 import time
@@ -22,7 +23,7 @@ from typing import TYPE_CHECKING, Iterator, Optional, Sequence, Union
 
 from ._batch_worker import end_children
 from ._crew import TRY_AGAIN, Crew
-from ._errors import JobError
+from ._errors import JobError, UsageError
 from ._job_folder import JobFolder
 from ._progress import Bar, Show
 
@@ -80,8 +81,10 @@ def run(
     and for its first worker.
 
     Raises a `JobError` where the job cannot go on, or workers die again and again and no unit gets done. What is drawn stays.
+    Raises a `UsageError` for numbers that make no sense.
     """
     begin = time.monotonic()
+    _check(workers=workers, batch_seconds=batch_seconds, timeout=timeout)
     job = JobFolder(os.fspath(folder))
     mixed = ["--allow-mixed"] if allow_mixed else []
     work = job.work([*mixed, *([f"--device={device}"] if device is not None else [])])
@@ -98,6 +101,15 @@ def run(
                     raise JobError(merged.message, merged.status)
                 drawn += crew.draw_damaged()
     return Summary(job.units, drawn, crew.tasks, crew.failed, time.monotonic() - begin)
+
+
+def _check(workers: int, **seconds: float) -> None:
+    """Raises UsageError."""
+    if isinstance(workers, bool) or not hasattr(workers, "__index__") or workers < 1:
+        raise UsageError(f"workers: expected a whole number that is at least 1, not {workers!r}")
+    for name, value in seconds.items():
+        if isinstance(value, bool) or not hasattr(value, "__float__") or not 0 < value < math.inf:
+            raise UsageError(f"{name}: expected a number of seconds above 0, not {value!r}")
 
 
 @contextmanager
@@ -174,8 +186,6 @@ def _parser() -> argparse.ArgumentParser:
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser = _parser()
     options = parser.parse_args(arguments)
-    if options.workers < 1 or options.timeout <= 0 or options.batch_seconds <= 0:
-        parser.error("--workers, --batch-seconds and --timeout must be more than 0")
     try:
         summary = run(
             options.folder,
@@ -188,6 +198,8 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
             batch_seconds=options.batch_seconds,
             timeout=options.timeout,
         )
+    except UsageError as error:
+        parser.error(str(error))
     except JobError as error:
         print(f"error: {error}", file=sys.stderr)
         return error.status

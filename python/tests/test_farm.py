@@ -190,8 +190,17 @@ def test_errors_of_the_command(job, tmp_path, capsys):
         assert "the scheduler has no workers" in capsys.readouterr().err
     assert farm.main([str(tmp_path / "nothing")]) == 66
     assert "no plan.json" in capsys.readouterr().err
-    with pytest.raises(SystemExit):
-        farm.main([str(job), "--workers=0"])
+    for option, name in (("--workers=0", "workers"), ("--batch-seconds=nan", "batch_seconds"), ("--timeout=inf", "timeout")):
+        with pytest.raises(SystemExit):
+            farm.main([str(job), option])
+        assert f"error: {name}: expected" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["workers", "batch_seconds", "timeout"])
+@pytest.mark.parametrize("value", [0, -1, float("nan"), float("inf"), True, None, "2"])
+def test_numbers_that_make_no_sense(job, name, value):
+    with pytest.raises(lt.UsageError, match=f"^{name}: expected a .*number.*not {value!r}"):
+        farm.run(job, **{name: value})
 
 
 def test_without_dask(job, tmp_path):

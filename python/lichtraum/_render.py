@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import os
 import warnings
 from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Union
@@ -26,10 +27,18 @@ if TYPE_CHECKING:
 Progress = Union[bool, Callable[[float], Any], None]
 
 
-def _warn(diagnostics: Sequence[Diagnostic]) -> None:
+def _warn(text: str) -> None:
+    """At the line outside of this package that called it."""
+    level, frame = 1, inspect.currentframe()
+    while frame is not None and frame.f_globals.get("__package__") == __package__:
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, SceneWarning, stacklevel=level)
+
+
+def _warn_of(diagnostics: Sequence[Diagnostic]) -> None:
     for diagnostic in diagnostics:
         if diagnostic.severity == "warning":
-            warnings.warn(str(diagnostic).rstrip(), SceneWarning, stacklevel=4)
+            _warn(str(diagnostic).rstrip())
 
 
 def _folders(value: Any) -> list[Any]:
@@ -56,7 +65,7 @@ class Renderer:
         if not self._session.is_reference:
             OPENCL.begin()
         if self._session.warnings:
-            warnings.warn("\n".join(self._session.warnings), SceneWarning, stacklevel=3)
+            _warn("\n".join(self._session.warnings))
 
     @property
     def device(self) -> str:
@@ -92,7 +101,7 @@ class Renderer:
 
         with Bar(progress) as bar:
             drawn = wait_for(work, bar.show)
-        _warn(drawn.diagnostics)
+        _warn_of(drawn.diagnostics)
         return Image(drawn)
 
     def __repr__(self) -> str:
@@ -168,5 +177,5 @@ def load(path: Path, /, **options: Unpack[RenderOptions]) -> LoadedScene:
             raise TypeError(f"{name!r} says nothing about reading: it is for render")
     how, how_saved = parsed(dict(options)), parsed({"allow_path": options.get("allow_path")})
     scene = LoadedScene(file_name(path), how, how_saved)
-    _warn(scene.diagnostics)
+    _warn_of(scene.diagnostics)
     return scene

@@ -303,6 +303,22 @@ def test_what_a_scene_warns_of_is_a_warning(tmp_path):
         lt.load(path)
 
 
+def test_warnings_name_the_line_that_called(tmp_path, renderer):
+    path = tmp_path / "extras.sdf"
+    path.write_text(SCENE.replace("40\ndefine shape", "40 0.5\ndefine shape"))
+    dim = lt.Scene([lt.Sphere((0, 0, -5), 1, lt.Phong(diffuse=-1))])
+    shiny = lt.Scene([lt.Sphere((0, 0, -5), 1, lt.Phong(diffuse=-1)), lt.Sphere((0, 0, -5), 1, lt.Pbr())])
+    uses = [lambda: lt.load(path)]
+    for scene in (path, dim, shiny):
+        uses += [lambda scene=scene: lt.render(scene, size=(8, 8)), lambda scene=scene: renderer.render(scene, size=(8, 8))]
+    for use in uses:
+        with pytest.warns(lt.SceneWarning) as found:
+            use()
+        assert {warning.filename for warning in found} == {__file__}
+    run = child("import lichtraum as lt; lt.Renderer()", OCL_ICD_VENDORS=str(tmp_path), OCL_ICD_FILENAMES="")
+    assert run.stderr.startswith("<string>:1: SceneWarning: ") and "reference tracer" in run.stderr
+
+
 def test_interrupt_stops(renderer):
     renderer.render(HELLO, size=(64, 36), samples=16)
 

@@ -26,7 +26,25 @@ class UsageError(Error, ValueError):
 
 
 class FileError(Error, OSError):
-    """A file cannot be read or written."""
+    """A file cannot be read or written. `errno`, `strerror` and `filename` are those of Python's own errors, where known."""
+
+    @classmethod
+    def of(cls, message: str, cause: OSError, path: str) -> FileError:
+        """Of that file, for that reason."""
+        error = (MissingFileError if isinstance(cause, FileNotFoundError) else FileError)(message)
+        error.errno, error.strerror, error.filename = cause.errno, cause.strerror, path
+        return error
+
+    def __str__(self) -> str:
+        return str(self.args[0])  # OSError would make another text of the three
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        state = {"errno": self.errno, "strerror": self.strerror, "filename": self.filename}
+        return type(self), self.args, self.__dict__ | state
+
+
+class MissingFileError(FileError, FileNotFoundError):
+    """There is no such file or folder."""
 
 
 class DeviceError(Error):

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Iterator, Union
 
-from ._errors import UsageError
+from ._errors import FileError, UsageError
 
 
 def file_name(path: Union[str, os.PathLike[str]]) -> str:
@@ -21,6 +21,33 @@ def file_name(path: Union[str, os.PathLike[str]]) -> str:
     except UnicodeEncodeError:
         raise UsageError(f"{name!r}: expected a name in UTF-8: rename the file") from None
     return name
+
+
+@contextmanager
+def reading(path: str) -> Iterator[None]:
+    """Tells of a FileError what the library does not, if that file is the reason."""
+    try:
+        yield
+    except FileError as error:
+        _explain(error, path, path)
+        raise
+
+
+@contextmanager
+def writing(path: str) -> Iterator[None]:
+    """As `reading`, if its folder is the reason."""
+    try:
+        yield
+    except FileError as error:
+        _explain(error, path, os.path.join(os.path.dirname(path), "."))
+        raise
+
+
+def _explain(error: FileError, path: str, reason: str) -> None:
+    try:
+        os.stat(reason)
+    except OSError as cause:
+        raise FileError.of(str(error), cause, path) from None
 
 
 @contextmanager

@@ -7,7 +7,7 @@ import os
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
 
 from ._errors import UsageError
-from ._files import file_name
+from ._files import file_name, writing
 
 if TYPE_CHECKING:
     import numpy
@@ -119,7 +119,9 @@ class Image:
         Raises FileError, UsageError.
         """
         self._check(bits, quality)
-        self._picture.save(file_name(path), format or "", bits, quality, ppm_ascii)
+        name = file_name(path)
+        with writing(name):
+            self._picture.save(name, format or "", bits, quality, ppm_ascii)
 
     def encoded(
         self, format: str = "png", *, bits: int = 8, quality: int = 92, ppm_ascii: bool = False

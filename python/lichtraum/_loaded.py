@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from . import _native
 from ._edited_text import EditedText
 from ._errors import FileError, SceneError, UsageError
-from ._files import replacement
+from ._files import reading, replacement
 from ._materials import Material
 from ._nodes import Camera, Light
 from ._values import Color, Vector, Words, rotation, scaling, translation
@@ -24,7 +24,8 @@ class LoadedScene:
 
     def __init__(self, path: str, how: _native.Options, how_saved: _native.Options) -> None:
         """`how` it is read, and what of that holds for files that are saved of it."""
-        self._native = wait_for(lambda _: _native.read_scene(path, how))
+        with reading(path):
+            self._native = wait_for(lambda _: _native.read_scene(path, how))
         self._path, self._how, self._how_saved = path, how, how_saved
         self._moves: list[tuple[str, Words]] = []
         self._materials: dict[str, Material] = {}
@@ -110,7 +111,8 @@ class LoadedScene:
                 temporary.write_bytes(self._edited(Path(self._path).read_bytes()))
                 self._check(temporary, target)
         except OSError as error:
-            raise FileError(f"cannot save {self._path!r} as {str(target)!r}: {error.strerror or error}") from error
+            message = f"cannot save {self._path!r} as {str(target)!r}: {error.strerror or error}"
+            raise FileError.of(message, error, str(target)) from error
 
     def _edited(self, source: bytes) -> bytes:
         statements = wait_for(lambda _: _native.statements_of(source, self._path, self._how))

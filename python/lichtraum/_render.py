@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Union
 
 from . import _native
 from ._errors import SceneWarning, UsageError
-from ._files import file_name
+from ._files import file_name, reading
 from ._forks import OPENCL
 from ._image import Image
 from ._loaded import LoadedScene
@@ -92,15 +92,14 @@ class Renderer:
                 written, given = _as_drawn(scene, given)
                 return self._draw(written, picture, progress, given)
         options = parsed(given)
-        name = "" if isinstance(scene, LoadedScene) else file_name(scene)
-
-        def work(control: _native.Control) -> _native.Picture:
-            if isinstance(scene, LoadedScene):
-                return session.draw_scene(scene._native, options, picture, control)
-            return session.draw_file(name, options, picture, control)
-
         with Bar(progress) as bar:
-            drawn = wait_for(work, bar.show)
+            if isinstance(scene, LoadedScene):
+                read = scene._native
+                drawn = wait_for(lambda control: session.draw_scene(read, options, picture, control), bar.show)
+            else:
+                name = file_name(scene)
+                with reading(name):
+                    drawn = wait_for(lambda control: session.draw_file(name, options, picture, control), bar.show)
         _warn_of(drawn.diagnostics)
         return Image(drawn)
 

@@ -86,7 +86,7 @@ class Scene:
             with replacement(path) as temporary:
                 temporary.write_bytes(writer.text().encode("utf-8", "surrogateescape"))
         except OSError as error:
-            raise FileError(f"cannot write {str(path)!r}: {error.strerror or error}") from error
+            raise FileError.of(f"cannot write {str(path)!r}: {error.strerror or error}", error, str(path)) from error
         return writer
 
     def _drawable(self) -> tuple[str, list[str], Writer]:

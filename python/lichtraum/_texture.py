@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from . import _native
 from ._errors import UsageError
-from ._files import file_name
+from ._files import file_name, reading
 
 _LARGEST = 16384  # texels a side
 
@@ -27,7 +27,9 @@ class Texture:
         self, picture: Union[str, os.PathLike[str], ArrayLike], *, wrap: str = "repeat", filter: str = "linear"
     ) -> None:
         if isinstance(picture, (str, os.PathLike)):
-            self._native = _native.read_texture(file_name(picture), wrap, filter)
+            name = file_name(picture)
+            with reading(name):
+                self._native = _native.read_texture(name, wrap, filter)
             return
         texels = numpy.asarray(picture)
         if texels.dtype != numpy.uint8:

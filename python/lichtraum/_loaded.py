@@ -10,9 +10,9 @@ from . import _native
 from ._edited_text import EditedText
 from ._errors import FileError, SceneError, UsageError
 from ._files import reading, replacement
-from ._materials import Material
+from ._materials import Material, checked
 from ._nodes import Camera, Light
-from ._values import Color, Vector, Words, rotation, scaling, translation
+from ._values import Color, Vector, Words, expect, rotation, scaling, translation
 from ._waiting import wait_for
 
 if TYPE_CHECKING:
@@ -71,11 +71,12 @@ class LoadedScene:
 
     def set_material(self, name: str, material: Material) -> None:
         """Gives all that has the material of this name another one, with no textures but its own. Raises UsageError."""
-        _native.set_material(self._native, name, *material.native())
+        _native.set_material(self._native, name, *checked(material).native())
         self._materials[name] = material
 
     def set_light(self, name: str, light: Light) -> None:
         """Puts a lamp in the place of the one of this name, or beside the others. Raises UsageError."""
+        expect("light", light, Light, "a lichtraum.Light")
         _native.set_light(self._native, name, light.kind, light.fields)
         self._lights[name] = light
 
@@ -88,6 +89,7 @@ class LoadedScene:
     def set_camera(self, name: str, camera: Camera) -> None:
         """Puts a camera in the place of the one of this name, or beside the others: `render(scene, camera=name)`. Raises
         UsageError."""
+        expect("camera", camera, Camera, "a lichtraum.Camera")
         steps = [_native.Step(step[0], step[1:]) for step in camera.transforms()]
         _native.set_camera(self._native, name, float(camera.fov_x_degrees), steps, *map(int, camera.size))
         self._cameras[name] = camera

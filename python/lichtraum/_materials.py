@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Iterable, Optional, Union
 
 from ._errors import UsageError
 from ._texture import Texture
-from ._values import Color, color, number, unchanging
+from ._values import Color, color, expect, number, unchanging
 
 if TYPE_CHECKING:
     from . import _native
@@ -164,4 +164,12 @@ _LEAST = {
 }
 
 Material = Union[Phong, Pbr]
+
+
+def checked(material: Any) -> Material:
+    """Raises TypeError for what is none."""
+    expect("material", material, (Phong, Pbr), "a lichtraum.Phong or Pbr")
+    return material  # type: ignore[no-any-return]
+
+
 WHITE = Phong()

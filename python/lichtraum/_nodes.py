@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._errors import UsageError
 from ._files import file_name
-from ._materials import WHITE, Fields, Material
-from ._values import Color, Vector, color, length, number, rotation, scaling, translation, vector
+from ._materials import WHITE, Fields, Material, checked
+from ._values import Color, Vector, color, expect, length, number, rotation, scaling, translation, vector
 
 if TYPE_CHECKING:
     from ._esdf import Writer
@@ -39,6 +39,15 @@ class Shape(ABC):
     def scale(self, factor: Color) -> None:
         """Scales it about the origin: by one factor, or by one along each axis. None is 0."""
         self.transforms.append(scaling(factor))
+
+    @property
+    def material(self) -> Optional[Material]:
+        """None: a model's own, or a group's, which has none."""
+        return self._material
+
+    @material.setter
+    def material(self, material: Optional[Material]) -> None:
+        self._material = None if material is None else checked(material)
 
     @property
     @abstractmethod
@@ -194,9 +203,12 @@ class Group(Shape):
 
     def __init__(self, children: Iterable[Shape] = (), *, name: Optional[str] = None) -> None:
         super().__init__(None, name)
-        self.children = list(children)
+        self.children: list[Shape] = []
+        for child in children:
+            self.add(child)
 
     def add(self, child: Shape) -> None:
+        expect("a group's child", child, Shape, "a shape or a group")
         self.children.append(child)
 
     kind = "composite"
@@ -258,7 +270,7 @@ class Light:
             "brightness": [*color(brightness)],
             "inner": [number(inner_degrees)],
             "outer": [number(outer_degrees)],
-            "range": [math.inf if range == math.inf else length(range)],
+            "range": [math.inf if range == math.inf else length(range, "range")],
         }
         return cls("spot", fields, name)
 

@@ -6,8 +6,11 @@ import os
 import re
 from typing import Any, Iterable, Sequence, TypedDict, Union
 
+import numpy
+
 from . import _native
 from ._errors import UsageError
+from ._values import expect
 
 Path = Union[str, "os.PathLike[str]"]
 Numbers = Sequence[float]
@@ -95,6 +98,7 @@ def _words(name: str, value: Any) -> list[str]:
     """The words of the command line that say `name`=`value`."""
     option = "--" + name.replace("_", "-")
     if name in FLAGS:
+        expect(name, value, (bool, numpy.bool_), "True or False")
         return [option] if value else []
     if name == "allow_path":
         folders = [value] if isinstance(value, (str, os.PathLike)) else list(value)

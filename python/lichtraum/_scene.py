@@ -12,7 +12,7 @@ from ._errors import FileError, UsageError
 from ._esdf import Writer
 from ._files import replacement
 from ._nodes import Camera, Group, Light, Model, Shape
-from ._values import Color, is_word
+from ._values import Color, expect, is_word
 
 Item = Union[Shape, Light]
 
@@ -47,11 +47,21 @@ class Scene:
         self, items: Iterable[Item] = (), *, camera: Optional[Camera] = None, background: Optional[Color] = None
     ) -> None:
         self.items: list[Item] = []
-        self.camera = camera or Camera()
+        self.camera = Camera() if camera is None else camera
         self.background = background
         self._workplace = _Workplace()
         for item in items:
             self.add(item)
+
+    @property
+    def camera(self) -> Camera:
+        """Which sees it, unless options say otherwise."""
+        return self._camera
+
+    @camera.setter
+    def camera(self, camera: Camera) -> None:
+        expect("camera", camera, Camera, "a lichtraum.Camera")
+        self._camera = camera
 
     def add(self, item: Item) -> None:
         """A shape, a group of them, or a light."""

@@ -17,6 +17,12 @@ def text_of(words: Words) -> str:
     return " ".join(word if isinstance(word, str) else repr(float(word)) for word in words)
 
 
+def expect(what: str, value: Any, kind: type | tuple[type, ...], wanted: str) -> None:
+    """Raises TypeError for another kind."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{what}: expected {wanted}, not {value!r}")
+
+
 def is_word(name: str) -> bool:
     """Whether eSDF can name something, or a file, so."""
     return bool(name) and not any(letter.isspace() or letter == "#" for letter in name)
@@ -33,11 +39,11 @@ def number(value: Any, *, least: float = -math.inf, most: float = math.inf) -> f
     return result
 
 
-def length(value: float) -> float:
+def length(value: float, what: str = "radius") -> float:
     """Raises UsageError for what is not above 0."""
     result = number(value)
     if result <= 0:
-        raise UsageError(f"expected a radius above 0, not {result}")
+        raise UsageError(f"expected a {what} above 0, not {result}")
     return result
 
 

@@ -16,6 +16,7 @@ import lichtraum as lt
 PROGRAM = os.path.join(os.path.dirname(lt.__file__), "bin", "lichtraum")
 SIZE = {"size": (64, 48), "progress": False}
 RED = lt.Phong(ambient=0.2, diffuse=(0.9, 0.1, 0.1), specular=0.5, exponent=40, reflect=0.3)
+HELLO = Path(__file__).parents[2] / "scenes" / "hello.sdf"
 CUBE = lt.Box((-1, -1, -1), (1, 1, 1))
 
 
@@ -111,12 +112,31 @@ def test_model_from_another_folder(renderer, tmp_path):
     (lambda: lt.Mesh([0, 0, 0], [(0, 0, 0)]), "N x 3"),
     (lambda: CUBE.rotate(3, (0, 0, 0)), "axis"),
     (lambda: CUBE.scale(0), "factor"),
+    (lambda: lt.Light.spot((0, 0, 0), (0, 0, 1), range=-2), "a range above 0"),
     (lambda: lt.Camera(eye=(1, 1, 1), target=(1, 1, 1)).transforms(), "stands"),
     (lambda: lt.Camera(eye=(0, 1, 0), target=(0, 0, 0)).transforms(), "up"),
 ])
 def test_what_makes_no_sense_is_refused(make, message):
     with pytest.raises(lt.UsageError, match=message):
         make()
+
+
+@pytest.mark.parametrize("use, message", [
+    (lambda: lt.Scene(camera="eye"), "^camera: expected a lichtraum.Camera, not 'eye'"),
+    (lambda: setattr(lt.Scene(), "camera", 3), "^camera: expected a lichtraum.Camera, not 3"),
+    (lambda: lt.Sphere((0, 0, 0), 1, "red"), "^material: expected a lichtraum.Phong or Pbr, not 'red'"),
+    (lambda: lt.Model("a.glb", "red"), "^material: .*'red'"),
+    (lambda: setattr(CUBE, "material", "red"), "^material: .*'red'"),
+    (lambda: lt.Group([CUBE, lt.Light.ambient()]), "^a group's child: expected a shape or a group, not Light"),
+    (lambda: lt.Group().add("ball"), "^a group's child: .*'ball'"),
+    (lambda: lt.load(HELLO).set_material("any", "red"), "^material: .*'red'"),
+    (lambda: lt.load(HELLO).set_light("any", CUBE), "^light: expected a lichtraum.Light"),
+    (lambda: lt.load(HELLO).set_camera("any", "eye"), "^camera: .*'eye'"),
+    (lambda: lt.load(HELLO, strict="no"), "^strict: expected True or False, not 'no'"),
+])
+def test_what_is_of_another_kind_is_refused(use, message):
+    with pytest.raises(TypeError, match=message):
+        use()
 
 
 def test_faulty_scenes(renderer, tmp_path):

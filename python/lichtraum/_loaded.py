@@ -164,7 +164,7 @@ class LoadedShape:
         self._scene._move(self.name, rotation(angle_degrees, axis))
 
     def scale(self, factor: Color) -> None:
-        """Scales it about the origin: by one factor, or by one along each axis. None is 0."""
+        """Scales it about the origin: by one factor, or by one along each axis. No factor may be 0."""
         self._scene._move(self.name, scaling(factor))
 
     def __repr__(self) -> str:

@@ -37,7 +37,7 @@ class Shape(ABC):
         self.transforms.append(rotation(angle_degrees, axis))
 
     def scale(self, factor: Color) -> None:
-        """Scales it about the origin: by one factor, or by one along each axis. None is 0."""
+        """Scales it about the origin: by one factor, or by one along each axis. No factor may be 0."""
         self.transforms.append(scaling(factor))
 
     @property
@@ -60,6 +60,8 @@ class Shape(ABC):
 
 
 class Sphere(Shape):
+    """All within the radius about the centre."""
+
     def __init__(self, center: Vector, radius: float, material: Material = WHITE, *, name: Optional[str] = None) -> None:
         super().__init__(material, name)
         self._words = [*vector(center), length(radius)]
@@ -208,6 +210,7 @@ class Group(Shape):
             self.add(child)
 
     def add(self, child: Shape) -> None:
+        """A shape or a group; the same one may be in several groups."""
         expect("a group's child", child, Shape, "a shape or a group")
         self.children.append(child)
 
@@ -242,7 +245,7 @@ class Light:
     def directional(cls, direction: Vector, brightness: Color = 1.0, *, name: Optional[str] = None) -> Light:
         """From infinitely far away, in that direction, as the sun. eSDF does not have it."""
         if not any(vector(direction)):
-            raise UsageError("a direction has a length")
+            raise UsageError("the direction must not be zero")
         return cls("directional", {"direction": [*vector(direction)], "brightness": [*color(brightness)]}, name)
 
     @classmethod
@@ -261,7 +264,7 @@ class Light:
         90. It falls off with the square of the distance (`brightness` is that at distance 1), and ends at `range`. eSDF
         does not have it."""
         if not any(vector(direction)):
-            raise UsageError("a direction has a length")
+            raise UsageError("the direction must not be zero")
         if not 0 <= number(inner_degrees) < number(outer_degrees) <= 90:
             raise UsageError(f"expected 0 <= inner < outer <= 90 degrees, not {inner_degrees} and {outer_degrees}")
         fields = {

@@ -108,7 +108,7 @@ def _words(name: str, value: Any) -> list[str]:
             return [option] if value else []
         if name == "denoise":
             return [option + ("=on" if value else "=off")]
-        raise TypeError(f"{name} is neither True nor False")
+        raise TypeError(f"{name} cannot be True or False")
     if isinstance(value, (str, os.PathLike)) or not hasattr(value, "__iter__"):
         return [f"{option}={_word(value)}"]
     between = "x" if name in ("size", "samples") else ","

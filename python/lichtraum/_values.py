@@ -77,11 +77,11 @@ def translation(offset: Vector) -> list[Any]:
 
 def rotation(angle_degrees: float, axis: Vector) -> list[Any]:
     if not any(vector(axis)):
-        raise UsageError("an axis has a length")
+        raise UsageError("the axis must not be zero")
     return ["rotate", number(angle_degrees), *vector(axis)]
 
 
 def scaling(factor: Color) -> list[Any]:
     if not all(color(factor)):
-        raise UsageError("no factor is 0")
+        raise UsageError("scale factors must not be 0")
     return ["scale", *color(factor)]

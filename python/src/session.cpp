@@ -18,23 +18,25 @@ std::optional<Traversal> traversal_of(std::string const& word) {
   return word.empty() ? std::nullopt : app::parse_traversal(word);
 }
 
-/// Gives a scene back the lights and the environment that it had.
-class LightsAsTheyWere {
+/// Gives a scene back the lights, the environment and the direction upwards that it had.
+class SceneAsItWas {
  public:
-  explicit LightsAsTheyWere(Scene& scene) : scene_(scene), environment_(scene.environment) {
+  explicit SceneAsItWas(Scene& scene) : scene_(scene), environment_(scene.environment), up_(scene.up) {
     for (Light const& light : scene.lights) lights_.push_back(light);
   }
-  ~LightsAsTheyWere() {
+  ~SceneAsItWas() {
+    scene_.up = up_;
     scene_.environment = environment_;
     scene_.lights = {};
     for (Light& light : lights_) scene_.lights.insert(std::move(light));
   }
-  LightsAsTheyWere(LightsAsTheyWere const&) = delete;
-  LightsAsTheyWere& operator=(LightsAsTheyWere const&) = delete;
+  SceneAsItWas(SceneAsItWas const&) = delete;
+  SceneAsItWas& operator=(SceneAsItWas const&) = delete;
 
  private:
   Scene& scene_;
   std::optional<EnvironmentLight> environment_;
+  Vec3 up_;
   std::vector<Light> lights_;
 };
 
@@ -99,7 +101,7 @@ Picture Session::draw_file(std::string const& path, app::RenderOptions const& op
 Picture Session::draw_scene(ReadScene& read, app::RenderOptions const& options, int number, Control& control) {
   std::lock_guard const lock(mutex_);
   std::lock_guard const scene_lock(*read.mutex);
-  LightsAsTheyWere const lights(read.scene);
+  SceneAsItWas const as_it_was(read.scene);
   if (auto const adjust =
           app::scene_adjustment(options.job.reading.environment, read.is_model, load_options(options))) {
     adjust(read.scene);

@@ -189,6 +189,17 @@ def test_pictures_are_those_of_files(renderer, film):
             renderer.render(lt.Scene([lt.Sphere((0, 0, -5), 1, material)]), picture=1)
 
 
+@pytest.mark.parametrize("integrator", ["whitted", "path"])
+def test_what_is_up_is_forgotten_after_a_picture(renderer, tmp_path, integrator):
+    model = tmp_path / "pyramid.obj"
+    model.write_text("v -1 0 1\nv 1 0 1\nv 0 0 -1\nv 0.3 2 0\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+    scene = lt.load(model)
+    how = {"size": (32, 24), "eye": (3, 1, 6), "integrator": integrator, "samples": 4, "denoise": "off"}
+    before = np.asarray(renderer.render(scene, **how))
+    assert not np.array_equal(np.asarray(renderer.render(scene, up=(1, 0, 1), **how)), before)
+    assert np.array_equal(np.asarray(renderer.render(scene, **how)), before)
+
+
 @pytest.mark.parametrize("material", [lt.Phong(), lt.Pbr()])
 def test_scenes_are_read_as_asked(renderer, material):
     """By way of eSDF, whether that can say all of them or not."""

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from typing import Any, Iterable, Sequence, TypedDict, Union
+from contextlib import contextmanager
+from typing import Any, Iterable, Iterator, Sequence, TypedDict, Union
 
 import numpy
 
@@ -125,8 +126,20 @@ def parsed(options: dict[str, Any]) -> _native.Options:
             words += _words(name, value)
             if any("\0" in word for word in words):
                 raise UsageError(f"{name}: expected no NUL character, not {value!r}")
-    try:
+    with named_as_here():
         return _native.parse_options(words)
-    except UsageError as error:  # which names them as on the command line
-        text = re.sub(r"--([a-z][a-z-]+)", lambda match: match[1].replace("-", "_"), str(error))
-        raise UsageError(text) from None
+
+
+@contextmanager
+def named_as_here() -> Iterator[None]:
+    """Lets a UsageError name options as Python does, not the command line."""
+    try:
+        yield
+    except UsageError as error:
+        text = str(error).removesuffix(" (lichtraum render --help shows how)")
+        raise UsageError(re.sub(r"--([a-z][a-z-]+)", _as_here, text)) from None
+
+
+def _as_here(option: re.Match[str]) -> str:
+    name = option[1].replace("-", "_")
+    return name if name in RenderOptions.__annotations__ else option[0]

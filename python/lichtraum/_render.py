@@ -13,7 +13,7 @@ from ._files import file_name, reading
 from ._forks import OPENCL
 from ._image import Image
 from ._loaded import LoadedScene
-from ._options import READING, Path, parsed
+from ._options import READING, Path, named_as_here, parsed
 from ._progress import Bar
 from ._scene import Scene
 from ._waiting import wait_for
@@ -59,6 +59,7 @@ class Renderer:
 
     def __init__(self, device: str | int | None = None, *, traversal: Optional[str] = None) -> None:
         wanted = "" if device is None else str(device)
+        parsed({"traversal": traversal})
         if wanted != "reference":
             OPENCL.check()
         self._session = wait_for(lambda _: _native.Session(wanted, traversal or ""))
@@ -92,7 +93,7 @@ class Renderer:
                 written, given = _as_drawn(scene, given)
                 return self._draw(written, picture, progress, given)
         options = parsed(given)
-        with Bar(progress) as bar:
+        with named_as_here(), Bar(progress) as bar:
             if isinstance(scene, LoadedScene):
                 read = scene._native
                 drawn = wait_for(lambda control: session.draw_scene(read, options, picture, control), bar.show)

@@ -208,6 +208,21 @@ def test_scenes_are_read_as_asked(renderer, material):
         renderer.render(lt.Scene([shining, lt.Sphere((9, 9, 9), 0.1, material)]), strict=True)
 
 
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"up": (0, 0, 0)}, "up 0,0,0: it has no direction"),
+        ({"focus": 3}, "focus: without a lens everything is sharp; aperture says"),
+        ({"ground": True, "integrator": "whitted"}, "ground: whitted draws none; integrator path does"),
+        ({"samples": []}, "samples needs a value$"),
+        ({"traversal": "deep"}, "traversal: expected auto, scalar, wide or packet, not 'deep'"),
+    ],
+)
+def test_errors_name_options_as_python_does(options, message):
+    with pytest.raises(lt.UsageError, match=f"^{message}"):
+        lt.render(HELLO, size=(8, 8), **options)
+
+
 def test_errors_say_where(tmp_path):
     path = tmp_path / "broken.sdf"
     path.write_text("define shpe sphere\nrender eye x.png\n")

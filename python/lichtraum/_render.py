@@ -89,7 +89,7 @@ class Renderer:
         if not session.is_reference:
             OPENCL.check()
         if isinstance(scene, Scene):
-            with scene._workplace.turn:
+            with scene._workplace.use():
                 written, given = _as_drawn(scene, given)
                 return self._draw(written, picture, progress, given)
         options = parsed(given)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import os
 import tempfile
 import threading
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Iterable, Optional, Union
+from typing import Iterable, Iterator, Optional, Union
 
-from ._errors import FileError, UsageError
+from ._errors import FileError, SceneError, UsageError
 from ._esdf import Writer
 from ._files import replacement
 from ._nodes import Camera, Group, Light, Model, Shape
@@ -29,6 +30,22 @@ class _Workplace:
         if self._folder is None:
             self._folder = tempfile.TemporaryDirectory(prefix="lichtraum-")
         return Path(self._folder.name)
+
+    def file(self) -> Path:
+        return self.folder() / "scene.sdf"
+
+    @contextmanager
+    def use(self) -> Iterator[None]:
+        """For one picture. Nobody has written that file: what is wrong in it are values, which a UsageError names."""
+        with self.turn:
+            try:
+                yield
+            except SceneError as error:
+                faults = [each for each in error.diagnostics if each.severity == "error"]
+                if any(each.file != str(self.file()) for each in faults):
+                    raise
+                text = "; ".join(f"{each.message}, in '{each.source_line.strip()}'" for each in faults)
+                raise UsageError(text) from error
 
     def __reduce__(self) -> tuple[type[_Workplace], tuple[()]]:
         return _Workplace, ()
@@ -101,7 +118,7 @@ class Scene:
 
     def _drawable(self) -> tuple[str, list[str], Writer]:
         """A file of the scene as it is now, the folders of its models, and what eSDF could not say."""
-        path = self._workplace.folder() / "scene.sdf"
+        path = self._workplace.file()
         writer = self._write(path, only_drawn=True)
         folders = {os.path.dirname(os.path.realpath(model.path)) for model in self._parts() if isinstance(model, Model)}
         return str(path), sorted(folders), writer

@@ -204,7 +204,7 @@ def test_what_is_up_is_forgotten_after_a_picture(renderer, tmp_path, integrator)
 def test_scenes_are_read_as_asked(renderer, material):
     """By way of eSDF, whether that can say all of them or not."""
     shining = lt.Sphere((0, 0, -5), 1, lt.Phong(emission=1))
-    with pytest.raises(lt.SceneError, match="emission"):
+    with pytest.raises(lt.UsageError, match="emission"):
         renderer.render(lt.Scene([shining, lt.Sphere((9, 9, 9), 0.1, material)]), strict=True)
 
 

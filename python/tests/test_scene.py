@@ -149,7 +149,7 @@ def test_faulty_scenes(renderer, tmp_path):
     assert list(tmp_path.iterdir()) == []
     with pytest.raises(TypeError):
         lt.Scene([3])
-    with pytest.raises(lt.SceneError, match="transmit"):
+    with pytest.raises(lt.UsageError, match="transmit must not exceed 1, in 'define material .* transmit=0.9'$"):
         renderer.render(lt.Scene([lt.Sphere((0, 0, 0), 1, lt.Phong(reflect=0.9, transmit=0.9))]), **SIZE)
     with pytest.raises(lt.FileError, match="nowhere"):
         lt.Scene([CUBE]).save(Path("/nowhere/scene.sdf"))

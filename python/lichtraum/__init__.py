@@ -30,6 +30,7 @@ from ._materials import Pbr, Phong
 from ._native import Diagnostic
 from ._native import version as __version__
 from ._nodes import Box, Camera, Cone, Cylinder, Group, Light, Mesh, Model, Plane, Shape, Sphere
+from ._options import RenderOptions
 from ._render import Renderer, load, render
 from ._scene import Scene
 from ._texture import Texture
@@ -54,6 +55,7 @@ __all__ = [
     "Pbr",
     "Phong",
     "Plane",
+    "RenderOptions",
     "Renderer",
     "Scene",
     "SceneError",

@@ -8,21 +8,22 @@ from contextlib import contextmanager
 from typing import Any, Iterable, Iterator, Sequence, TypedDict, Union
 
 import numpy
+from numpy.typing import NDArray
 
 from . import _native
 from ._errors import UsageError
 from ._values import expect
 
 Path = Union[str, "os.PathLike[str]"]
-Numbers = Sequence[float]
+Numbers = Union[Sequence[float], NDArray[Any]]
 
 
 class RenderOptions(TypedDict, total=False):
     """What a picture is asked for. What is left out, or None, is as the scene has it; `lichtraum render --help` says
     more of each: its options have the same names, with dashes. A text is taken as on its command line."""
 
-    size: tuple[int, int] | str | None  #: width and height in pixels
-    region: tuple[int, int, int, int] | str | None  #: x, y, width, height: only this part
+    size: Sequence[int] | str | None  #: width and height in pixels
+    region: Sequence[int] | str | None  #: x, y, width, height: only this part
     planes: Sequence[str] | str | None  #: "radiance", "depth", "normal", ...: see Image.planes
     camera: str | int | None  #: name or number
     eye: Numbers | str | None  #: x, y, z: put the camera there
@@ -38,7 +39,7 @@ class RenderOptions(TypedDict, total=False):
     environment_rotation: float | str | None  #: degrees
     environment_brightness: float | str | None
     integrator: str | None  #: "whitted" or "path"
-    samples: int | tuple[int, int] | str | None  #: a pixel: 16 random ones, or (4, 4), a grid
+    samples: int | Sequence[int] | str | None  #: a pixel: 16 random ones, or (4, 4), a grid
     depth: int | str | None  #: of reflections
     clamp: float | str | None
     seed: int | str | None

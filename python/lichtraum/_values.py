@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from typing import Any, Sequence, Union
 
+from numpy.typing import NDArray
+
 from ._errors import UsageError
 
-Vector = Sequence[float]
-Color = Union[float, Sequence[float]]
+Vector = Union[Sequence[float], NDArray[Any]]
+Color = Union[float, Vector]
 #: Of an eSDF statement: texts and numbers.
 Words = list[Any]
 

@@ -15,10 +15,14 @@ PACKAGES = Path(lichtraum.__file__).parents[1]
 pytest.importorskip("mypy")
 
 GOOD = """
+import numpy
 import lichtraum as lt
 image: lt.Image = lt.render("a.sdf", size=(4, 3), samples=(2, 2), background=((0, 0, 0), (1, 1, 1)), progress=False)
 size: tuple[int, int] = image.size
 number: int = lt.load("a.glb", time=1.5).diagnostics[0].line
+corner = numpy.zeros(3)
+lt.render(lt.Scene([lt.Sphere(corner, 1, lt.Phong(diffuse=corner))]), eye=corner, size=[4, 3])
+options: lt.RenderOptions = {"samples": 4}
 """
 BAD = """
 import lichtraum as lt

@@ -137,10 +137,10 @@ def named_as_here() -> Iterator[None]:
     try:
         yield
     except UsageError as error:
-        text = str(error).removesuffix(" (lichtraum render --help shows how)")
-        raise UsageError(re.sub(r"--([a-z][a-z-]+)", _as_here, text)) from None
+        raise UsageError(as_here(str(error).removesuffix(" (lichtraum render --help shows how)"))) from None
 
 
-def _as_here(option: re.Match[str]) -> str:
-    name = option[1].replace("-", "_")
-    return name if name in RenderOptions.__annotations__ else option[0]
+def as_here(text: str) -> str:
+    """With the names that options have in Python."""
+    names = {"--" + name.replace("_", "-"): name for name in RenderOptions.__annotations__}
+    return re.sub(r"--[a-z][a-z-]+", lambda option: names.get(option[0], option[0]), text)

@@ -13,7 +13,7 @@ from ._files import file_name, reading
 from ._forks import OPENCL
 from ._image import Image
 from ._loaded import LoadedScene
-from ._options import READING, Path, named_as_here, parsed
+from ._options import READING, Path, as_here, named_as_here, parsed
 from ._progress import Bar
 from ._scene import Scene
 from ._waiting import wait_for
@@ -38,7 +38,7 @@ def _warn(text: str) -> None:
 def _warn_of(diagnostics: Sequence[Diagnostic]) -> None:
     for diagnostic in diagnostics:
         if diagnostic.severity == "warning":
-            _warn(str(diagnostic).rstrip())
+            _warn(as_here(str(diagnostic).rstrip()))
 
 
 def _folders(value: Any) -> list[Any]:

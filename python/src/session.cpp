@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/option_effects.hpp"
 #include "app/renderer_choice.hpp"
 #include "app/scene_source.hpp"
 
@@ -39,6 +40,18 @@ class SceneAsItWas {
   Vec3 up_;
   std::vector<Light> lights_;
 };
+
+void warn_of_useless_options(Picture& picture, Job const& asked, bool is_model, bool has_environment) {
+  for (auto const& [option, why] : app::options_without_effect(asked, picture.job, is_model, has_environment)) {
+    picture.diagnostics.push_back({Severity::warning,
+                                   DiagnosticCode::option_without_effect,
+                                   {},
+                                   1,
+                                   fmt::format("{} has no effect{}", option, why),
+                                   {},
+                                   {}});
+  }
+}
 
 }  // namespace
 
@@ -91,6 +104,7 @@ Picture Session::draw_file(std::string const& path, app::RenderOptions const& op
   loaded.play([&](Scene const& scene, std::size_t index) {
     if (index != std::size_t(number)) return true;
     picture = draw(*renderer_, scene, job, previous_, control);
+    warn_of_useless_options(picture, job, is_model_file(source.name()), scene.environment.has_value());
     return false;
   });
   auto const& found = loaded.diagnostics();
@@ -109,7 +123,9 @@ Picture Session::draw_scene(ReadScene& read, app::RenderOptions const& options, 
   Job job = options.job;
   job.scene = read.name;
   job.picture = number;
-  return draw(*renderer_, read.scene, job, previous_, control);
+  Picture picture = draw(*renderer_, read.scene, job, previous_, control);
+  warn_of_useless_options(picture, job, read.is_model, read.scene.environment.has_value());
+  return picture;
 }
 
 }  // namespace lichtraum::python

@@ -223,6 +223,30 @@ def test_errors_name_options_as_python_does(options, message):
         lt.render(HELLO, size=(8, 8), **options)
 
 
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"time": 1}, "time or animation has no effect: a scene's models stand as in their files"),
+        ({"both_sides": True}, "both_sides has no effect"),
+        ({"clamp": 3}, "clamp has no effect"),
+        ({"environment_rotation": 3, "integrator": "path"}, "environment_rotation has no effect: the scene has no environment"),
+    ],
+)
+def test_options_without_effect_are_told(renderer, options, message):
+    with pytest.warns(lt.SceneWarning, match=message):
+        image = renderer.render(HELLO, size=(8, 8), denoise="off", **options)
+    assert [each.code for each in image.diagnostics] == ["W0101"]
+    if "time" not in options and "both_sides" not in options:
+        with pytest.warns(lt.SceneWarning, match=message):
+            renderer.render(lt.load(HELLO), size=(8, 8), denoise="off", **options)
+
+
+def test_options_with_an_effect_are_not(renderer):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert renderer.render(HELLO, size=(8, 8), integrator="path", samples=2, clamp=3, depth=2).diagnostics == []
+
+
 def test_errors_say_where(tmp_path):
     path = tmp_path / "broken.sdf"
     path.write_text("define shpe sphere\nrender eye x.png\n")

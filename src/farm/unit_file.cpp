@@ -153,10 +153,11 @@ void write_unit(PlanFolder const& folder, std::int64_t number, DrawnUnit& unit) 
   fs::path const path = folder.unit_file(number);
   // A share that is no longer mounted leaves its folder behind, on the local disk: nobody would look for units there.
   if (!folder.is_there()) {
-    throw Error(ErrorKind::try_again,
-                fmt::format("'{}' no longer has the plan: is it not mounted any more? What is done stays; begin again "
-                            "once it is back",
-                            folder.path().string()));
+    throw Error(
+        ErrorKind::try_again,
+        fmt::format("'{}' no longer has its plan: is the share still mounted? What is done stays, and 'lichtraum "
+                    "job work' goes on once it is back",
+                    folder.path().string()));
   }
   std::error_code failure;
   fs::create_directories(path.parent_path(), failure);

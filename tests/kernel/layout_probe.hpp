@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compile/scene_buffers.hpp"
@@ -61,8 +62,9 @@ class LayoutProbe {
 
  private:
   /// Compiled once, however many scenes need it. Never destroyed: what a driver needs for that is gone by then.
-  static ProbeProgram const& program_for(std::string const& options) {
+  static ProbeProgram const& program_for(std::string_view wanted) {
     static auto& programs = *new std::map<std::string, ProbeProgram>;
+    std::string const options(wanted);
     return programs.try_emplace(options, "layouts.cl", options).first->second;
   }
   void run(std::string const& kernel, Rays const& rays, std::vector<ProbeArgument> const& last,

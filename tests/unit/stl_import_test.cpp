@@ -33,7 +33,7 @@ std::string error_of(std::string const& bytes) {
   return "no error";
 }
 
-MeshGeometry const& geometry_of(Scene const& scene, std::string const& name) {
+MeshGeometry const& geometry_of(Scene const& scene, std::string_view name) {
   return *dynamic_cast<Mesh const&>(**scene.shapes.find(name)).geometry();
 }
 

@@ -42,11 +42,12 @@ struct Layout {
       : buffers(compile_scene(flatten(scene.roots()), scene.lights, traversal.layout)),
         options(scene_options(buffers, traversal)) {}
   void run(std::string const& file, std::string const& kernel, std::size_t count, Rays const& rays,
-           std::vector<ProbeArgument> const& more, std::size_t local = 0) const {
+           std::vector<ProbeArgument> const& more, std::size_t local = 1) const {
     auto arguments = scene_arguments(buffers);
     arguments.insert(arguments.end(), {in(rays.origins), in(rays.directions)});
     arguments.insert(arguments.end(), more.begin(), more.end());
-    ProbeProgram(file, options).run(kernel, count, arguments, 1, local, local == 0 ? 0 : 1);
+    // Small groups: each work-item has much memory of its own, and PoCL 6 takes thousands where nobody says how many.
+    ProbeProgram(file, options).run(kernel, count, arguments, 1, local, 1);
   }
 };
 

@@ -119,7 +119,8 @@ void ProbeProgram::run(std::string const& kernel_name, std::size_t width, std::v
       }
     }
     auto const round_up = [](std::size_t n, std::size_t step) { return step == 0 ? n : (n + step - 1) / step * step; };
-    cl::NDRange const local = local_width == 0 ? cl::NullRange : cl::NDRange(local_width, local_height);
+    // Where nobody says how many, one: PoCL 6 takes thousands, whose memory its threads' stacks cannot hold.
+    cl::NDRange const local(std::max<std::size_t>(local_width, 1), std::max<std::size_t>(local_height, 1));
     device.queue.enqueueNDRangeKernel(kernel, cl::NullRange,
                                       cl::NDRange(round_up(width, local_width), round_up(height, local_height)), local);
     for (std::size_t i = 0; i < arguments.size(); ++i) {

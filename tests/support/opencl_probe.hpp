@@ -52,7 +52,7 @@ class ProbeProgram {
   ~ProbeProgram();
 
   /// Runs `kernel` over `width` x `height` work-items and reads outputs back. The range is rounded up to the local size
-  /// when that is not zero: the kernel must check. Throws std::runtime_error.
+  /// (0: one work-item): the kernel must check. Throws std::runtime_error.
   void run(std::string const& kernel, std::size_t width, std::vector<ProbeArgument> const& arguments,
            std::size_t height = 1, std::size_t local_width = 0, std::size_t local_height = 0) const;
 

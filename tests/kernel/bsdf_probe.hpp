@@ -236,9 +236,7 @@ class BsdfProbe {
       result->resize(count);
       arguments.push_back(out(*result));
     }
-    // Groups of one: what sixteen lanes keep, times a larger group's work-items, would outgrow a thread's stack.
-    std::size_t const group = lanes_ > 1 ? 1 : 0;
-    program_.run(kernel, items, arguments, 1, group, group);
+    program_.run(kernel, items, arguments);
   }
 
   std::size_t lanes_;

@@ -46,8 +46,7 @@ struct Layout {
     auto arguments = scene_arguments(buffers);
     arguments.insert(arguments.end(), {in(rays.origins), in(rays.directions)});
     arguments.insert(arguments.end(), more.begin(), more.end());
-    // Small groups: each work-item has much memory of its own, and PoCL 6 takes thousands where nobody says how many.
-    ProbeProgram(file, options).run(kernel, count, arguments, 1, local, 1);
+    ProbeProgram(file, options).run(kernel, count, arguments, 1, local);
   }
 };
 

@@ -118,11 +118,10 @@ void ProbeProgram::run(std::string const& kernel_name, std::size_t width, std::v
         kernel.setArg(cl_uint(i), buffers[i]);
       }
     }
-    auto const round_up = [](std::size_t n, std::size_t step) { return step == 0 ? n : (n + step - 1) / step * step; };
-    // Where nobody says how many, one: PoCL 6 takes thousands, whose memory its threads' stacks cannot hold.
-    cl::NDRange const local(std::max<std::size_t>(local_width, 1), std::max<std::size_t>(local_height, 1));
+    auto const round_up = [](std::size_t n, std::size_t step) { return (n + step - 1) / step * step; };
     device.queue.enqueueNDRangeKernel(kernel, cl::NullRange,
-                                      cl::NDRange(round_up(width, local_width), round_up(height, local_height)), local);
+                                      cl::NDRange(round_up(width, local_width), round_up(height, local_height)),
+                                      cl::NDRange(local_width, local_height));
     for (std::size_t i = 0; i < arguments.size(); ++i) {
       bool const written =
           arguments[i].kind == ProbeArgument::Kind::output || arguments[i].kind == ProbeArgument::Kind::updated;

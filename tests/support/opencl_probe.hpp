@@ -51,10 +51,11 @@ class ProbeProgram {
   explicit ProbeProgram(std::string const& file, std::string const& options = "");
   ~ProbeProgram();
 
-  /// Runs `kernel` over `width` x `height` work-items and reads outputs back. The range is rounded up to the local size
-  /// (0: one work-item): the kernel must check. Throws std::runtime_error.
+  /// Runs `kernel` over `width` x `height` work-items and reads outputs back. The range is rounded up to the local
+  /// size: the kernel must check. Groups of one by default: left to choose, PoCL 6 makes some of thousands, and what
+  /// their work-items keep outgrows a thread's stack. Throws std::runtime_error.
   void run(std::string const& kernel, std::size_t width, std::vector<ProbeArgument> const& arguments,
-           std::size_t height = 1, std::size_t local_width = 0, std::size_t local_height = 0) const;
+           std::size_t height = 1, std::size_t local_width = 1, std::size_t local_height = 1) const;
 
  private:
   struct State;

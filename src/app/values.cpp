@@ -62,6 +62,18 @@ Value word(std::string_view text, std::array<Word<Value>, count> const& words) {
   throw std::invalid_argument("expected " + list_of(known));
 }
 
+/// `noun`: what is numbered, one and several.
+FrameRange parse_range(std::string_view text, std::string_view noun, std::string_view nouns) {
+  std::size_t const dots = text.find("..");
+  auto const first = number<int>(text.substr(0, dots));
+  auto const last = dots == std::string_view::npos ? first : number<int>(text.substr(dots + 2));
+  if (!first || !last || *first < 0)
+    throw std::invalid_argument(fmt::format("expected numbers of {}, such as 0..99", nouns));
+  if (*first > *last) throw std::invalid_argument(fmt::format("expected the first {} before the last", noun));
+  if (*last > 10'000'000) throw std::invalid_argument(fmt::format("expected {} up to 10000000", nouns));
+  return {*first, *last};
+}
+
 }  // namespace
 
 Resolution parse_size(std::string_view text) {
@@ -113,22 +125,6 @@ double parse_time(std::string_view text) {
   if (!seconds || !std::isfinite(*seconds)) throw std::invalid_argument("expected a number of seconds");
   return *seconds;
 }
-
-namespace {
-
-/// `noun`: what is numbered, one and several.
-FrameRange parse_range(std::string_view text, std::string_view noun, std::string_view nouns) {
-  std::size_t const dots = text.find("..");
-  auto const first = number<int>(text.substr(0, dots));
-  auto const last = dots == std::string_view::npos ? first : number<int>(text.substr(dots + 2));
-  if (!first || !last || *first < 0)
-    throw std::invalid_argument(fmt::format("expected numbers of {}, such as 0..99", nouns));
-  if (*first > *last) throw std::invalid_argument(fmt::format("expected the first {} before the last", noun));
-  if (*last > 10'000'000) throw std::invalid_argument(fmt::format("expected {} up to 10000000", nouns));
-  return {*first, *last};
-}
-
-}  // namespace
 
 FrameRange parse_frames(std::string_view text) { return parse_range(text, "frame", "frames"); }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 
 #include "film/check_request.hpp"
@@ -119,6 +120,17 @@ bool has_lamp_with_size(Scene const& scene) {
   });
 }
 
+/// Those that are no part of the request, nor of the view; the same as in JSON.
+void check_numbers(Job const& job) {
+  auto const require = [](bool holds, std::string const& message) {
+    if (!holds) throw Error(ErrorKind::usage, message);
+  };
+  require(!job.noise || (*job.noise > 0 && *job.noise <= 1), "--noise: expected a number above 0, at most 1");
+  constexpr double most = job_limits::exposure_ev;
+  require(std::abs(job.exposure_ev) <= most, fmt::format("--exposure: expected stops from {} to {}", -most, most));
+  require(!job.turn_degrees || std::isfinite(*job.turn_degrees), "turn_degrees: expected a number that is finite");
+}
+
 }  // namespace
 
 Integrator usual_integrator(bool is_model, DeviceKind device) {
@@ -161,20 +173,6 @@ PlaneSet traced_planes(Job const& job) {
   bool const is_denoised = job.denoising == Denoising::on || job.denoising == Denoising::builtin;
   return is_denoised ? with_guides(shown_planes(job)) : shown_planes(job);
 }
-
-namespace {
-
-/// Those that are no part of the request, nor of the view.
-void check_numbers(Job const& job) {
-  auto const require = [](bool holds, char const* message) {
-    if (!holds) throw Error(ErrorKind::usage, message);
-  };
-  require(!job.noise || (*job.noise > 0 && *job.noise <= 1), "--noise: expected a number above 0, at most 1");
-  require(std::isfinite(job.exposure_ev), "--exposure: expected a number of stops");
-  require(!job.turn_degrees || std::isfinite(*job.turn_degrees), "a turn is a number of degrees");
-}
-
-}  // namespace
 
 Job resolved(Job job, Scene const& scene) {
   check_numbers(job);

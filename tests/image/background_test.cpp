@@ -87,13 +87,6 @@ TEST_CASE("one colour twice is that colour", "[image][background]") {
   }
 }
 
-TEST_CASE("without a scene there is nothing to draw", "[image]") {
-  auto const renderer = make_renderer(all_devices().front());
-  Film film;
-  if (renderer->device().kind == DeviceKind::reference) SKIP_TEST("no OpenCL device");
-  CHECK_THROWS_AS(renderer->render(whole_picture(Camera(), {3, 3}), film), Error);
-}
-
 TEST_CASE("an environment is shown only by who draws one", "[image][background]") {
   Scene const scene = mirror_ball();
   RenderRequest request = whole_picture(scene.cameras.front(), {3, 3});

@@ -146,3 +146,10 @@ TEST_CASE("lights that nobody edited are the scene's, which may move", "[image][
     CHECK(draw(renderer, edited, moved).data() == draw(renderer, expected, wanted).data());
   });
 }
+
+TEST_CASE("without a scene there is nothing to draw", "[image]") {
+  REQUIRE_OPENCL_DEVICE();
+  auto const renderer = make_renderer(opencl_devices().front());
+  Film film;
+  CHECK_THROWS_AS(renderer->render(whole_picture(Camera(), size), film), Error);
+}

@@ -236,7 +236,8 @@ TEST_CASE("what a job cannot have", "[unit][job]") {
   expect([](Job& job) { job.noise = 2; }, "--noise");
   expect([](Job& job) { job.noise = 0; }, "--noise");
   expect([](Job& job) { job.exposure_ev = std::numeric_limits<double>::quiet_NaN(); }, "--exposure");
-  expect([](Job& job) { job.turn_degrees = std::numeric_limits<double>::infinity(); }, "a turn");
+  expect([](Job& job) { job.exposure_ev = -101; }, "--exposure: expected stops from -100 to 100");
+  expect([](Job& job) { job.turn_degrees = std::numeric_limits<double>::infinity(); }, "turn_degrees");
 }
 
 TEST_CASE("what a scene lacks is the scene's fault", "[unit][job]") {

@@ -130,8 +130,8 @@ def _as_drawn(scene: Scene, given: dict[str, Any]) -> tuple[str | LoadedScene, d
     given = {**given, "allow_path": [*_folders(given.get("allow_path")), *folders]}
     if not writer.materials and not writer.lights:
         return path, given
-    reading: Any = {name: given.pop(name) for name in READING if name in given}
-    loaded = load(path, **reading)
+    how: Any = {name: given.pop(name) for name in READING if name in given}
+    loaded = load(path, **how)
     for name, material in writer.materials.items():
         loaded.set_material(name, material)
     for name, light in writer.lights.items():

@@ -19,11 +19,11 @@ Item = Union[Shape, Light]
 
 
 class _Workplace:
-    """Where the files of a scene are while it is drawn. `turn`: they are those of one picture at a time. A copy of the
-    scene, and one that was pickled, gets another."""
+    """Where the files of a scene are while it is drawn: those of one picture at a time. A copy of the scene, and one that
+    was pickled, gets another."""
 
     def __init__(self) -> None:
-        self.turn = threading.RLock()  # again by one thread: `progress` may draw
+        self._turn = threading.RLock()  # again by one thread: `progress` may draw
         self._folder: Optional[tempfile.TemporaryDirectory[str]] = None
 
     def folder(self) -> Path:
@@ -37,7 +37,7 @@ class _Workplace:
     @contextmanager
     def use(self) -> Iterator[None]:
         """For one picture. Nobody has written that file: what is wrong in it are values, which a UsageError names."""
-        with self.turn:
+        with self._turn:
             try:
                 yield
             except SceneError as error:

@@ -1,0 +1,225 @@
+"""What is told of mistakes: errors, warnings, and options that are refused."""
+
+import copy
+import errno
+import os
+import pickle
+import warnings
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+import lichtraum as lt
+
+HELLO = Path(__file__).parents[2] / "scenes" / "hello.sdf"
+
+
+@pytest.mark.parametrize("name, value", [
+    ("time", 2), ("animation", 1), ("scene", 0), ("variant", "a"), ("max_texture", 64), ("point_size", 1), ("both_sides", True),
+    ("strict", True), ("keep_going", True), ("transform_order", "local"), ("rotation", "left"), ("material_extras", "ignore"),
+    ("allow_path", "/tmp"),
+])
+def test_what_was_loaded_is_not_read_again(renderer, film, name, value):
+    scene = lt.load(film)
+    for draw in (renderer.render, lt.render):
+        with pytest.raises(lt.UsageError, match=f"^{name}: .*film.sdf.* give {name} to lt.load"):
+            draw(scene, size=(8, 8), **{name: value})
+    assert renderer.render(scene, size=(8, 8), **{name: None}).size == (8, 8)
+
+
+def test_pictures_are_those_of_files(renderer, film):
+    with pytest.raises(lt.UsageError, match="render the file for its picture 1"):
+        renderer.render(lt.load(film), picture=1)
+    for material in (lt.Phong(), lt.Pbr()):
+        with pytest.raises(lt.UsageError, match="no picture 1: a Scene has one"):
+            renderer.render(lt.Scene([lt.Sphere((0, 0, -5), 1, material)]), picture=1)
+
+
+@pytest.mark.parametrize("material", [lt.Phong(), lt.Pbr()])
+def test_scenes_are_read_as_asked(renderer, material):
+    """By way of eSDF, whether that can say all of them or not."""
+    shining = lt.Sphere((0, 0, -5), 1, lt.Phong(emission=1))
+    with pytest.raises(lt.UsageError, match="emission"):
+        renderer.render(lt.Scene([shining, lt.Sphere((9, 9, 9), 0.1, material)]), strict=True)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"up": (0, 0, 0)}, "up 0,0,0: it has no direction"),
+        ({"focus": 3}, "focus: without a lens everything is sharp; aperture says"),
+        ({"ground": True, "integrator": "whitted"}, "ground: whitted draws none; integrator path does"),
+        ({"samples": []}, "samples needs a value$"),
+        ({"traversal": "deep"}, "traversal: expected auto, scalar, wide or packet, not 'deep'"),
+    ],
+)
+def test_errors_name_options_as_python_does(options, message):
+    with pytest.raises(lt.UsageError, match=f"^{message}"):
+        lt.render(HELLO, size=(8, 8), **options)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"time": 1}, "time or animation has no effect: a scene's models stand as in their files"),
+        ({"both_sides": True}, "both_sides has no effect"),
+        ({"clamp": 3}, "clamp has no effect"),
+        ({"environment_rotation": 3, "integrator": "path"}, "environment_rotation has no effect: the scene has no environment"),
+    ],
+)
+def test_options_without_effect_are_told(renderer, options, message):
+    with pytest.warns(lt.SceneWarning, match=message):
+        image = renderer.render(HELLO, size=(8, 8), denoise="off", **options)
+    assert [each.code for each in image.diagnostics] == ["W0101"]
+    if "time" not in options and "both_sides" not in options:
+        with pytest.warns(lt.SceneWarning, match=message):
+            renderer.render(lt.load(HELLO), size=(8, 8), denoise="off", **options)
+
+
+def test_options_with_an_effect_are_not(renderer):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert renderer.render(HELLO, size=(8, 8), integrator="path", samples=2, clamp=3, depth=2).diagnostics == []
+
+
+def test_errors_say_where(tmp_path):
+    path = tmp_path / "broken.sdf"
+    path.write_text("define shpe sphere\nrender eye x.png\n")
+    with pytest.raises(lt.SceneError, match="cannot define 'shpe'") as caught:
+        lt.load(path)
+    first = caught.value.diagnostics[0]
+    assert (first.file, first.line, first.column, first.severity) == (str(path), 1, 8, "error")
+    assert first.message == "cannot define 'shpe': unknown kind" and first.hint == "did you mean 'shape'?"
+    with pytest.raises(lt.SceneError):
+        lt.render(path)
+    with pytest.raises(lt.FileError, match="nowhere.sdf"):
+        lt.load(tmp_path / "nowhere.sdf")
+    with pytest.raises(lt.FileError, match="-"):
+        lt.load("-")  # a file, not standard input
+
+
+@pytest.fixture
+def errors(tmp_path):
+    """One of each class."""
+    (tmp_path / "broken.sdf").write_text("define shpe sphere\nrender eye x.png\n")
+    uses = [
+        lambda: lt.load(tmp_path / "broken.sdf"),
+        lambda: lt.load(HELLO, time="x"),
+        lambda: lt.load(tmp_path / "nowhere.sdf"),
+        lambda: lt.Renderer("abacus"),
+        lambda: lt.Scene().save("/nowhere/scene.sdf"),
+    ]
+    found = [lt.JobError("nobody answers", 75)]
+    for use in uses:
+        with pytest.raises(lt.Error) as caught:
+            use()
+        found.append(caught.value)
+    return found
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, *(partial(lambda p, e: pickle.loads(pickle.dumps(e, p)), p) for p in range(2, 6))])
+def test_errors_go_to_other_processes(errors, copied):
+    for kind in (lt.SceneError, lt.UsageError, lt.FileError, lt.DeviceError, lt.JobError):
+        assert any(isinstance(error, kind) for error in errors)
+    for error in errors:
+        other = copied(error)
+        assert type(other) is type(error) and str(other) == str(error) and len(other.diagnostics) == len(error.diagnostics)
+        assert [str(each) for each in other.diagnostics] == [str(each) for each in error.diagnostics]
+        for mine, theirs in zip(error.diagnostics, other.diagnostics):
+            for name in ("severity", "file", "line", "column", "code", "message", "hint", "source_line"):
+                assert getattr(mine, name) == getattr(theirs, name)
+        assert getattr(other, "status", 0) == getattr(error, "status", 0)
+
+
+@pytest.mark.parametrize("use", [
+    lt.load, lt.render, lt.Texture, lambda path: lt.render(HELLO, size=(8, 8)).save(path), lt.Scene().save, lambda path: lt.load(HELLO).save(path),
+], ids=["load", "render", "texture", "save", "scene", "loaded"])
+@pytest.mark.parametrize("name, number, kind", [("nowhere/a.png", errno.ENOENT, FileNotFoundError), ("file/a.png", errno.ENOTDIR, OSError)])
+def test_errors_of_files_are_as_pythons(tmp_path, use, name, number, kind):
+    (tmp_path / "file").touch()
+    path = str(tmp_path / name)
+    with pytest.raises(lt.FileError) as caught:
+        use(path)
+    for error in (caught.value, pickle.loads(pickle.dumps(caught.value))):
+        assert isinstance(error, kind)
+        assert (error.errno, error.strerror, error.filename) == (number, os.strerror(number), path)
+        assert str(error).startswith("cannot ") and path in str(error) and "Errno" not in str(error)
+
+
+@pytest.mark.parametrize(
+    "options, message",
+    [
+        ({"size": (0, 4)}, "^size: expected at least 1x1"),
+        ({"integrator": "magic"}, "^integrator: expected whitted or path"),
+        ({"look_at": (1, 2)}, "^look_at: expected"),
+        ({"region": (0, 0, 9999, 1)}, "does not lie in the picture"),
+        ({"camera": "nobody"}, "nobody"),
+        ({"root": "nobody"}, "nobody"),
+    ],
+)
+def test_wrong_values(renderer, options, message):
+    with pytest.raises(lt.UsageError, match=message):
+        renderer.render(HELLO, **options)
+
+
+@pytest.mark.parametrize("name, message", [("sec\0.png", "NUL"), (os.fsdecode(b"\xff.png"), "UTF-8")])
+def test_names_that_no_file_can_have(renderer, tmp_path, monkeypatch, name, message):
+    """What is behind a NUL was cut off, and another file overwritten."""
+    monkeypatch.chdir(tmp_path)
+    Path("sec").write_text("dear to somebody")
+    image = renderer.render(HELLO, size=(8, 8))
+    for use in (image.save, lt.load, lt.render, lt.Texture, lt.Model):
+        with pytest.raises(lt.UsageError, match=message):
+            use(name)
+    assert os.listdir() == ["sec"] and Path("sec").read_text() == "dear to somebody"
+
+
+@pytest.mark.parametrize("use", [
+    lambda: lt.render(HELLO, environment="studio\0"),
+    lambda: lt.load(HELLO, allow_path=["/tmp", "/\0"]),
+    lambda: lt.load(HELLO).save("a\0.sdf"),
+    lambda: lt.Scene().save("a\0.sdf"),
+])
+def test_nul_is_refused(tmp_path, monkeypatch, use):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ValueError, match="NUL|null"):
+        use()
+    assert not list(tmp_path.iterdir())
+
+
+def test_unknown_names(renderer):
+    with pytest.raises(TypeError, match="no option 'sizes'"):
+        renderer.render(HELLO, sizes=(1, 1))
+    with pytest.raises(TypeError, match="size"):
+        lt.load(HELLO, size=(1, 1))
+    with pytest.raises(TypeError, match="^seed cannot be True or False"):
+        renderer.render(HELLO, seed=True)
+    with pytest.raises(lt.DeviceError, match="abacus"):
+        lt.Renderer("abacus")
+
+
+@pytest.fixture
+def doubtful(film):
+    """A file whose first line is warned of."""
+    film.write_text(film.read_text().replace("40\ndefine shape", "40 0.5\ndefine shape"))
+    return film
+
+
+def test_what_a_scene_warns_of_is_a_warning(doubtful):
+    with pytest.warns(lt.SceneWarning, match="film.sdf:1"):
+        lt.load(doubtful)
+
+
+def test_warnings_name_the_line_that_called(tmp_path, renderer, doubtful, child):
+    dim = lt.Scene([lt.Sphere((0, 0, -5), 1, lt.Phong(diffuse=-1))])
+    shiny = lt.Scene([lt.Sphere((0, 0, -5), 1, lt.Phong(diffuse=-1)), lt.Sphere((0, 0, -5), 1, lt.Pbr())])
+    uses = [lambda: lt.load(doubtful)]
+    for scene in (doubtful, dim, shiny):
+        uses += [lambda scene=scene: lt.render(scene, size=(8, 8)), lambda scene=scene: renderer.render(scene, size=(8, 8))]
+    for use in uses:
+        with pytest.warns(lt.SceneWarning) as found:
+            use()
+        assert {warning.filename for warning in found} == {__file__}
+    run = child("import lichtraum as lt; lt.Renderer()", OCL_ICD_VENDORS=str(tmp_path), OCL_ICD_FILENAMES="")
+    assert run.stderr.startswith("<string>:1: SceneWarning: ") and "reference tracer" in run.stderr

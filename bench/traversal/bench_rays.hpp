@@ -23,7 +23,7 @@ struct RayHit {
 
 /// The rays of a picture: one through the centre of each pixel, or of each cell of a grid in it.
 struct PrimaryRays {
-  device::PinholeCamera camera;
+  device::ProjectiveCamera camera;
   int width = 0;   ///< rays per row
   int height = 0;  ///< rows
   float pixels_per_ray = 1;

@@ -20,14 +20,14 @@ static inline BenchHit bench_hit(Scene const* scene, Hit hit) {
   return out;
 }
 
-static inline Ray camera_ray(__global PinholeCamera const* camera, float x, float y) {
+static inline Ray camera_ray(__global ProjectiveCamera const* camera, float x, float y) {
   return make_ray(camera->origin.xyz,
                   add_scaled(add_scaled(camera->corner.xyz, x, camera->step_x.xyz), y, camera->step_y.xyz));
 }
 
 #ifndef TRACE_PACKETS
 
-__kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, uint const width,
+__kernel void primary(SCENE_PARAMETERS, __global ProjectiveCamera const* camera, uint const width,
                       float const pixels_per_ray, __global BenchHit* hits) {
   Scene const scene = SCENE_FROM_PARAMETERS;
   uint const x = (uint)get_global_id(0);
@@ -58,7 +58,7 @@ static inline BenchHit packet_hit(Packet const* p, uint ray) {
 }
 
 /* One work-item a packet. */
-__kernel void primary(SCENE_PARAMETERS, __global PinholeCamera const* camera, uint const width,
+__kernel void primary(SCENE_PARAMETERS, __global ProjectiveCamera const* camera, uint const width,
                       float const pixels_per_ray, __global BenchHit* hits) {
   Scene const scene = SCENE_FROM_PARAMETERS;
   uint const x = (uint)get_global_id(0) * PACKET_SIDE;

@@ -62,15 +62,20 @@ double processor_milliseconds(std::function<void()> const& work, int threads) {
   return 1e3 * double(std::clock() - start) / CLOCKS_PER_SEC / threads;
 }
 
-device::PinholeCamera pinhole(Options const& options, Resolution const& size) {
+device::ProjectiveCamera pinhole(Options const& options, Resolution const& size) {
   Vec3 const eye = vec3(options.eye);
   Vec3 const forward = glm::normalize(options.look_dir.empty() ? vec3(options.look_at) - eye : vec3(options.look_dir));
   Vec3 const right = glm::normalize(glm::cross(forward, Vec3(0, 1, 0))), up = glm::cross(right, forward);
   double const half_width = std::tan(glm::radians(0.5 * options.fov_x_degrees));
   double const half_height = half_width * size.height / size.width;
   auto const float4 = [](Vec3 const& v) { return device::float4{float(v.x), float(v.y), float(v.z), 0}; };
-  return {float4(eye), float4(forward - half_width * right + half_height * up),
-          float4(2 * half_width / size.width * right), float4(-2 * half_height / size.height * up)};
+  return {float4(eye),
+          float4(forward - half_width * right + half_height * up),
+          float4(2 * half_width / size.width * right),
+          float4(-2 * half_height / size.height * up),
+          float4(forward),
+          0,
+          {}};
 }
 
 /// All that is traced.

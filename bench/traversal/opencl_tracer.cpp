@@ -98,7 +98,7 @@ OpenClTracer::~OpenClTracer() = default;
 
 void OpenClTracer::closest(PrimaryRays const& rays, std::vector<RayHit>& hits) const {
   State& s = *state_;
-  std::vector<device::PinholeCamera> const camera{rays.camera};
+  std::vector<device::ProjectiveCamera> const camera{rays.camera};
   cl::Buffer const camera_buffer = s.over(camera), out = s.over(hits);
   cl_uint argument = s.set_scene(s.primary);
   s.primary.setArg(argument++, camera_buffer);

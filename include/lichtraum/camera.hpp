@@ -17,7 +17,7 @@ struct Resolution {
   friend bool operator==(Resolution const&, Resolution const&) = default;
 };
 
-/// What a camera keeps in pictures of any proportions, where that is not its horizontal opening angle.
+/// What a camera keeps in pictures of any proportions, where that is not its horizontal opening angle or its width.
 struct CameraFit {
   enum class Side { width, height, longer };
   struct Framed {
@@ -27,9 +27,12 @@ struct CameraFit {
     Vec3 turn_axis{0};
   };
 
-  Side side = Side::width;       ///< along which the picture has that opening angle
+  Side side = Side::width;       ///< along which the picture has that opening angle, or that length
   double fov_degrees = 45;       ///< 0 < fov < 180
   std::optional<Framed> framed;  ///< the camera steps back, without turning, until it sees all of this
+  /// Above 0: an orthographic camera's, how long that side is in the camera's own frame. Where the camera frames
+  /// something, it takes what that needs.
+  double extent = 0;
 };
 
 /// What makes a picture sharp at one distance only.
@@ -39,7 +42,8 @@ struct Lens {
   friend bool operator==(Lens const&, Lens const&) = default;
 };
 
-/// A pinhole camera, or one with a thin lens. In its own frame it sits at the origin and looks along -z with +y up.
+/// A pinhole camera, one with a thin lens, or one whose rays are parallel: an orthographic one, which sees what lies
+/// before its plane z = 0. In its own frame it sits at the origin and looks along -z with +y up.
 class Camera {
  public:
   /// 45 degrees wide at the origin, without a name.
@@ -48,17 +52,26 @@ class Camera {
   Camera(std::string name, double fov_x_degrees, Transform const& world_from_camera = {},
          std::optional<Resolution> resolution = std::nullopt);
 
+  /// An orthographic camera whose pictures show so much across: `width` in units of its own frame, above 0 and finite,
+  /// else throws std::invalid_argument.
+  static Camera orthographic(std::string name, double width, Transform const& world_from_camera = {},
+                             std::optional<Resolution> resolution = std::nullopt);
+
   std::string const& name() const { return name_; }
-  double fov_x_degrees() const { return fov_x_degrees_; }
+  bool is_orthographic() const { return width_ > 0; }
+  double fov_x_degrees() const { return fov_x_degrees_; }  ///< 0 of an orthographic camera
+  double width() const { return width_; }                  ///< of an orthographic camera's pictures; 0 of others
+  /// How much it sees across, so far ahead; both in units of its own frame.
+  double width_at(double distance) const;
   std::optional<Resolution> const& resolution() const { return resolution_; }
   Transform const& world_from_camera() const { return world_from_camera_; }
   void set_world_from_camera(Transform const& t) { world_from_camera_ = t; }
 
   std::optional<CameraFit> const& fit() const { return fit_; }
-  /// Throws std::invalid_argument for an opening angle that is none.
+  /// Throws std::invalid_argument for an opening angle that is none, or an extent that is negative or not finite.
   void set_fit(CameraFit const& fit);
-  /// The camera of a picture of that size: its opening angle and its place are those that its `fit` asks for, which it
-  /// no longer has.
+  /// The camera of a picture of that size: its projection and its place are those that its `fit` asks for, which it no
+  /// longer has.
   Camera fitted(Resolution const& size) const;
 
   Lens const& lens() const { return lens_; }
@@ -67,12 +80,14 @@ class Camera {
 
   /// The world-space ray (unit direction) through the image point (x, y) of a `size` picture. Coordinates are in
   /// pixels from the top left corner: the centre of the first pixel is (0.5, 0.5). Pixels are square. `lens_x`,
-  /// `lens_y`: where it goes through the lens, in its unit disc, +y up (pbrt 5.2.3).
+  /// `lens_y`: where it goes through the lens, in its unit disc, +y up (pbrt 5.2.3). An orthographic camera's rays
+  /// begin in its plane (pbrt 5.2.1).
   Ray generate_ray(double x, double y, Resolution const& size, double lens_x = 0, double lens_y = 0) const;
 
  private:
   std::string name_;
   double fov_x_degrees_ = 45;
+  double width_ = 0;
   std::optional<Resolution> resolution_;
   Transform world_from_camera_;
   std::optional<CameraFit> fit_;

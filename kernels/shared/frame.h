@@ -5,22 +5,26 @@
 
 DEVICE_NAMESPACE_BEGIN
 
-/* A pinhole camera, prepared for one resolution: the ray through the image point (x, y), in pixels from the top left,
- * has the direction  corner + x * step_x + y * step_y  (world, not normalised). */
+/* A camera, prepared for one resolution (pbrt 5.2). Through the image point (x, y), in pixels from the top left, goes
+ * the ray from the origin in the direction  corner + x * step_x + y * step_y;  of an orthographic camera, the ray from
+ * origin + corner + x * step_x + y * step_y  in the same direction as all. In the world; no direction is normalised. */
 typedef struct {
-  float4 origin; /* world; w unused */
-  float4 corner; /* w unused */
-  float4 step_x; /* w unused */
-  float4 step_y; /* w unused */
-} PinholeCamera;
-DEVICE_STRUCT_SIZE(PinholeCamera, 64);
+  float4 origin;    /* w unused */
+  float4 corner;    /* w unused */
+  float4 step_x;    /* w unused */
+  float4 step_y;    /* w unused */
+  float4 direction; /* of an orthographic camera's rays; w unused */
+  uint is_orthographic;
+  uint padding[3];
+} ProjectiveCamera;
+DEVICE_STRUCT_SIZE(ProjectiveCamera, 96);
 
-/* A thin lens, in the world: its points are the camera's origin + u * across + v * up in the unit disc, and all rays
- * through the image point (x, y) meet at origin + focus * (corner + x * step_x + y * step_y) (pbrt 5.2.3). */
+/* A thin lens, in the world: a pinhole's ray with the origin o and the direction d begins at o + u * across + v * up
+ * instead, with (u, v) in the unit disc, and goes through o + focus * d (pbrt 5.2.3). */
 typedef struct {
   float4 across; /* as long as the lens's radius, 0 of a pinhole; w unused */
   float4 up;     /* the same; w unused */
-  float focus;   /* in units of the directions to image points */
+  float focus;   /* in units of the directions of a pinhole's rays */
   uint has_area; /* 0: a pinhole */
   uint padding[2];
 } ThinLens;
@@ -39,7 +43,7 @@ DEVICE_STRUCT_SIZE(ThinLens, 48);
 
 /* Everything about the picture that is the same for each of its pixels. */
 typedef struct {
-  PinholeCamera camera;
+  ProjectiveCamera camera;
   ThinLens lens;
   float4 ambient;         /* sum of all La; w unused */
   float4 background;      /* what mirrors and glass show where nothing is; w unused */
@@ -59,7 +63,7 @@ typedef struct {
   uint ground;          /* GROUND_... */
   float4 ground_plane;  /* unit normal, upwards, and how far along it the plane lies from the world's origin */
 } FrameParameters;
-DEVICE_STRUCT_SIZE(FrameParameters, 240);
+DEVICE_STRUCT_SIZE(FrameParameters, 272);
 
 /* What one launch computes: a rectangle of pixels, a range of their samples. */
 typedef struct {

@@ -69,8 +69,7 @@ class EditedText:
     def set_camera(self, name: str, camera: Camera) -> None:
         if not is_word(name):
             raise UsageError(f"camera {name!r}: a name in eSDF has no spaces and no #")
-        size = [str(int(side)) for side in camera.size]
-        first = text_of(["define", "camera", name, camera.fov_x_degrees, *size])
+        first = text_of(camera.words(name))
         moves = [text_of(["transform", name, *step]) for step in camera.transforms()]
         for place in self._places.get(("camera_transform", name), []):
             self._new[place] = []

@@ -101,9 +101,8 @@ class Writer:
         self._line("define", "background", *color(value))
 
     def camera(self, camera: Camera, picture: str) -> None:
-        width, height = (str(int(side)) for side in camera.size)
         name = self._name(None, "camera")
-        self._line("define", "camera", name, camera.fov_x_degrees, width, height)
+        self._line(*camera.words(name))
         for transform in camera.transforms():
             self._line("transform", name, *transform)
         self._line("render", name, picture)

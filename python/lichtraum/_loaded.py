@@ -91,7 +91,8 @@ class LoadedScene:
         UsageError."""
         expect("camera", camera, Camera, "a lichtraum.Camera")
         steps = [_native.Step(step[0], step[1:]) for step in camera.transforms()]
-        _native.set_camera(self._native, name, float(camera.fov_x_degrees), steps, *map(int, camera.size))
+        width = None if camera.orthographic is None else float(camera.orthographic)
+        _native.set_camera(self._native, name, float(camera.fov_x_degrees), width, steps, *map(int, camera.size))
         self._cameras[name] = camera
 
     def _move(self, name: str, step: Words) -> None:

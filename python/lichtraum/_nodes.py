@@ -291,13 +291,20 @@ class Light:
 @dataclass(frozen=True)
 class Camera:
     """At `eye`, looks at `target` with `up` upwards; `fov_x_degrees` wide, between 0 and 180. `size`: of pictures for
-    which no other is asked."""
+    which no other is asked. `orthographic`: its rays are parallel, and it sees so much across, whatever the angle."""
 
     fov_x_degrees: float = 45.0
     eye: Vector = (0.0, 0.0, 0.0)
     target: Vector = (0.0, 0.0, -1.0)
     up: Vector = (0.0, 1.0, 0.0)
     size: tuple[int, int] = (640, 480)
+    orthographic: Optional[float] = None
+
+    def words(self, name: str) -> list[Any]:
+        """Of eSDF."""
+        keys = [] if self.orthographic is None else [f"orthographic={float(self.orthographic)!r}"]
+        width, height = (str(int(side)) for side in self.size)
+        return ["define", "camera", name, self.fov_x_degrees, width, height, *keys]
 
     def transforms(self) -> list[list[Any]]:
         """From the origin, where it looks along -z: it rolls, nods, turns, and goes to its place."""

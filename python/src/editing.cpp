@@ -149,13 +149,15 @@ void remove_light(ReadScene& read, std::string const& name) {
   read.scene.lights = std::move(others);
 }
 
-void set_camera(ReadScene& read, std::string const& name, double fov_x_degrees, std::vector<Step> const& steps,
-                int width, int height) {
+void set_camera(ReadScene& read, std::string const& name, double fov_x_degrees, std::optional<double> orthographic,
+                std::vector<Step> const& steps, int width, int height) {
   std::lock_guard const lock(*read.mutex);
   Transform world_from_camera;
   for (Step const& step : steps) world_from_camera = transform_of(step.how, step.numbers) * world_from_camera;
   read.scene.cameras.insert_or_replace(checked([&] {
-    return Camera(name, fov_x_degrees, world_from_camera, Resolution{width, height});
+    Resolution const size{width, height};
+    return orthographic ? Camera::orthographic(name, *orthographic, world_from_camera, size)
+                        : Camera(name, fov_x_degrees, world_from_camera, size);
   }));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,9 @@ struct Step {
   std::string how;  ///< as of `transform`
   std::vector<double> numbers;
 };
-/// Instead of one of that name, or besides the others, from the origin by way of these steps.
-void set_camera(ReadScene& read, std::string const& name, double fov_x_degrees, std::vector<Step> const& steps,
-                int width, int height);
+/// Instead of one of that name, or besides the others, from the origin by way of these steps. `orthographic`: how much
+/// it sees across, if it is such a camera.
+void set_camera(ReadScene& read, std::string const& name, double fov_x_degrees, std::optional<double> orthographic,
+                std::vector<Step> const& steps, int width, int height);
 
 }  // namespace lichtraum::python

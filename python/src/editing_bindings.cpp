@@ -1,5 +1,6 @@
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -60,8 +61,8 @@ void bind_editing(nb::module_& module) {
              nb::arg("textures"), Release());
   module.def("set_light", &set_light, nb::arg("scene"), nb::arg("name"), nb::arg("kind"), nb::arg("fields"), Release());
   module.def("remove_light", &remove_light, nb::arg("scene"), nb::arg("name"), Release());
-  module.def("set_camera", &set_camera, nb::arg("scene"), nb::arg("name"), nb::arg("fov_x_degrees"), nb::arg("steps"),
-             nb::arg("width"), nb::arg("height"), Release());
+  module.def("set_camera", &set_camera, nb::arg("scene"), nb::arg("name"), nb::arg("fov_x_degrees"),
+             nb::arg("orthographic").none(), nb::arg("steps"), nb::arg("width"), nb::arg("height"), Release());
 
   nb::class_<EsdfStatement>(module, "Statement", "A line of eSDF, from 1, and whose name it has.")
       .def_ro("line", &EsdfStatement::line)

@@ -11,8 +11,8 @@ std::string text_of(std::optional<Resolution> const& size) {
 
 std::string text_of(Camera const& camera) {
   Mat4 const& matrix = camera.world_from_camera().matrix();
-  std::string text = fmt::format("camera {} {} {} {} {}", camera.name(), camera.fov_x_degrees(), camera.lens().aperture,
-                                 camera.lens().focus_distance, text_of(camera.resolution()));
+  std::string text = fmt::format("camera {} {} {} {} {} {}", camera.name(), camera.fov_x_degrees(), camera.width(),
+                                 camera.lens().aperture, camera.lens().focus_distance, text_of(camera.resolution()));
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) text += fmt::format(" {}", matrix[column][row]);
   }

@@ -129,6 +129,7 @@ transform ball scale 2
     lambda s: [s.set_light("lamp", lt.Light.point((1, 9, 3), 0.3)), s.remove_light("sky")],
     lambda s: [s.remove_light("far"), s.set_light("more", lt.Light.point((1, 9, 3))), s.set_light("far", lt.Light.ambient(0.1))],
     lambda s: s.set_camera("other", lt.Camera(40, eye=(2, 1, 0), target=(0, 0, -5), up=(0.1, 1, 0))),
+    lambda s: s.set_camera("other", lt.Camera(40, eye=(2, 1, 0), target=(0, 0, -5), orthographic=7.5)),
     lambda s: s.set_camera("second", lt.Camera(40, eye=(2, 1, 0), target=(0, 0, -5))),
 ])
 def test_any_form_is_changed_where_it_stands(renderer, tmp_path, change):
@@ -198,6 +199,7 @@ def test_another_camera(renderer, loaded):
     (lambda s: s.set_material("red", lt.Pbr(ior=0.5)), "at least 1"),
     (lambda s: s.remove_light("nobody"), "no light 'nobody'"),
     (lambda s: s.set_camera("eye", lt.Camera(190)), "angle"),
+    (lambda s: s.set_camera("eye", lt.Camera(orthographic=0)), "width must be above 0"),
     (lambda s: lt.Light.spot((0, 0, 0), (0, 0, 0)), "direction must not be zero"),
     (lambda s: lt.Light.spot((0, 0, 0), (0, 0, 1), inner_degrees=50), "inner"),
     (lambda s: lt.Light.directional((0, 0, 0)), "direction must not be zero"),

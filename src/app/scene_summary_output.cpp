@@ -151,8 +151,10 @@ std::string to_text(SceneSummary const& summary, std::string const& file) {
                         light.map->width, light.map->height, light.rotation_degrees, light.brightness);
   }
   for (Camera const& camera : scene.cameras) {
-    text += fmt::format("  camera          {}, {:g} degrees wide{}\n", camera.name(), camera.fov_x_degrees(),
-                        size_text(camera.resolution()));
+    text += camera.is_orthographic()
+                ? fmt::format("  camera          {}, orthographic, {:g} wide", camera.name(), camera.width())
+                : fmt::format("  camera          {}, {:g} degrees wide", camera.name(), camera.fov_x_degrees());
+    text += size_text(camera.resolution()) + '\n';
   }
   for (std::size_t i = 0; i < scene.renders.size(); ++i) {
     RenderCommand const& command = scene.renders[i];
@@ -182,7 +184,8 @@ std::string to_json(SceneSummary const& summary, std::string const& file) {
   Json cameras = Json::array();
   for (Camera const& camera : scene.cameras) {
     cameras.push_back({{"name", camera.name()},
-                       {"fov_x_degrees", camera.fov_x_degrees()},
+                       {"fov_x_degrees", camera.is_orthographic() ? Json() : Json(camera.fov_x_degrees())},
+                       {"width", camera.is_orthographic() ? Json(camera.width()) : Json()},
                        {"position", triple_json(camera.world_from_camera().point(Vec3(0)))},
                        {"size", size_json(camera.resolution())}});
     Lens const& lens = camera.lens();

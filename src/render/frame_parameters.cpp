@@ -12,14 +12,18 @@
 namespace lichtraum {
 namespace {
 
-device::PinholeCamera pinhole_camera(Camera const& camera, Resolution const& size) {
+device::ProjectiveCamera projective_camera(Camera const& camera, Resolution const& size) {
   Transform const& world_from_camera = camera.world_from_camera();
-  double const half_width = tan_of(glm::radians(0.5 * camera.fov_x_degrees()));
+  bool const is_parallel = camera.is_orthographic();
+  double const half_width = is_parallel ? 0.5 * camera.width() : tan_of(glm::radians(0.5 * camera.fov_x_degrees()));
   double const half_height = half_width * size.height / size.width;
   return {device_float4(world_from_camera.point(Vec3(0))),
-          device_float4(world_from_camera.vector({-half_width, half_height, -1})),
+          device_float4(world_from_camera.vector({-half_width, half_height, is_parallel ? 0 : -1})),
           device_float4(world_from_camera.vector({2 * half_width / size.width, 0, 0})),
-          device_float4(world_from_camera.vector({0, -2 * half_height / size.height, 0}))};
+          device_float4(world_from_camera.vector({0, -2 * half_height / size.height, 0})),
+          device_float4(world_from_camera.vector({0, 0, -1})),
+          is_parallel,
+          {}};
 }
 
 device::ThinLens thin_lens(Camera const& camera) {
@@ -58,7 +62,7 @@ device::uint ground_of(Ground ground) {
 device::FrameParameters frame_parameters(RenderRequest const& request, SceneShading const& scene, double lowest_point) {
   check_request(request);
   device::FrameParameters frame{};
-  frame.camera = pinhole_camera(request.camera, request.resolution);
+  frame.camera = projective_camera(request.camera, request.resolution);
   frame.lens = thin_lens(request.camera);
   frame.ambient = device_float4(scene.ambient);
   Background const background = request.background.value_or(scene.background);

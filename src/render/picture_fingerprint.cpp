@@ -10,6 +10,7 @@ std::string picture_fingerprint(PreparedScene const& scene, RenderRequest const&
   hasher.add(std::string_view(LICHTRAUM_VERSION));
   hasher.add(std::string_view(scene.fingerprint));
   hasher.add(request.camera.fov_x_degrees());
+  if (request.camera.is_orthographic()) hasher.add(request.camera.width());
   hasher.add(request.camera.world_from_camera().matrix());
   hasher.add(request.camera.lens().aperture);
   hasher.add(request.camera.lens().focus_distance);

@@ -26,7 +26,10 @@ Transform about(Vec3 const& point, double degrees, Vec3 const& axis) {
 }  // namespace
 
 OrbitCamera::OrbitCamera(Camera camera, Vec3 const& center, Resolution const& made_for)
-    : camera_(std::move(camera)), fov_x_degrees_(camera_.fov_x_degrees()), made_for_(made_for) {
+    : camera_(std::move(camera)),
+      fov_x_degrees_(camera_.fov_x_degrees()),
+      width_(camera_.width()),
+      made_for_(made_for) {
   Vec3 const eye = position_of(camera_);
   double const ahead = glm::dot(center - eye, forward_of(camera_));
   // What lies beside or behind is as far ahead as it is away.
@@ -43,10 +46,11 @@ void OrbitCamera::apply(Transform const& world_from_world) {
 void OrbitCamera::fit_to(Resolution const& size) {
   using Length = long long;
   bool const is_wider = Length(size.width) * made_for_.height > Length(made_for_.width) * size.height;
-  CameraFit fit{CameraFit::Side::width, fov_x_degrees_, {}};
+  CameraFit fit{CameraFit::Side::width, fov_x_degrees_, {}, width_};
   if (is_wider) {
-    double const half_height = std::tan(glm::radians(0.5 * fov_x_degrees_)) * made_for_.height / made_for_.width;
-    fit = {CameraFit::Side::height, 2 * glm::degrees(std::atan(half_height)), {}};
+    double const height_share = double(made_for_.height) / made_for_.width;
+    double const half_height = std::tan(glm::radians(0.5 * fov_x_degrees_)) * height_share;
+    fit = {CameraFit::Side::height, 2 * glm::degrees(std::atan(half_height)), {}, width_ * height_share};
   }
   camera_.set_fit(fit);
   camera_ = camera_.fitted(size);
@@ -64,18 +68,36 @@ void OrbitCamera::orbit(double right_degrees, double up_degrees) {
 }
 
 void OrbitCamera::pan(double right, double up) {
-  double const width = 2 * distance() * std::tan(glm::radians(0.5 * camera_.fov_x_degrees()));
+  double const unit_length = glm::length(camera_.world_from_camera().vector({1, 0, 0}));
+  double const width = camera_.is_orthographic() ? camera_.width() * unit_length : camera_.width_at(distance());
   Vec3 const offset = width * (right * right_of(camera_) + up * up_of(camera_));
   apply(Transform::translation(offset));
   pivot_ += offset;
 }
 
-void OrbitCamera::zoom(double factor) { apply(Transform::translation((1 - factor) * (pivot_ - position_of(camera_)))); }
+void OrbitCamera::zoom(double factor) {
+  apply(Transform::translation((1 - factor) * (pivot_ - position_of(camera_))));
+  if (camera_.is_orthographic()) set_width(factor * camera_.width());
+}
+
+void OrbitCamera::set_width(double width) {
+  double const seen = std::clamp(width, 1e-30, 1e30);
+  width_ *= seen / camera_.width();
+  camera_.set_fit({CameraFit::Side::width, 0, {}, seen});
+  camera_ = camera_.fitted(made_for_);
+}
 
 void OrbitCamera::frame(Vec3 const& center, double radius, Resolution const& size) {
-  double const half_width = std::tan(glm::radians(0.5 * camera_.fov_x_degrees()));
-  double const half_height = half_width * size.height / size.width;
-  double const distance = std::max(radius, 1e-6) / std::sin(std::atan(std::min(half_width, half_height)));
+  double const ball = std::max(radius, 1e-6);
+  double distance = 2 * ball;
+  if (camera_.is_orthographic()) {
+    double const unit_length = glm::length(camera_.world_from_camera().vector({1, 0, 0}));
+    set_width(2 * ball * std::max(1.0, double(size.width) / size.height) / unit_length);
+  } else {
+    double const half_width = std::tan(glm::radians(0.5 * camera_.fov_x_degrees()));
+    double const half_height = half_width * size.height / size.width;
+    distance = ball / std::sin(std::atan(std::min(half_width, half_height)));
+  }
   apply(Transform::translation(center - distance * forward_of(camera_) - position_of(camera_)));
   pivot_ = center;
 }
@@ -89,12 +111,13 @@ std::string camera_as_esdf(Camera const& camera, Resolution const& size) {
   Vec3 const eye = position_of(camera);
   std::string const name = camera.name().empty() ? "view" : camera.name();
   Lens const& lens = camera.lens();
-  std::string const keys =
-      lens.aperture > 0 ? fmt::format(" aperture={} focus={}", lens.aperture, lens.focus_distance) : "";
-  std::string text =
-      fmt::format("define camera {} {} {} {}{}\n", name, camera.fov_x_degrees(), size.width, size.height, keys);
-  // How long rays' directions are plays no role, so that along the view it is 1.
+  std::string keys = lens.aperture > 0 ? fmt::format(" aperture={} focus={}", lens.aperture, lens.focus_distance) : "";
+  constexpr double any_angle = 45;  // which an orthographic camera has no use for
+  double const fov_x_degrees = camera.is_orthographic() ? any_angle : camera.fov_x_degrees();
+  // How long rays' directions are plays no role, so that along the view the scale is 1.
   Mat3 const axes(camera.world_from_camera().matrix());
+  if (camera.is_orthographic()) keys += fmt::format(" orthographic={}", camera.width() * glm::length(axes[2]));
+  std::string text = fmt::format("define camera {} {} {} {}{}\n", name, fov_x_degrees, size.width, size.height, keys);
   double const mirrored = glm::determinant(axes) < 0 ? -1 : 1;
   Vec3 const scale(mirrored * glm::length(axes[0]) / glm::length(axes[2]), glm::length(axes[1]) / glm::length(axes[2]),
                    1);

@@ -16,24 +16,28 @@ class OrbitCamera {
   Vec3 const& pivot() const { return pivot_; }
   double distance() const;
 
-  /// Opens the angle so that a picture of this size shows all that the one it was made for does: a wider one shows more
-  /// at the sides, a narrower one more above and below.
+  /// Opens the angle, or makes an orthographic camera's picture wider, so that one of this size shows all that the one
+  /// it was made for does: a wider one shows more at the sides, a narrower one more above and below.
   void fit_to(Resolution const& size);
   /// Around the vertical line through the pivot (to the right is positive: the scene turns to the left), and up towards
   /// its zenith, which it does not cross.
   void orbit(double right_degrees, double up_degrees);
   /// Camera and pivot, by shares of the picture's width at the pivot.
   void pan(double right, double up);
-  /// Towards the pivot: 0.5 halves the distance. > 0.
+  /// Towards the pivot: 0.5 halves the distance, and what an orthographic camera sees across. > 0.
   void zoom(double factor);
-  /// Moves along its own direction until it sees all of a ball in a picture of that size.
+  /// Moves along its own direction until it sees all of a ball in a picture of that size; an orthographic one takes the
+  /// width that this needs.
   void frame(Vec3 const& center, double radius, Resolution const& size);
 
  private:
   void apply(Transform const& world_from_world);
+  /// Of an orthographic camera, in the picture that it is fitted to.
+  void set_width(double width);
 
   Camera camera_;
   double fov_x_degrees_;  // in the picture that it was made for
+  double width_;          // the same of an orthographic one
   Resolution made_for_;
   Vec3 pivot_;
 };

@@ -147,6 +147,12 @@ std::string planes() {
          "define camera eye 60\ntransform eye rotate -8 1 0 0\ntransform eye translate 0 1 9\n";
 }
 
+/// Of another camera, amid the shapes.
+std::string const parallel_view =
+    "define camera parallel 45 orthographic=8\ntransform parallel rotate -20 1 0 0\ntransform parallel rotate 30 0 1 "
+    "0\n"
+    "transform parallel translate 1 0.5 2\n";
+
 std::string const only_a_plane = materials + lights +
                                  "define shape plane floor 0 -1 0 0 1 0 mirror\n"
                                  "define background 0.3 0.4 0.6\ndefine camera eye 60\n";
@@ -193,6 +199,8 @@ std::vector<Variant> variants() {
       {"round glass", round_glass, {}, 12},
       {"planes", planes()},
       {"only a plane", only_a_plane},
+      {"orthographic", instances + parallel_view},
+      {"orthographic, mirrors", mirrors + parallel_view, grid},
       {"many lights", many_lights()},
       {"grid samples", instances, grid},
       {"seeded samples", instances, seeded},
@@ -203,7 +211,8 @@ std::vector<Variant> variants() {
 }
 
 RenderRequest request_of(Variant const& variant, Scene const& scene) {
-  RenderRequest request = whole_picture(scene.cameras.front(), size);
+  Camera const* const parallel = scene.cameras.find("parallel");
+  RenderRequest request = whole_picture(parallel ? *parallel : scene.cameras.front(), size);
   request.sampling = variant.sampling;
   request.max_depth = variant.depth;
   request.seed = 0x123456789abcdef;

@@ -17,6 +17,11 @@ struct PixelSample {
   device::uint x, y, sample, unused;
 };
 
+device::ProjectiveCamera pinhole(float4 const& origin, float4 const& corner, float4 const& step_x,
+                                 float4 const& step_y) {
+  return {origin, corner, step_x, step_y, {}, 0, {}};
+}
+
 /// A ray through a pixel of each frame.
 struct CameraRays {
   explicit CameraRays(std::size_t count) : frames(count), pixels(count), origins(count), directions(count) {
@@ -28,7 +33,7 @@ struct CameraRays {
   }
   /// Towards the middle of the pixel; of any length.
   Vec3 through_pixel(std::size_t i) const {
-    device::PinholeCamera const& camera = frames[i].camera;
+    device::ProjectiveCamera const& camera = frames[i].camera;
     return to_vec3(camera.corner) + (pixels[i].x + 0.5) * to_vec3(camera.step_x) +
            (pixels[i].y + 0.5) * to_vec3(camera.step_y);
   }
@@ -49,8 +54,8 @@ TEST_CASE("Camera rays go through the image point", "[kernel]") {
   CameraRays rays(count);
   for (std::size_t i = 0; i < count; ++i) {
     double const scale = std::pow(10., random.uniform(-6, 6));
-    rays.frames[i].camera = {to_float4(random.in_cube(1e6)), to_float4(random.in_cube(scale)),
-                             to_float4(random.in_cube(scale * 1e-3)), to_float4(random.in_cube(scale * 1e-3))};
+    rays.frames[i].camera = pinhole(to_float4(random.in_cube(1e6)), to_float4(random.in_cube(scale)),
+                                    to_float4(random.in_cube(scale * 1e-3)), to_float4(random.in_cube(scale * 1e-3)));
     rays.pixels[i] = {device::uint(random.index(4000)), device::uint(random.index(4000))};
   }
   rays.trace();
@@ -76,8 +81,8 @@ TEST_CASE("Rays through a lens spread over its disc and meet in focus", "[kernel
   std::size_t const count = scaled_count(20000);
   CameraRays rays(count);
   for (std::size_t i = 0; i < count; ++i) {
-    rays.frames[i].camera = {to_float4(random.in_cube(10)), to_float4({-0.4, 0.3, -1}), to_float4({0.001, 0, 0}),
-                             to_float4({0, -0.001, 0})};
+    rays.frames[i].camera = pinhole(to_float4(random.in_cube(10)), to_float4({-0.4, 0.3, -1}), to_float4({0.001, 0, 0}),
+                                    to_float4({0, -0.001, 0}));
     rays.frames[i].lens = {to_float4({0.2, 0, 0}), to_float4({0, 0.2, 0}), float(random.uniform(0.5, 5)), 1, {}};
     rays.frames[i].seed_low = device::uint(i);
     rays.pixels[i] = {device::uint(random.index(800)), device::uint(random.index(600))};
@@ -100,6 +105,41 @@ TEST_CASE("Rays through a lens spread over its disc and meet in focus", "[kernel
     for (double const quarter : half) CHECK(std::abs(quarter - 0.25 * double(count)) < 0.44 * deviation);
   }
   CHECK(std::abs(inner - 0.5 * double(count)) < 0.5 * deviation);
+}
+
+TEST_CASE("An orthographic camera's rays are parallel, begin in its plane, and meet in focus behind a lens",
+          "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  Random random(4);
+  std::size_t const count = scaled_count(20000);
+  CameraRays rays(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    Vec3 const direction = 3.0 * random.direction();
+    rays.frames[i].camera = {to_float4(random.in_cube(10)),
+                             to_float4(random.in_cube(4)),
+                             to_float4(random.in_cube(0.01)),
+                             to_float4(random.in_cube(0.01)),
+                             to_float4(direction),
+                             1,
+                             {}};
+    rays.frames[i].seed_low = device::uint(i);
+    if (i % 2 == 1) rays.frames[i].lens = {to_float4({0.2, 0, 0}), to_float4({0, 0.2, 0}), 1.5f, 1, {}};
+    rays.pixels[i] = {device::uint(random.index(800)), device::uint(random.index(600))};
+  }
+  rays.trace();
+  int moved = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    auto const& camera = rays.frames[i].camera;
+    bool const has_lens = rays.frames[i].lens.has_area != 0;
+    Vec3 const middle = to_vec3(camera.origin) + rays.through_pixel(i),
+               sharp = middle + 1.5 * to_vec3(camera.direction);
+    Vec3 const origin = to_vec3(rays.origins[i]), direction = to_vec3(rays.directions[i]);
+    Vec3 const expected = has_lens ? glm::normalize(sharp - origin) : glm::normalize(to_vec3(camera.direction));
+    moved += glm::distance(origin, middle) > 0.02;
+    if (glm::distance(direction, expected) > 1e-5) FAIL("ray " << i << " goes elsewhere");
+    if (glm::distance(origin, middle) > (has_lens ? 0.2 : 0) + 1e-5) FAIL("ray " << i << " begins elsewhere");
+  }
+  CHECK(moved > 0.98 * double(count) / 2);
 }
 
 TEST_CASE("Samples lie in the middles of the grid's cells, one in the centre", "[kernel]") {

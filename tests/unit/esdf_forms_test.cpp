@@ -217,6 +217,23 @@ TEST_CASE("a camera may have a lens", "[unit][esdf]") {
   CHECK(lens(" 1 2 3 0 0 -1 aperture=0.5 focus=7") == Lens{0.5, 7});
 }
 
+TEST_CASE("a camera may be orthographic, with a lens or without", "[unit][esdf]") {
+  auto const camera = [](std::string const& words) {
+    Scene const scene = scene_of("define camera eye 45" + words + "\ntransform eye scale 2\n");
+    return scene.cameras.front();
+  };
+  CHECK(!camera("").is_orthographic());
+  CHECK(camera(" orthographic=6").width() == 6);
+  CHECK(camera(" orthographic=6").lens() == Lens());
+  CHECK(camera(" 640 480 orthographic=0.5").resolution() == Resolution{640, 480});
+  CHECK(camera(" focus=7 orthographic=6 aperture=0.5").lens() == Lens{0.5, 7});
+  CHECK(camera(" focus=7 orthographic=6 aperture=0.5").width() == 6);
+  CHECK(camera(" 1 2 3 0 0 -1 orthographic=2").width() == 2);
+  // The width is in units of the camera's own frame.
+  Ray const ray = camera(" orthographic=6").generate_ray(0, 50, {100, 100});
+  CHECK(glm::distance(ray.origin, Vec3(-6, 0, 0)) < 1e-12);
+}
+
 TEST_CASE("lights of the dialects", "[unit][esdf]") {
   Scene const scene = scene_of(
       "define light bright 1 2 3 .5 .25 1 10\n"

@@ -72,6 +72,7 @@ TEST_CASE("strict mode refuses every dialect, which is accepted otherwise", "[un
                                  "render eye a.ppm 640 480 4",
                                  "define light diffuse lamp 0 0 0 1 1 1 radius=1",
                                  "define camera thick 45 aperture=0.1 focus=5",
+                                 "define camera parallel 45 orthographic=5",
                                  "render eye a.ppm 640 480 integrator=path",
                                  "render eye a.ppm 640 480 samples=4",
                                  "render eye a.ppm 640 480 depth=4",

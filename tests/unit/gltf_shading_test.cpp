@@ -38,6 +38,25 @@ TEST_CASE("cameras and lights stand where their nodes do", "[unit][gltf]") {
   CHECK(sun->get<DirectionalLight>()->direction == Vec3(0, 0, -1));
 }
 
+TEST_CASE("orthographic cameras look along parallel rays, and not behind themselves", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  writer.json["cameras"] = {
+      {{"type", "orthographic"}, {"orthographic", {{"xmag", 3}, {"ymag", -1.5}, {"znear", 0}, {"zfar", 9}}}},
+      {{"type", "orthographic"}, {"orthographic", {{"xmag", 1e308}, {"ymag", 1}, {"znear", 0}, {"zfar", 9}}}}};
+  writer.json["nodes"].push_back({{"name", "eye"}, {"camera", 0}, {"translation", {0, 0, 5}}, {"scale", {2, 2, 2}}});
+  writer.json["nodes"].push_back({{"name", "wide"}, {"camera", 1}});
+  Model const model = import_model(writer);
+  CHECK_THAT(messages(model), contains_text("/cameras/1"));
+  REQUIRE(model.scene.cameras.size() == 1);
+  Camera const& camera = model.scene.cameras.front();
+  CHECK(camera.width() == 6);
+  CHECK(camera.resolution() == Resolution{1440, 720});
+  Ray const corner = camera.fitted({200, 200}).generate_ray(0, 0, {200, 200});
+  CHECK(glm::distance(corner.origin, Vec3(-1.5, 1.5, 5)) < 1e-12);  // the height stays
+  CHECK(corner.direction == Vec3(0, 0, -1));
+}
+
 TEST_CASE("lights keep their fall-off, cones and proportions under one exposure", "[unit][gltf]") {
   GltfWriter writer;
   writer.add_mesh({-1, 0, 0, 1, 0, 0, 0, 0, 0});  // its middle is the origin; half its size is 1

@@ -57,6 +57,12 @@ TEST_CASE("a camera written as eSDF sees the same", "[unit][view]") {
     CHECK(scene.cameras.front().resolution() == size);
     CHECK(difference(scene.cameras.front(), camera) < 1e-9);
   }
+  for (Transform const& place : places) {
+    Camera const camera = Camera::orthographic("parallel", 4.5, place);
+    Scene const scene = EsdfScript::from_text(camera_as_esdf(camera, size), "camera", {}).take_scene();
+    REQUIRE(scene.cameras.front().is_orthographic());
+    CHECK(difference(scene.cameras.front(), camera) < 1e-9);
+  }
   Camera lens("eye", 45);
   lens.set_lens({0.25, 7.5});
   Scene const scene = EsdfScript::from_text(camera_as_esdf(lens, size), "camera", {}).take_scene();
@@ -122,4 +128,41 @@ TEST_CASE("a camera shows all that it showed in pictures of other proportions", 
   camera.fit_to(square);
   CHECK(difference(camera.camera(), start) == 0);
   CHECK(camera.camera().fov_x_degrees() == Approx(start.fov_x_degrees()));
+}
+
+TEST_CASE("an orthographic camera zooms by what it sees across", "[unit][view]") {
+  Transform const world_from_camera =
+      Transform::look_along({0, 0, 10}, {0, 0, -1}, {0, 1, 0}) * Transform::scaling(Vec3(2));
+  OrbitCamera camera(Camera::orthographic("eye", 6, world_from_camera), Vec3(0), size);
+  camera.zoom(0.5);
+  CHECK(camera.camera().width() == Approx(3));
+  CHECK(camera.distance() == Approx(5));
+  camera.zoom(2);
+  camera.pan(0.5, 0.25);
+  CHECK(glm::distance(eye_of(camera), Vec3(6, 3, 10)) < 1e-9);
+
+  // The ball touches the upper edge of a wide picture, the left edge of a high one.
+  for (Resolution const& picture : {Resolution{200, 100}, Resolution{100, 200}}) {
+    camera.fit_to(picture);
+    camera.frame({1, 2, 3}, 2, picture);
+    bool const is_wide = picture.width > picture.height;
+    Ray const ray =
+        is_wide ? camera.camera().generate_ray(100, 0, picture) : camera.camera().generate_ray(0, 100, picture);
+    CHECK(glm::length(glm::cross(Vec3(1, 2, 3) - ray.origin, ray.direction)) == Approx(2));
+    CHECK(glm::dot(Vec3(1, 2, 3) - ray.origin, ray.direction) > 2);
+  }
+}
+
+TEST_CASE("an orthographic camera shows all that it showed in pictures of other proportions", "[unit][view]") {
+  Camera const start = Camera::orthographic("eye", 6, Transform::translation({0, 0, 10}));
+  OrbitCamera camera(start, Vec3(0), {100, 100});
+  for (double const zoom : {1.0, 0.5}) {
+    camera.zoom(zoom);
+    camera.fit_to({300, 100});
+    CHECK(camera.camera().width() == Approx(18 * zoom));
+    camera.fit_to({100, 200});
+    CHECK(camera.camera().width() == Approx(6 * zoom));
+    camera.fit_to({100, 100});
+    CHECK(camera.camera().width() == Approx(6 * zoom));
+  }
 }

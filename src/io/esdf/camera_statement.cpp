@@ -7,7 +7,7 @@
 #include "io/esdf/keys.hpp"
 #include "io/esdf/statements.hpp"
 
-// define camera <name> <fov-x> [<x-res> <y-res>] [aperture=<diameter> focus=<distance>]
+// define camera <name> <fov-x> [<x-res> <y-res>] [aperture=<diameter> focus=<distance>] [orthographic=<width>]
 // Dialects: <fov> [eye], <fov> [eye] [dir], <fov> [eye] [dir] [up], <fov> <x-res> <y-res> [eye] [dir]
 
 namespace lichtraum::esdf {
@@ -18,6 +18,12 @@ Signature const camera_signature{
 
 constexpr std::string_view camera_usage =
     "define camera <name> <degrees> [<width> <height>] aperture=<diameter> focus=<distance>";
+
+/// What the keys of a camera say.
+struct CameraKeys {
+  Lens lens;
+  double width = 0;  ///< of an orthographic camera
+};
 
 Vec3 unit(Vec3 const& v) { return v / glm::length(v); }
 
@@ -62,12 +68,13 @@ std::optional<double> read_opening_angle(Interpreter& interpreter, Token token) 
   return std::nullopt;
 }
 
-/// Takes the keys off the end of a camera: its lens. Nothing, after a report, when that is none.
-std::optional<Lens> take_lens(Interpreter& interpreter, Statement& statement) {
-  Lens lens;
+/// Takes the keys off the end of a camera. Nothing, after a report, when they make no sense.
+std::optional<CameraKeys> take_keys(Interpreter& interpreter, Statement& statement) {
+  CameraKeys found;
+  bool has_focus = false;
   auto const& arguments = statement.arguments;
   std::size_t const words = first_key(statement, 1);
-  auto const reader = [&interpreter](std::string_view word, double& number) {
+  auto const read_positive = [&interpreter](std::string_view word, double& number) {
     return [&interpreter, &number, word](Token value) {
       auto const given = read_number(interpreter, value);
       if (!given) return false;
@@ -78,22 +85,23 @@ std::optional<Lens> take_lens(Interpreter& interpreter, Statement& statement) {
       return false;
     };
   };
-  std::array<Key, 2> const keys{Key{"aperture", reader("aperture", lens.aperture), true},
-                                Key{"focus", reader("focus", lens.focus_distance)}};
+  auto const read_focus = read_positive("focus", found.lens.focus_distance);
+  std::array<Key, 3> const keys{Key{"aperture", read_positive("aperture", found.lens.aperture), true},
+                                Key{"focus", [&](Token value) { return has_focus = true, read_focus(value); }},
+                                Key{"orthographic", read_positive("orthographic", found.width), true}};
   if (!read_keys(interpreter, statement, words, keys, std::string(camera_usage))) return std::nullopt;
-  std::size_t const count = arguments.size() - words;
-  if (count == 1) {
+  if (has_focus != (found.lens.aperture > 0)) {
     interpreter.error(Code::incomplete_lens, arguments[words],
                       "camera: a lens has both, aperture= and focus=", std::string(camera_usage));
     return std::nullopt;
   }
   statement.arguments = arguments.first(words);
-  return lens;
+  return found;
 }
 
 bool read_camera(Interpreter& interpreter, Statement statement) {
-  auto const lens = take_lens(interpreter, statement);
-  if (!lens) return false;
+  auto const keys = take_keys(interpreter, statement);
+  if (!keys) return false;
   std::size_t const numbers = statement.size() - (statement.size() > 0 ? 1 : 0);
   bool const has_resolution = numbers == 3 || numbers == 9;
   bool const is_dialect = numbers == 4 || numbers == 7 || numbers == 9 || numbers == 10;
@@ -116,8 +124,10 @@ bool read_camera(Interpreter& interpreter, Statement statement) {
     good &= frame.has_value();
   }
   if (!good) return false;
-  Camera camera{std::string(statement[0]), *fov, *frame, resolution};
-  camera.set_lens(*lens);
+  std::string const name(statement[0]);
+  Camera camera = keys->width > 0 ? Camera::orthographic(name, keys->width, *frame, resolution)
+                                  : Camera(name, *fov, *frame, resolution);
+  camera.set_lens(keys->lens);
   interpreter.define(statement[0], std::move(camera));
   return true;
 }

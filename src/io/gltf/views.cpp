@@ -40,13 +40,11 @@ std::optional<Camera> make_camera(tinygltf::Camera const& source, std::string na
     auto const& lens = source.orthographic;
     double const half_width = std::abs(lens.xmag);
     double const half_height = std::abs(lens.ymag);
-    if (!(half_width > 0 && half_height > 0 && std::isfinite(half_width) && std::isfinite(half_height))) return {};
-    // Seen from very far away, rays are as good as parallel.
-    double const distance = 200 * std::max(half_width, half_height);
-    double const fov = 2 * atan2_of(half_width, distance);
-    Camera camera(std::move(name), glm::degrees(fov), world_from_camera * Transform::translation({0, 0, distance}),
-                  resolution_for(half_width / half_height));
-    camera.set_fit({CameraFit::Side::height, glm::degrees(2 * atan2_of(half_height, distance)), {}});
+    if (!(half_width > 0 && half_height > 0 && std::isfinite(2 * half_width) && std::isfinite(2 * half_height)))
+      return {};
+    Camera camera = Camera::orthographic(std::move(name), 2 * half_width, world_from_camera,
+                                         resolution_for(half_width / half_height));
+    camera.set_fit({CameraFit::Side::height, 0, {}, 2 * half_height});
     return camera;
   }
   auto const& lens = source.perspective;

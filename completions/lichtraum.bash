@@ -62,7 +62,7 @@ _lichtraum() {
   fi
 
   if [[ $current == -* ]]; then
-    local options=$general view='--eye --look-at --up --orbit --fov-x --fov-y --aperture --focus'
+    local options=$general view='--eye --look-at --up --orbit --fov-x --fov-y --orthographic --aperture --focus'
     case ${COMP_WORDS[1]} in
       render | check)
         options+=" $language --format-in -o --output --format --output-dir --bits --quality --ppm-ascii --json --size --region"

@@ -73,6 +73,7 @@ complete -c lichtraum -n $seen -l up -x -a '0,1,0 0,0,1' -d 'What is up for the 
 complete -c lichtraum -n $seen -l orbit -x -a '35,20 0,0 90,0 0,90' -d 'Where the camera stands: azimuth, elevation, distance'
 complete -c lichtraum -n $seen -l fov-x -x -a '25 45 60' -d 'Opening angle across the picture'
 complete -c lichtraum -n $seen -l fov-y -x -a '25 45 60' -d 'Opening angle from top to bottom'
+complete -c lichtraum -n $seen -l orthographic -d 'Parallel rays, as in a plan'
 complete -c lichtraum -n $seen -l aperture -x -d 'Diameter of the lens'
 complete -c lichtraum -n $seen -l focus -x -d 'What is sharp: a distance, or X,Y,Z'
 complete -c lichtraum -n $seen -l root -x -d 'Draw this shape only'

@@ -43,6 +43,9 @@ struct JobView {
   std::optional<double> fov_x_degrees;  ///< 0 < fov < 180
   std::optional<double> fov_y_degrees;  ///< the same; not with `fov_x_degrees`
   std::optional<Orbit> orbit;
+  /// Makes the camera's rays parallel: it sees as much across as it did at the distance of what is looked at, or, where
+  /// it frames that, just all of it.
+  bool orthographic = false;
   /// What is sharp: a distance along the view, in units of the world, or a point.
   using Focus = std::variant<double, Vec3>;
   std::optional<double> aperture;  ///< of the lens, see lichtraum::Lens

@@ -32,6 +32,7 @@ class RenderOptions(TypedDict, total=False):
     orbit: Numbers | str | None  #: azimuth, elevation in degrees, and a distance or none
     fov_x: float | str | None  #: degrees
     fov_y: float | str | None
+    orthographic: bool | None  #: rays are parallel
     aperture: float | str | None  #: diameter of the lens
     focus: float | Numbers | str | None  #: distance, or a point
     root: str | None  #: only this shape and what is below it
@@ -67,7 +68,7 @@ class RenderOptions(TypedDict, total=False):
     point_size: float | str | None
 
 
-FLAGS = frozenset({"strict", "keep_going", "both_sides"})
+FLAGS = frozenset({"strict", "keep_going", "both_sides", "orthographic"})
 #: Those that say how a file is read.
 READING = (
     "time", "animation", "scene", "variant", "max_texture", "point_size", "both_sides", "strict",

@@ -41,6 +41,10 @@ void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string
             group);
   add_value(parser, "--fov-x", view.fov_x_degrees, parse_fov, "DEG", "Its opening angle across the picture", group);
   add_value(parser, "--fov-y", view.fov_y_degrees, parse_fov, "DEG", "The same from top to bottom", group);
+  parser
+      .add_flag("--orthographic", view.orthographic,
+                "Parallel rays: nothing looks smaller for being\nfar away, as in a plan")
+      ->group(group);
   add_value(parser, "--aperture", view.aperture, parse_aperture, "D",
             "Diameter of its lens, which blurs what is out of\nfocus (default: 0, all is sharp)", group);
   add_value(parser, "--focus", view.focus, parse_focus, "D|X,Y,Z",

@@ -166,6 +166,7 @@ constexpr auto view_fields = [](auto& view, auto&& field) {
   field("fov_x_degrees", view.fov_x_degrees, number_between(0, 180, "degrees"));
   field("fov_y_degrees", view.fov_y_degrees, number_between(0, 180, "degrees"));
   field("orbit", view.orbit, Object{orbit_fields});
+  field("orthographic", view.orthographic, Flag{});
   field("aperture", view.aperture, Number{0, std::numeric_limits<double>::max(), "a number of at least 0"});
   field("focus", view.focus, FocusValue{});
 };

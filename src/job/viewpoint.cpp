@@ -57,10 +57,32 @@ Bounds subject_of(Camera const& camera, Job const& job, Scene const& scene) {
 }
 
 CameraFit fit_of(Camera const& camera, JobView const& view) {
-  CameraFit fit = camera.fit().value_or(CameraFit{CameraFit::Side::width, camera.fov_x_degrees(), {}});
+  CameraFit fit = camera.fit().value_or(CameraFit{CameraFit::Side::width, camera.fov_x_degrees(), {}, camera.width()});
   if (view.fov_x_degrees) fit = {CameraFit::Side::width, *view.fov_x_degrees, fit.framed};
   if (view.fov_y_degrees) fit = {CameraFit::Side::height, *view.fov_y_degrees, fit.framed};
   return fit;
+}
+
+/// What a camera that stands where it will looks at.
+Vec3 looked_at(Camera const& camera, Job const& job, Scene const& scene) {
+  return job.view.look_at ? *job.view.look_at : subject_of(camera, job, scene).center();
+}
+
+/// How far the point lies before the camera, along its axis in units of the world; negative: behind it.
+double distance_ahead(Camera const& camera, Vec3 const& point) {
+  Transform const& world_from_camera = camera.world_from_camera();
+  return glm::dot(point - world_from_camera.point(Vec3(0)), glm::normalize(world_from_camera.vector({0, 0, -1})));
+}
+
+/// How long the side that `fit` keeps is where the camera, which stands where it will, looks: in its own frame.
+double extent_of(Camera const& camera, CameraFit const& fit, Job const& job, Scene const& scene) {
+  if (fit.framed) return 1;  // it takes what it needs
+  double const ahead = distance_ahead(camera, looked_at(camera, job, scene));
+  require(ahead > 0,
+          "--orthographic: the middle of what is in view is not before the camera: --look-at says what the "
+          "picture is to be as wide as");
+  double const unit_length = glm::length(camera.world_from_camera().vector({0, 0, -1}));
+  return Camera("", fit.fov_degrees).width_at(ahead / unit_length);
 }
 
 /// Of a camera that stands where it will.
@@ -75,12 +97,8 @@ Lens lens_of(Camera const& camera, Job const& job, Scene const& scene) {
   auto const* const distance = view.focus ? std::get_if<double>(&*view.focus) : nullptr;
   if (distance) lens.focus_distance = *distance;
   if (distance || (has_focus && !view.focus)) return lens;
-  Vec3 const point = view.focus     ? std::get<Vec3>(*view.focus)
-                     : view.look_at ? *view.look_at
-                                    : subject_of(camera, job, scene).center();
-  Transform const& world_from_camera = camera.world_from_camera();
-  Vec3 const eye = world_from_camera.point(Vec3(0));
-  double const ahead = glm::dot(point - eye, glm::normalize(world_from_camera.vector({0, 0, -1})));
+  Vec3 const point = view.focus ? std::get<Vec3>(*view.focus) : looked_at(camera, job, scene);
+  double const ahead = distance_ahead(camera, point);
   require(ahead > 0, view.focus ? fmt::format("--focus {} is not before the camera", text_of(point))
                                 : "--aperture: the middle of what is in view is not before the camera: --focus "
                                   "says at what distance the picture is sharp");
@@ -126,6 +144,7 @@ Camera viewpoint(Camera camera, Job const& job, Scene const& scene, Resolution c
   CameraFit fit = fit_of(camera, view);
   auto const fitted = [&] {
     if (fit.framed && job.turn_degrees) fit.framed->turn_axis = up;
+    if (view.orthographic && fit.extent == 0) fit.extent = extent_of(camera, fit, job, scene);
     camera.set_fit(fit);
     return camera.fitted(size);
   };

@@ -42,6 +42,7 @@ class RandomJobs {
     maybe([&] { job.view.up = point(); });
     maybe([&] { job.view.fov_x_degrees = std::ldexp(179.0, -whole(0, 1000)); });
     maybe([&] { job.view.fov_y_degrees = 179.99; });
+    maybe([&] { job.view.orthographic = true; });
     maybe([&] { job.view.orbit = JobView::Orbit{real(), -90, {}}; });
     maybe([&] { job.view.orbit = JobView::Orbit{real(), 12.5, 1 + std::abs(real())}; });
     maybe([&] { job.view.aperture = std::abs(real()); });
@@ -146,7 +147,7 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
          "environment": {"source": "studio", "rotation_degrees": -90, "brightness": 0.5},
          "allowed_paths": ["/tmp"], "picture": 3, "camera": "eye",
          "view": {"eye": [1, 2, 3], "look_at": [4, 5, 6], "up": [0, 0, 1], "fov_x_degrees": 30, "fov_y_degrees": 20,
-         "orbit": {"azimuth_degrees": 35, "elevation_degrees": 20, "distance": 9},
+         "orbit": {"azimuth_degrees": 35, "elevation_degrees": 20, "distance": 9}, "orthographic": true,
          "aperture": 0.5, "focus": [7, 8, 9]}, "root": "robot", "turn_degrees": 30,
          "size": [640, 480], "region": [1, 2, 3, 4], "integrator": "path", "sampling": {"pattern": "grid", "count": 16},
          "noise": 0.25, "max_indirect": 8, "ground": "glossy",
@@ -163,7 +164,8 @@ TEST_CASE("the keys of a job are called so for good", "[unit][job]") {
   wanted.reading.allowed_paths = {"/tmp"};
   wanted.picture = 3;
   wanted.camera = "eye";
-  wanted.view = {Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(0, 0, 1), 30, 20, JobView::Orbit{35, 20, 9}, 0.5, Vec3(7, 8, 9)};
+  wanted.view = {Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(0, 0, 1), 30, 20, JobView::Orbit{35, 20, 9},
+                 true,          0.5,           Vec3(7, 8, 9)};
   wanted.root = "robot";
   wanted.turn_degrees = 30;
   wanted.size = Resolution{640, 480};

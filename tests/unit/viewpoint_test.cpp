@@ -49,7 +49,7 @@ struct View {
   std::optional<Vec3> eye{}, look_at{}, up{};
   std::optional<double> fov_x_degrees{}, fov_y_degrees{};
   std::optional<JobView::Orbit> orbit{};
-  JobView view() const { return {eye, look_at, up, fov_x_degrees, fov_y_degrees, orbit, {}, {}}; }
+  JobView view() const { return {eye, look_at, up, fov_x_degrees, fov_y_degrees, orbit, false, {}, {}}; }
 };
 
 Camera seen_from(View const& view, Scene const& scene = ball_scene()) {
@@ -165,6 +165,45 @@ TEST_CASE("a job may put the camera anywhere", "[unit][view]") {
   CHECK(seen_from({.fov_x_degrees = 70}).fov_x_degrees() == 70);
   CHECK(std::tan(glm::radians(seen_from({.fov_y_degrees = 60}).fov_x_degrees()) / 2) ==
         Approx(4.0 / 3 * std::tan(glm::radians(30.0))));
+}
+
+TEST_CASE("parallel rays show as much as the camera saw of what it looks at", "[unit][view]") {
+  auto const seen = [](JobView view, std::string const& camera = "define camera eye 90\n") {
+    view.orthographic = true;
+    Job job;
+    job.view = view;
+    std::string const ball = "define material red 1 0 0 1 0 0 0 0 0 1\ndefine shape sphere ball 0 0 -5 1 red\n";
+    return request_of(job, EsdfScript::from_text(camera + ball, "test", {}).take_scene()).camera;
+  };
+  Camera const camera = seen({});
+  CHECK(camera.is_orthographic());
+  CHECK(camera.width() == Approx(10).epsilon(1e-6));  // the ball's middle is 5 away
+  CHECK(eye_of(camera) == Vec3(0));
+  JobView view;
+  view.eye = Vec3(0, 0, 1);
+  view.look_at = Vec3(0, 0, -3);
+  CHECK(seen(view).width() == Approx(8));
+  view.fov_y_degrees = 90;
+  CHECK(seen(view).width() == Approx(8 * 4 / 3.0));
+  CHECK(seen({}, "define camera eye 90\ntransform eye scale 2\n").width() == Approx(5).epsilon(1e-6));  // own units
+  CHECK(seen({}, "define camera eye 90 orthographic=3\n").width() == 3);
+  // An orthographic camera with an opening angle is none.
+  JobView angle;
+  angle.fov_x_degrees = 60;
+  Scene const scene = EsdfScript::from_text("define camera eye 90 orthographic=3\n", "test", {}).take_scene();
+  Job job;
+  job.view = angle;
+  CHECK(request_of(job, scene).camera.fov_x_degrees() == 60);
+  // From where it sees all of the ball: just that.
+  JobView around;
+  around.orbit = JobView::Orbit{30, 20, {}};
+  CHECK(seen(around).width() > 2 * 4 / 3.0);
+  CHECK(seen(around).width() < 5);
+  CHECK(glm::distance(eye_of(seen(around)), Vec3(0, 0, -5)) > 2);
+  around.orbit->distance = 4;
+  CHECK(seen(around).width() == Approx(8));
+  CHECK_THROWS_WITH(seen({}, "define camera eye 90\ntransform eye translate 0 0 -9\n"),
+                    contains_text("--orthographic: the middle of what is in view is not before the camera"));
 }
 
 TEST_CASE("a lens is focused on what is looked at, or what is said", "[unit][view]") {

@@ -47,9 +47,17 @@ Light placed(Light const& light, Vec3 const& point, ReferenceRandom& random) {
   return {light.name(), moved};
 }
 
-/// What the surface reflects of lights that no ray would meet.
+/// The solid in which light is that leaves a surface in this direction, where the path that met it was in `entered`.
+PbrModel const* solid_towards(ReferenceScatteringPoint const& point, PbrModel const* entered, Vec3 const& direction) {
+  bool const crosses = point.solid && glm::dot(point.geometric_normal, direction) < 0;
+  if (!crosses) return entered;
+  return point.from_outside ? point.solid : nullptr;
+}
+
+/// What the surface reflects of lights that no ray would meet, of a path that was in `entered`.
 Rgb light_of_lamps(ReferenceScene const& scene, ReferenceScatteringPoint const& point,
-                   ReferenceScattering const& scattering, ReferenceRandom& random, RayCounts& counts) {
+                   ReferenceScattering const& scattering, PbrModel const* entered, ReferenceRandom& random,
+                   RayCounts& counts) {
   Rgb radiance(0);
   for (Light const& lamp : scene.lights) {
     Light const light = placed(lamp, point.position, random);
@@ -63,7 +71,10 @@ Rgb light_of_lamps(ReferenceScene const& scene, ReferenceScatteringPoint const& 
     ++counts.shadow;
     double const t_max =
         light.position() ? glm::length(way) * (1 - reference_ray_epsilon) : std::numeric_limits<double>::infinity();
-    radiance += reflected * visibility(scene, point.leave(to_light), t_max);
+    PbrModel const* const solid = solid_towards(point, entered, to_light);
+    double const way_in_solid = std::min(t_max, std::numeric_limits<double>::max());
+    Rgb const left = solid ? attenuation(*solid, way_in_solid) : Rgb(1);
+    radiance += left * reflected * visibility(scene, point.leave(to_light), t_max);
   }
   return radiance;
 }
@@ -164,14 +175,13 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
     if (is_ground) thrown_share = Rgb(1) / glm::max(point.bsdf.diffuse, Rgb(1));
     auto const scattering = point.scattering();
     bool const is_gloss = mirrored && is_ground;
-    if (!is_gloss) add(throughput * light_of_lamps(scene, point, scattering, random, counts), depth > 0);
+    if (!is_gloss) add(throughput * light_of_lamps(scene, point, scattering, entered, random, counts), depth > 0);
     if (depth == request.max_depth) return sample;
     auto const next = choose_continuation(scattering, point.normal, random);
     throughput *= next.weight;
     if (throughput == Rgb(0) || !point.is_consistent(next.direction)) return sample;
     ray = point.leave(next.direction);
-    bool const gets_through = glm::dot(point.geometric_normal, next.direction) < 0;
-    if (gets_through && point.solid) entered = point.from_outside ? point.solid : nullptr;
+    entered = solid_towards(point, entered, next.direction);
     sees_background = next.is_mirror_or_glass;
     ++depth;
   }

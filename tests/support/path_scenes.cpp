@@ -144,6 +144,33 @@ PathScene rough_glass() {
   return {"rough glass", std::move(scene), 3};
 }
 
+/// Lamps within bodies that absorb: of one that bends no light, and of a rough one.
+PathScene lamps_in_solids() {
+  Scene scene = scene_of(std::string(things) + R"(
+define shape box body  -2 -1.1 -1.5  0.8 1.6 1.5 a
+define shape box table -1.8 -1 -1.3  0.6 -0.8 1.3 floor
+define shape sphere matt -1.1 -0.3 0 0.45 b
+define shape sphere bulb -0.2 0.7 0 0.35 d
+define shape sphere rough 1.8 0.2 0 0.8 c
+define shape sphere within 1.8 0.2 0 0.3 d
+define light diffuse key -0.9 1.2 0.6  0.3 0.3 0.25 radius=0.2
+define light ambient sky 0.1 0.15 0.2
+)");
+  PbrModel solid = pbr(Rgb(1), 0, 0);
+  solid.transmission = 1;
+  solid.thickness = 1;
+  solid.ior = 1;
+  solid.attenuation_color = {0.3, 0.5, 0.8};
+  solid.attenuation_distance = 1;
+  set_material(scene, "a", solid);
+  solid.roughness = 0.9;
+  solid.ior = 1.4;
+  solid.attenuation_distance = 0.4;
+  set_material(scene, "c", solid);
+  let_shine(scene, "d", {3, 2.5, 2});
+  return {"lamps in solids", std::move(scene), 4};
+}
+
 PathScene coats() {
   Scene scene = scene_of(four_balls + R"(
 define light diffuse key -4 5 5  0.5 0.5 0.5
@@ -445,6 +472,7 @@ std::vector<PathScene> path_scenes() {
   scenes.push_back(metal_and_rough("metal and rough, uniform environment", around(uniform_environment(0.8f, 0.9f, 1))));
   scenes.push_back(metal_and_rough("metal and rough, window", window_environment()));
   scenes.push_back(rough_glass());
+  scenes.push_back(lamps_in_solids());
   scenes.push_back(coats());
   scenes.push_back(coated_lamps());
   scenes.push_back(smooth());

@@ -164,7 +164,7 @@ class Renderer {
                                                     SceneEdits const& edits) const = 0;
 
   /// Makes a scene that this renderer prepared the one to draw. Throws Error{no_device} with the numbers when it does
-  /// not fit the device.
+  /// not fit the device; then the one before stays.
   virtual SceneStatistics set_scene(std::shared_ptr<PreparedScene const> scene) = 0;
   /// Both in one.
   SceneStatistics set_scene(Scene const& scene, std::string_view root = {}) { return set_scene(prepare(scene, root)); }

@@ -52,6 +52,23 @@ cl::Buffer buffer_over(cl::Context const& context, cl_mem_flags flags, Array con
                     const_cast<Element*>(data.data()));
 }
 
+/// What all arrays take there. Throws Error{no_device} where they do not fit.
+std::uint64_t bytes_on(DeviceInfo const& device, SceneBuffers const& scene, ShadingTables const& tables) {
+  std::uint64_t largest = 0, sum = 0;
+  auto const add = [&](auto const& data) {
+    std::uint64_t const bytes = data.size() * sizeof(data[0]);
+    largest = std::max(largest, bytes);
+    sum += bytes;
+  };
+  for_each_array(scene, add);
+  for_each_array(tables, add);
+  if (sum <= device.global_memory_bytes && largest <= device.max_allocation_bytes) return sum;
+  throw Error(ErrorKind::no_device,
+              fmt::format("the scene needs {} bytes on the device, {} of them in one buffer; {} has {} bytes and takes "
+                          "at most {} in one buffer. Try another --device, or --device reference.",
+                          sum, largest, device.name, device.global_memory_bytes, device.max_allocation_bytes));
+}
+
 }  // namespace
 
 struct TileTracer::State {
@@ -85,24 +102,6 @@ struct TileTracer::State {
   cl::Buffer rays_buffer;
   cl::Kernel kernel;
   cl_uint arguments_before = 0;  // the scene's
-
-  void check_size() {
-    std::uint64_t largest = 0;
-    device_bytes = 0;
-    auto const add = [&](auto const& data) {
-      std::uint64_t const bytes = data.size() * sizeof(data[0]);
-      largest = std::max(largest, bytes);
-      device_bytes += bytes;
-    };
-    for_each_array(*scene, add);
-    for_each_array(*tables, add);
-    if (device_bytes <= info.global_memory_bytes && largest <= info.max_allocation_bytes) return;
-    throw Error(
-        ErrorKind::no_device,
-        fmt::format("the scene needs {} bytes on the device, {} of them in one buffer; {} has {} bytes and takes "
-                    "at most {} in one buffer. Try another --device, or --device reference.",
-                    device_bytes, largest, info.name, info.global_memory_bytes, info.max_allocation_bytes));
-  }
 
   /// A plane of the film that is traced, as a kernel's argument.
   template <class Value>
@@ -175,11 +174,13 @@ TileTracer::~TileTracer() = default;
 void TileTracer::upload(std::shared_ptr<SceneBuffers const> scene, std::shared_ptr<ShadingTables const> tables) {
   bool const has_scene = state_->is_uploaded && scene == state_->scene;
   if (has_scene && tables == state_->tables) return;
+  std::uint64_t const device_bytes = bytes_on(state_->info, *scene, *tables);
   state_->is_uploaded = false;
   bool const has_environment = has_scene && tables->environment_table == state_->tables->environment_table;
-  state_->scene = std::move(scene);
-  state_->tables.swap(tables);  // the old ones go when no buffer uses them any longer
-  state_->check_size();
+  // The old ones go when no buffer uses them any longer.
+  state_->scene.swap(scene);
+  state_->tables.swap(tables);
+  state_->device_bytes = device_bytes;
   checked([&] {
     auto const add_to = [&](std::vector<cl::Buffer>& buffers) {
       buffers.clear();
@@ -197,6 +198,7 @@ std::uint64_t TileTracer::device_bytes() const { return state_->device_bytes; }
 
 void TileTracer::begin_frame(device::FrameParameters const& frame, Integrator integrator, Film& film) {
   State& state = *state_;
+  if (!state.is_uploaded) throw Error(ErrorKind::no_device, "the scene is not on the device, which did not take it");
   PlaneSet const& planes = film.planes();
   state.frame.assign(1, frame);
   checked(state.queue, [&] {

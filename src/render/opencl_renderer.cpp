@@ -157,11 +157,11 @@ class OpenClRenderer final : public Renderer {
   }
 
   SceneStatistics set_scene(std::shared_ptr<PreparedScene const> scene) override {
-    compiled(scene);
-    scene_ = std::static_pointer_cast<CompiledScene const>(std::move(scene));
-    SceneStatistics statistics = scene_->statistics;
+    CompiledScene const& next = compiled(scene);
+    SceneStatistics statistics = next.statistics;
     auto const start = Clock::now();
-    tracer_.upload(scene_->buffers, scene_->tables);
+    tracer_.upload(next.buffers, next.tables);
+    scene_ = std::static_pointer_cast<CompiledScene const>(std::move(scene));
     statistics.upload_ms = 1e3 * seconds_since(start);
     statistics.device_bytes = tracer_.device_bytes();
     return statistics;

@@ -153,3 +153,32 @@ TEST_CASE("without a scene there is nothing to draw", "[image]") {
   Film film;
   CHECK_THROWS_AS(renderer->render(whole_picture(Camera(), size), film), Error);
 }
+
+TEST_CASE("a scene that does not fit the device leaves the one before", "[image]") {
+  REQUIRE_OPENCL_DEVICE();
+  DeviceInfo small_device = opencl_devices().front();
+  small_device.max_allocation_bytes = 100'000;
+  auto const renderer = make_renderer(small_device);
+  auto const spheres = [](int count) {
+    std::string text =
+        "define camera eye 45\ndefine material m 1 1 1  1 1 1  0 0 0  1\ndefine light ambient sky 1 1 1\n";
+    for (int i = 0; i < count; ++i) {
+      text += "define shape sphere s" + std::to_string(i) + " " + std::to_string(i % 9 - 4) + " 0 -30 0.5 m\n";
+    }
+    return scene_of(text);
+  };
+  Scene const few = spheres(9);
+  RenderRequest const request = whole_picture(few.cameras.front(), {64, 48});
+  auto const draw = [&] {
+    Film film;
+    CHECK(renderer->render(request, film).statistics.rays.camera_hits > 0);
+    auto const radiance = film.floats(FilmPlane::radiance);
+    return std::vector<float>(radiance.begin(), radiance.end());
+  };
+  renderer->set_scene(few);
+  auto const before = draw();
+  CHECK_THROWS_AS(renderer->set_scene(spheres(20'000)), Error);
+  CHECK(draw() == before);
+  renderer->set_scene(few);
+  CHECK(draw() == before);
+}

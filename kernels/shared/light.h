@@ -24,7 +24,8 @@ typedef struct {
 } PunctualLight;
 DEVICE_STRUCT_SIZE(PunctualLight, 60);
 
-/* A triangle that shines, once for each instance of it: corner + u * edges[0] + v * edges[1]. */
+/* A triangle that shines, once for each instance of it: corner + u * edges[0] + v * edges[1]. They are in an order that
+ * does not depend on the layout of the hierarchy. */
 typedef struct {
   float corner[3];   /* world */
   float edges[2][3]; /* world */

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "accel/primitive_bounds.hpp"
 #include "compile/light_choice.hpp"
 #include "scene/device_conversion.hpp"
 
@@ -42,10 +43,10 @@ void for_each_triangle(SceneBuffers const& scene, CompiledObject const& object, 
 template <class F>
 void for_each_sphere(SceneBuffers const& scene, CompiledObject const& object, F const& f) {
   if (scene.layout == TreeLayout::binary) {
-    auto const& [first, count] = object.ranges[PRIMITIVE_SPHERE];
-    for (std::size_t i = first; i < first + count; ++i) {
-      auto const& [c, radius, tag] = scene.spheres[i];
-      f(device::uint(i), Vec3(c[0], c[1], c[2]), double(radius), tag.material);
+    for (auto const& reference : std::span(scene.references).subspan(object.first_leaf, object.leaf_count)) {
+      if (reference.kind != PRIMITIVE_SPHERE) continue;
+      auto const& [c, radius, tag] = scene.spheres[reference.index];
+      f(reference.index, Vec3(c[0], c[1], c[2]), double(radius), tag.material);
     }
     return;
   }
@@ -109,14 +110,14 @@ class Finder {
     auto const& ellipsoids = object.ranges[PRIMITIVE_ELLIPSOID];
     for (std::size_t i = ellipsoids.first; i < ellipsoids.first + ellipsoids.count; ++i) {
       auto const& [unit_from_object, tag, padding] = scene_.ellipsoids[i];
-      if (!is_lamp_[tag.material]) continue;
+      if (!is_lamp_[tag.material] || !bounds_of(scene_.ellipsoids[i]).is_finite()) continue;
       add_ball(world_from_object * host_transform(unit_from_object).inverse(),
                {instance, PRIMITIVE_ELLIPSOID, device::uint(i), tag.material});
     }
     auto const& boxes = object.ranges[PRIMITIVE_BOX];
     for (std::size_t i = boxes.first; i < boxes.first + boxes.count; ++i) {
       device::BoxPrimitive const& box = scene_.boxes[i];
-      if (!is_lamp_[box.tag.material]) continue;
+      if (!is_lamp_[box.tag.material] || !bounds_of(box).is_finite()) continue;
       Transform const world_from_box = world_from_object * host_transform(box.box_from_object).inverse();
       HalfBox const half = half_box(box);
       Mat3 axes(0);
@@ -133,6 +134,13 @@ class Finder {
   void finish() {
     if (scene_.emissive_triangles.size() > most_emissive) scene_.emissive_triangles = {};
     if (scene_.emissive_solids.size() > most_emissive) scene_.emissive_solids = {};
+    // By what they are, as leaves of the hierarchy are in another order in each layout, and paths would find other
+    // noise.
+    std::ranges::sort(scene_.emissive_triangles, {}, [](device::EmissiveTriangle const& triangle) {
+      auto const& [corner, edges, index, material] = triangle;
+      return std::tuple(material, corner[0], corner[1], corner[2], edges[0][0], edges[0][1], edges[0][2], edges[1][0],
+                        edges[1][1], edges[1][2]);
+    });
     std::ranges::sort(scene_.emissive_solids, {}, [](device::EmissiveSolid const& solid) {
       return std::tuple(solid.instance, solid.kind, solid.index);
     });
@@ -176,6 +184,8 @@ void find_emissive_shapes(SceneBuffers& scene, std::vector<CompiledObject> const
   finder.add(world, Transform(), no_instance);
   for (std::size_t i = 0; i < scene.flat_instances.size(); ++i) {
     FlatInstance const& instance = instances[scene.flat_instances[i]];
+    // What is too large for the device is not drawn.
+    if (!map_bounds(instance.world_from_object, objects[instance.object].bounds).is_finite()) continue;
     finder.add(objects[instance.object], instance.world_from_object, device::uint(i));
   }
   finder.finish();

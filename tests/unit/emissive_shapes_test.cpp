@@ -2,7 +2,10 @@
 
 #include "compile/emissive_shapes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <vector>
 
 #include "scene/flatten.hpp"
 #include "support/catch.hpp"
@@ -131,4 +134,48 @@ define shape triangle sheet 0 5 0  2 5 0  0 5 2 lamp
   }
   CHECK(solid(2).kind == PRIMITIVE_BOX);
   CHECK(std::abs(chances[4] - surfaces[4] / sum) < 1e-5);
+}
+
+TEST_CASE("Triangles that shine are the same lamps in every layout", "[light]") {
+  std::string text = materials;
+  for (int i = 0; i < 50; ++i) {
+    int const x = 37 * i % 50;
+    text += fmt::format("define shape triangle t{0} {1} {2} 0  {3} {2} 0  {1} {4} {0} lamp\n", i, x, x % 7, x + 1,
+                        x % 7 + 1);
+  }
+  auto const lamps = [&](TreeLayout layout) {
+    std::vector<float> numbers;
+    for (device::EmissiveTriangle const& lamp : compiled(text, layout).emissive_triangles) {
+      numbers.insert(numbers.end(), lamp.corner, lamp.corner + 3);
+      for (auto const& edge : lamp.edges) numbers.insert(numbers.end(), edge, edge + 3);
+    }
+    return numbers;
+  };
+  CHECK(lamps(TreeLayout::wide).size() == 50 * 9);
+  CHECK(lamps(TreeLayout::wide) == lamps(TreeLayout::binary));
+}
+
+TEST_CASE("What is too large to be drawn is no lamp, and takes no light from others", "[light]") {
+  std::string text = std::string(materials) + "define shape sphere huge 0 3e18 0 2e18 lamp\n";
+  std::string children;
+  for (int i = 0; i < 12; ++i) {  // so many that they are not baked
+    text += fmt::format("define shape triangle t{0} {0} 0 0  {0} 1 0  {0} 0 1 lamp\n", i);
+    text += fmt::format("define shape sphere s{0} {0} 0 4 0.5 lamp\ntransform s{0} scale 1 2 1\n", i);
+    children += fmt::format(" t{0} s{0}", i);
+  }
+  text += "define shape composite group" + children +
+          "\ndefine shape composite near group\ndefine shape composite far group\n"
+          "transform far scale 1e20\ntransform far scale 1e20\n";
+  for (TreeLayout const layout : {TreeLayout::wide, TreeLayout::binary}) {
+    SceneBuffers const scene = compiled(text, layout);
+    CHECK(scene.emissive_triangles.size() == 12);
+    CHECK(scene.emissive_solids.size() == 12);
+    REQUIRE(scene.shading.light_probabilities.size() == 25);
+    double sum = 0;
+    for (float const probability : scene.shading.light_probabilities) {
+      CHECK(probability <= 0.2f);
+      sum += probability;
+    }
+    CHECK(sum == Approx(1).epsilon(1e-5));
+  }
 }

@@ -245,6 +245,7 @@ define shape triangle veil2 -1.5 -1 0.9  0.5 -1 0.9  -0.5 1 0.9 a
 define shape triangle back 0.2 -0.8 0  1.2 1.4 0  2.2 -0.8 0 b
 define shape triangle lamp -1 1.8 -1  1.5 1.8 -2  0 2.4 1 c
 define shape triangle glowing_veil 0.4 0.2 1  1.8 0.2 1  1 1.3 1.4 d
+define shape sphere bead 0.2 0.4 1.6 0.3 a
 define light diffuse key 2 4 4  0.4 0.4 0.4
 )");
   PbrModel veil = pbr({0.8, 0.4, 0.3}, 0, 0.9);

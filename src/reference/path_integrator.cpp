@@ -84,23 +84,32 @@ struct Continuation {
   Vec3 direction{0};
   Rgb weight{0};
   bool is_mirror_or_glass = false;
+  bool is_smooth = false;
 };
 
+/// A smooth ray's direction. Where smooth normals send it to the wrong side of the surface, the surface itself mirrors
+/// it, to the side that was meant; but it may enter and leave solids as it is.
+Vec3 corrected(Vec3 const& direction, ReferenceScatteringPoint const& point) {
+  if (point.solid || point.is_consistent(direction)) return direction;
+  return glm::normalize(direction - 2 * glm::dot(direction, point.geometric_normal) * point.geometric_normal);
+}
+
 /// One of the smooth rays, or a uniform direction for all that is spread, each with the same probability.
-Continuation choose_continuation(ReferenceScattering const& scattering, Vec3 const& normal, ReferenceRandom& random) {
+Continuation choose_continuation(ReferenceScattering const& scattering, ReferenceScatteringPoint const& point,
+                                 ReferenceRandom& random) {
   auto const rays = scattering.smooth_rays();
   std::size_t const choices = rays.size() + (scattering.has_spread() ? 1 : 0);
   if (choices == 0) return {};
   auto const choice = std::size_t(random.uniform() * double(choices));
   if (choice < rays.size()) {
     auto const& [direction, weight, is_mirror_or_glass] = rays[choice];
-    return {direction, double(choices) * weight, is_mirror_or_glass};
+    return {corrected(direction, point), double(choices) * weight, is_mirror_or_glass, true};
   }
   Vec3 direction = uniform_direction(random);
   double solid_angle = 4 * pi;
   if (!scattering.transmits()) {
     solid_angle = 2 * pi;
-    if (glm::dot(direction, normal) < 0) direction = -direction;
+    if (glm::dot(direction, point.normal) < 0) direction = -direction;
   }
   Rgb const reflected = scattering.evaluate(direction, ReferenceScattering::Lobes::spread);
   return {direction, double(choices) * solid_angle * reflected};
@@ -177,9 +186,9 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
     bool const is_gloss = mirrored && is_ground;
     if (!is_gloss) add(throughput * light_of_lamps(scene, point, scattering, entered, random, counts), depth > 0);
     if (depth == request.max_depth) return sample;
-    auto const next = choose_continuation(scattering, point.normal, random);
+    auto const next = choose_continuation(scattering, point, random);
     throughput *= next.weight;
-    if (throughput == Rgb(0) || !point.is_consistent(next.direction)) return sample;
+    if (throughput == Rgb(0) || !(next.is_smooth || point.is_consistent(next.direction))) return sample;
     ray = point.leave(next.direction);
     entered = solid_towards(point, entered, next.direction);
     sees_background = next.is_mirror_or_glass;

@@ -20,9 +20,9 @@ DEVICE_STRUCT_SIZE(PixelOffset, 8);
 SHARED_FUNCTION PixelOffset seeded_pixel_offset(uint pixel_x, uint pixel_y, uint sample, uint seed_low,
                                                 uint seed_high) {
   uint x = pixel_x * 1664525u + 1013904223u;
-  uint y = pixel_y * 1664525u + 1013904223u;
+  uint y = pixel_y * 1664525u + 1013904223u + seed_high * 2654435769u;
   uint z = sample * 1664525u + 1013904223u;
-  uint w = (seed_low + seed_high * 2654435769u) * 1664525u + 1013904223u;
+  uint w = seed_low * 1664525u + 1013904223u;
   PixelOffset offset;
   x += y * w;
   y += z * x;

@@ -55,12 +55,12 @@ SHARED_FUNCTION Real unit_real(Word bits) { return real_of_whole(whole_of_word(b
 SHARED_FUNCTION SobolPoint sobol_point(Word pixel_x, Word pixel_y, Word dimension, Word sample, uint seed_low,
                                        uint seed_high) {
   Word x = pixel_x * 1664525u + 1013904223u;
-  Word y = pixel_y * 1664525u + 1013904223u;
+  Word y = pixel_y * 1664525u + 1013904223u + seed_high * 2654435769u;
   Word z = dimension * 1664525u + 1013904223u;
   Word w = x ^ x;
   SobolPoint point;
   Word index;
-  w += (seed_low + seed_high * 2654435769u) * 1664525u + 1013904223u;
+  w += seed_low * 1664525u + 1013904223u;
   x += y * w;
   y += z * x;
   z += x * y;

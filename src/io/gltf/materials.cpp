@@ -175,7 +175,7 @@ class Reader {
     };
     result.offset = pair("offset", glm::dvec2(0));
     result.scale = pair("scale", glm::dvec2(1));
-    result.rotation_radians = number_of(*transform, "rotation", 0);
+    result.rotation_radians = std::remainder(number_of(*transform, "rotation", 0), 2 * std::numbers::pi);
     if (auto const set = index_of(*transform, "texCoord", 1024)) result.texcoord = *set;
     return result;
   }

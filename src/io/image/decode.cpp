@@ -24,6 +24,40 @@ bool allocate(TextureImage& image, std::int64_t width, std::int64_t height, std:
   return true;
 }
 
+struct Size {
+  std::int64_t width = 0, height = 0;
+};
+
+/// What a PNG's header says: the first chunk is IHDR (PNG 11.2.1), or the picture is refused.
+Size size_of_png(std::string_view bytes) {
+  auto const number = [&](std::size_t first) {
+    std::int64_t value = 0;
+    for (std::size_t i = first; i < first + 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
+    return value;
+  };
+  return bytes.size() < 24 ? Size() : Size{number(16), number(20)};
+}
+
+Size size_of_jpeg(std::string_view bytes) {
+  std::unique_ptr<void, int (*)(tjhandle)> const decoder(tjInitDecompress(), tjDestroy);
+  auto const* data = reinterpret_cast<unsigned char const*>(bytes.data());
+  int width = 0, height = 0, subsampling = 0, color_space = 0;
+  int const error = tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &color_space);
+  return error != 0 ? Size() : Size{width, height};
+}
+
+Size size_of_webp(std::string_view bytes) {
+  int width = 0, height = 0;
+  bool const is_known = WebPGetInfo(reinterpret_cast<std::uint8_t const*>(bytes.data()), bytes.size(), &width, &height);
+  return is_known ? Size{width, height} : Size();
+}
+
+bool is_png(std::string_view bytes) { return bytes.substr(0, 4) == "\x89PNG"; }
+bool is_jpeg(std::string_view bytes) { return bytes.substr(0, 3) == "\xFF\xD8\xFF"; }
+bool is_webp(std::string_view bytes) {
+  return bytes.substr(0, 4) == "RIFF" && bytes.size() >= 12 && bytes.substr(8, 4) == "WEBP";
+}
+
 bool decode_png(std::string_view bytes, TextureImage& image, std::string& reason) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
@@ -69,12 +103,17 @@ bool decode_webp(std::string_view bytes, TextureImage& image, std::string& reaso
   return false;
 }
 
+template <class Length>
+Length half_of(Length length) {
+  return (length + 1) / 2;
+}
+
 /// Half as wide and high: the mean of four pixels. The last row or column of an odd size counts twice.
 TextureImage halved(TextureImage const& image) {
   TextureImage half;
   half.name = image.name;
-  half.width = std::max(1, image.width / 2);
-  half.height = std::max(1, image.height / 2);
+  half.width = half_of(image.width);
+  half.height = half_of(image.height);
   half.rgba.resize(std::size_t(half.width) * std::size_t(half.height) * 4);
   auto const at = [&](int x, int y, int channel) {
     auto const column = std::size_t(std::min(x, image.width - 1));
@@ -99,11 +138,11 @@ TextureImage halved(TextureImage const& image) {
 std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, std::string& reason) {
   TextureImage image;
   bool is_decoded = false;
-  if (bytes.substr(0, 4) == "\x89PNG") {
+  if (is_png(bytes)) {
     is_decoded = decode_png(bytes, image, reason);
-  } else if (bytes.substr(0, 3) == "\xFF\xD8\xFF") {
+  } else if (is_jpeg(bytes)) {
     is_decoded = decode_jpeg(bytes, image, reason);
-  } else if (bytes.substr(0, 4) == "RIFF" && bytes.size() >= 12 && bytes.substr(8, 4) == "WEBP") {
+  } else if (is_webp(bytes)) {
     is_decoded = decode_webp(bytes, image, reason);
   } else if (bytes.substr(0, 7) == "\xABKTX 20" || bytes.substr(0, 7) == "\xABKTX 11") {
     reason = "KTX pictures cannot be decoded";
@@ -113,6 +152,19 @@ std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, s
   if (!is_decoded) return std::nullopt;
   while (std::max(image.width, image.height) > std::max(max_size, 1)) image = halved(image);
   return image;
+}
+
+std::uint64_t decoded_bytes(std::string_view bytes, int max_size) {
+  auto [width, height] = is_png(bytes)    ? size_of_png(bytes)
+                         : is_jpeg(bytes) ? size_of_jpeg(bytes)
+                         : is_webp(bytes) ? size_of_webp(bytes)
+                                          : Size();
+  if (width <= 0 || height <= 0 || width > max_pixels / height) return 0;
+  while (std::max(width, height) > std::max(max_size, 1)) {
+    width = half_of(width);
+    height = half_of(height);
+  }
+  return std::uint64_t(width) * std::uint64_t(height) * 4;
 }
 
 }  // namespace lichtraum

@@ -19,9 +19,11 @@ struct DifferingPixel {
   double difference;
 };
 
+/// Relative where it is brighter than white.
 double difference_of(float a, float b) {
-  if (std::isnan(a) || std::isnan(b)) return 1;
-  return std::abs(std::clamp(double(a), 0.0, 1.0) - std::clamp(double(b), 0.0, 1.0));
+  if (a == b) return 0;
+  double const difference = std::abs(double(a) - double(b)) / std::max({1.0, std::abs(double(a)), std::abs(double(b))});
+  return std::isnan(difference) ? 1 : difference;
 }
 
 std::vector<DifferingPixel> differing_pixels(Image const& actual, Image const& expected) {

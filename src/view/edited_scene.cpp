@@ -61,11 +61,15 @@ std::map<std::string, NewLine> new_lines(SceneValues const& values) {
     lines[what] = [line = std::move(line)](auto const&) { return line; };
   };
   for (auto const& material : values.materials) {
-    if (material.is_edited) replace("material " + material.original->name(), material_as_esdf(material.value));
+    // A scene's names are words of it, and other lines use them: they stay as they are.
+    std::string const& name = material.original->name();
+    if (material.is_edited) replace("material " + name, material_statement(name, material.value) + '\n');
   }
   for (std::size_t i = 0; i < values.lights.size(); ++i) {
     Light const& light = values.lights[i];
-    if (light != values.original_light(i)) replace("light " + light.name(), light_as_esdf(light));
+    if (light != values.original_light(i)) {
+      replace("light " + light.name(), light_statement(light.name(), light) + '\n');
+    }
   }
   if (values.is_environment_edited()) {
     if (values.environment->name.empty()) {

@@ -29,9 +29,9 @@ std::string key(char const* name, Rgb const& color) { return fmt::format(" {} {}
 
 }  // namespace
 
-std::string material_as_esdf(Material const& material) {
+std::string material_statement(std::string_view name, Material const& material) {
   PhongModel const model = material.phong();
-  std::string text = "define material " + word_of(material.name());
+  std::string text = fmt::format("define material {}", name);
 #define LICHTRAUM_STANDARD(name, ...) text += "  " + text_of(model.name);
   PHONG_STANDARD_FIELDS(LICHTRAUM_STANDARD, LICHTRAUM_STANDARD, LICHTRAUM_STANDARD)
 #undef LICHTRAUM_STANDARD
@@ -39,21 +39,25 @@ std::string material_as_esdf(Material const& material) {
   if (model.name != PhongModel().name) text += key(#name, model.name);
   PHONG_OPTIONAL_FIELDS(LICHTRAUM_OPTIONAL, LICHTRAUM_OPTIONAL, LICHTRAUM_OPTIONAL)
 #undef LICHTRAUM_OPTIONAL
-  return text + '\n';
+  return text;
 }
 
-std::string light_as_esdf(Light const& light) {
-  std::string const name = word_of(light.name());
+std::string light_statement(std::string_view name, Light const& light) {
   if (auto const* const ambient = light.get<AmbientLight>()) {
-    return fmt::format("define light ambient {}  {}\n", name, text_of(ambient->la));
+    return fmt::format("define light ambient {}  {}", name, text_of(ambient->la));
   }
   auto const* const point = light.get<PointLight>();
-  if (!point || point->falls_off)
-    return fmt::format("# {}: eSDF has no {} light that is like it\n", name, light.kind());
+  if (!point || point->falls_off) return fmt::format("# {}: eSDF has no {} light that is like it", name, light.kind());
   std::string const radius = point->radius > 0 ? key("radius", point->radius) : "";
   std::string const position = text_of(point->position), ld = text_of(point->ld);
-  if (point->la == Rgb(0)) return fmt::format("define light diffuse {}  {}  {}{}\n", name, position, ld, radius);
-  return fmt::format("define light {}  {}  {}  {}{}\n", name, position, text_of(point->la), ld, radius);
+  if (point->la == Rgb(0)) return fmt::format("define light diffuse {}  {}  {}{}", name, position, ld, radius);
+  return fmt::format("define light {}  {}  {}  {}{}", name, position, text_of(point->la), ld, radius);
 }
+
+std::string material_as_esdf(Material const& material) {
+  return material_statement(word_of(material.name()), material) + '\n';
+}
+
+std::string light_as_esdf(Light const& light) { return light_statement(word_of(light.name()), light) + '\n'; }
 
 }  // namespace lichtraum::view

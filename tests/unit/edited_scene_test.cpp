@@ -71,6 +71,18 @@ TEST_CASE("a scene is saved with its environment turned and dimmed", "[unit][vie
   CHECK_THROWS_WITH(view::edited_scene(room + lamp, opened.values), contains_text("--environment"));
 }
 
+TEST_CASE("a scene is saved with the names that it has", "[unit][view]") {
+  std::string const scene =
+      "define material wall/left 0 0 0  0.5 0 0  0 0 0  1\ndefine shape sphere ball 0 0 0  1 wall/left\n"
+      "define light diffuse lamp(1)  0 5 0  1 1 1\n";
+  Opened opened(scene);
+  set_material(opened.values, Rgb(0.25, 1, 0));
+  opened.values.lights[0] = Light("lamp(1)", PointLight{.ld = Rgb(2)});
+  Opened const again(view::edited_scene(scene, opened.values));
+  CHECK(again.values.materials.at(0).value.phong().kd == Rgb(0.25, 1, 0));
+  CHECK(again.values.lights.at(0).name() == "lamp(1)");
+}
+
 TEST_CASE("a scene is not saved where an edit would be lost", "[unit][view]") {
   Opened opened(std::string(red) + middle + "define light lamp 0 5 0  1 1 1  2\n");
   set_material(opened.values, Rgb(1));

@@ -16,11 +16,32 @@ namespace {
 
 [[noreturn]] void refuse(std::string const& why) { throw Error(ErrorKind::cannot_create, "nothing is saved: " + why); }
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// Cuts the first line off, with its break, which is one that the reader of scenes knows: LF, CR LF or CR.
+std::string_view take_line(std::string_view& text) {
+  std::size_t const end = std::min(text.find_first_of("\r\n"), text.size());
+  std::size_t const break_size = text.substr(end).starts_with("\r\n") ? 2 : 1;
+  std::string_view const line = text.substr(0, end + break_size);
+  text.remove_prefix(line.size());
+  return line;
+}
+
+std::string_view without_comment(std::string_view line) { return line.substr(0, line.find('#')); }
+
 std::vector<std::string> words_of(std::string_view line) {
-  std::istringstream in{std::string(line.substr(0, line.find('#')))};
+  std::istringstream in{std::string(without_comment(line))};
   std::vector<std::string> words;
   for (std::string word; in >> word;) words.push_back(word);
   return words;
+}
+
+/// The line with another statement, and all that was around the one it had: blanks, a comment, the line break.
+std::string with_statement(std::string_view line, std::string const& statement) {
+  constexpr char const* blanks = " \t\v\f\r\n";
+  std::string_view const old = without_comment(line);
+  std::string result(line.substr(0, old.find_first_not_of(blanks)));
+  return result.append(statement).append(line.substr(old.find_last_not_of(blanks) + 1));
 }
 
 /// "material red", "light lamp" or "environment room" of a line that defines one; empty for others.
@@ -40,65 +61,66 @@ bool is_dialect(std::vector<std::string> const& words) {
   return words[1] == "light" && words[2] != "diffuse" && words[2] != "ambient" && words.size() < standard;
 }
 
-using NewLine = std::function<std::string(std::vector<std::string> const& words)>;
+using NewStatement = std::function<std::string(std::vector<std::string> const& words)>;
 
 /// The same map, turned and dimmed in another way.
-std::string environment_line(std::vector<std::string> const& words, EnvironmentLight const& environment) {
-  std::string line;
+std::string environment_statement(std::vector<std::string> const& words, EnvironmentLight const& environment) {
+  std::string statement;
   for (std::string const& word : words) {
     if (word.starts_with("rotation=") || word.starts_with("brightness=")) continue;
-    line += line.empty() ? word : ' ' + word;
+    statement += statement.empty() ? word : ' ' + word;
   }
-  if (environment.rotation_degrees != 0) line += fmt::format(" rotation={}", environment.rotation_degrees);
-  if (environment.brightness != 1) line += fmt::format(" brightness={}", environment.brightness);
-  return line + '\n';
+  if (environment.rotation_degrees != 0) statement += fmt::format(" rotation={}", environment.rotation_degrees);
+  if (environment.brightness != 1) statement += fmt::format(" brightness={}", environment.brightness);
+  return statement;
 }
 
-/// What the line of each edited thing becomes, from its words.
-std::map<std::string, NewLine> new_lines(SceneValues const& values) {
-  std::map<std::string, NewLine> lines;
-  auto const replace = [&](std::string const& what, std::string line) {
-    lines[what] = [line = std::move(line)](auto const&) { return line; };
+/// What the statement that defines each edited thing becomes, from its words.
+std::map<std::string, NewStatement> new_statements(SceneValues const& values) {
+  std::map<std::string, NewStatement> statements;
+  auto const replace = [&](std::string const& what, std::string statement) {
+    statements[what] = [statement = std::move(statement)](auto const&) { return statement; };
   };
   for (auto const& material : values.materials) {
     // A scene's names are words of it, and other lines use them: they stay as they are.
     std::string const& name = material.original->name();
-    if (material.is_edited) replace("material " + name, material_statement(name, material.value) + '\n');
+    if (material.is_edited) replace("material " + name, material_statement(name, material.value));
   }
   for (std::size_t i = 0; i < values.lights.size(); ++i) {
     Light const& light = values.lights[i];
-    if (light != values.original_light(i)) {
-      replace("light " + light.name(), light_statement(light.name(), light) + '\n');
-    }
+    if (light != values.original_light(i)) replace("light " + light.name(), light_statement(light.name(), light));
   }
   if (values.is_environment_edited()) {
     if (values.environment->name.empty()) {
       refuse("the environment is not from the scene's file; --environment-rotation and -brightness set it");
     }
-    lines["environment " + values.environment->name] = [environment = *values.environment](auto const& words) {
-      return environment_line(words, environment);
+    statements["environment " + values.environment->name] = [environment = *values.environment](auto const& words) {
+      return environment_statement(words, environment);
     };
   }
-  return lines;
+  return statements;
 }
 
 }  // namespace
 
 std::string edited_scene(std::string_view text, SceneValues const& values) {
-  auto missing = new_lines(values);
+  auto missing = new_statements(values);
   if (missing.empty()) refuse("no light, environment or material was changed");
   std::string result;
+  if (text.starts_with(byte_order_mark)) {
+    result = byte_order_mark;
+    text.remove_prefix(byte_order_mark.size());
+  }
   while (!text.empty()) {
-    std::string_view const line = text.substr(0, text.find('\n'));
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    std::string_view const line = take_line(text);
     auto const words = words_of(line);
     auto const found = missing.find(thing_defined_by(words));
     if (found == missing.end()) {
-      result.append(line) += '\n';
+      result += line;
       continue;
     }
     if (is_dialect(words)) refuse(fmt::format("{} is defined in a dialect; copy it instead", found->first));
-    result += found->second(words);
+    result += with_statement(line, found->second(words));
     missing.erase(found);
   }
   if (!missing.empty()) {

@@ -1,9 +1,10 @@
 #include "view/edited_scene.hpp"
 
+#include <fmt/format.h>
+
 #include "lichtraum/drawn_objects.hpp"
 #include "lichtraum/esdf.hpp"
 #include "support/catch.hpp"
-#include "view/values_as_esdf.hpp"
 
 using namespace lichtraum;
 
@@ -37,7 +38,7 @@ TEST_CASE("a scene is saved with what was edited, all else to the byte", "[unit]
   set_material(opened.values, Rgb(0.25, 1, 0));
   opened.values.lights[0] = Light("lamp", PointLight{.ld = Rgb(2), .position = Vec3(1, 2, 3)});
   std::string const text = view::edited_scene(std::string(first) + red + middle + lamp + last, opened.values);
-  CHECK(text == std::string(first) + view::material_as_esdf(opened.values.materials[0].value) + middle +
+  CHECK(text == std::string(first) + "  define material red  0.8 0.8 0.8  0.25 1 0  0 0 0  1 # dull\n" + middle +
                     "define light diffuse lamp  1 2 3  2 2 2\n" + last);
   Opened const again(text);
   CHECK(again.values.materials.at(0).value.phong().kd == Rgb(0.25, 1, 0));
@@ -61,7 +62,7 @@ TEST_CASE("a scene is saved with its environment turned and dimmed", "[unit][vie
   opened.values.environment->rotation_degrees = -30;
   opened.values.environment->brightness = 0.25;
   std::string const text = view::edited_scene(room + lamp, opened.values);
-  CHECK(text == std::string("define light environment room 0.5 0.5 1 rotation=-30 brightness=0.25\n") + lamp);
+  CHECK(text == std::string("define light environment room 0.5 0.5 1 rotation=-30 brightness=0.25 # evening\n") + lamp);
   Opened const again(text);
   CHECK(again.values.environment->rotation_degrees == -30);
   CHECK(again.values.environment->brightness == 0.25);
@@ -69,6 +70,18 @@ TEST_CASE("a scene is saved with its environment turned and dimmed", "[unit][vie
   // Of one that the scene's file does not have.
   opened.values.environment->name.clear();
   CHECK_THROWS_WITH(view::edited_scene(room + lamp, opened.values), contains_text("--environment"));
+}
+
+TEST_CASE("a scene is saved with its line breaks and its byte order mark", "[unit][view]") {
+  for (std::string const line_break : {"\n", "\r\n", "\r"}) {
+    auto const scene = [&](char const* kd) {
+      return "\xEF\xBB\xBF" + fmt::format("define material red  0.8 0.8 0.8  {}  0 0 0  1", kd) + line_break +
+             "define shape sphere ball 0 0 0  1 red" + line_break + line_break + "# no line break at the end";
+    };
+    Opened opened(scene("0.5 0 0"));
+    set_material(opened.values, Rgb(0.25, 1, 0));
+    CHECK(view::edited_scene(scene("0.5 0 0"), opened.values) == scene("0.25 1 0"));
+  }
 }
 
 TEST_CASE("a scene is saved with the names that it has", "[unit][view]") {

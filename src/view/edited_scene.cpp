@@ -54,11 +54,12 @@ std::string thing_defined_by(std::vector<std::string> const& words) {
   return "light " + words[has_kind ? 3 : 2];
 }
 
-/// A light with one number for its brightness: it also chooses the tones of the picture.
-bool is_dialect(std::vector<std::string> const& words) {
-  if (words[2] == "environment") return false;
-  constexpr std::size_t standard = 12;
-  return words[1] == "light" && words[2] != "diffuse" && words[2] != "ambient" && words.size() < standard;
+/// Whether it is `define light <name> [position] [colour] <brightness>`, which also chooses the tones of the picture: no
+/// other statement does, so none can stand for it.
+bool has_brightness(std::vector<std::string> const& words) {
+  if (words[1] != "light" || words[2] == "diffuse" || words[2] == "ambient" || words[2] == "environment") return false;
+  auto const is_number = [](std::string const& word) { return word.find('=') == std::string::npos; };
+  return std::count_if(words.begin() + 3, words.end(), is_number) == 7;
 }
 
 using NewStatement = std::function<std::string(std::vector<std::string> const& words)>;
@@ -119,7 +120,11 @@ std::string edited_scene(std::string_view text, SceneValues const& values) {
       result += line;
       continue;
     }
-    if (is_dialect(words)) refuse(fmt::format("{} is defined in a dialect; copy it instead", found->first));
+    if (has_brightness(words)) {
+      refuse(fmt::format("{} is defined as a colour times a brightness, which also chooses the tone map; write Ld "
+                         "instead, or copy the light and choose --tonemap",
+                         found->first));
+    }
     result += with_statement(line, found->second(words));
     missing.erase(found);
   }

@@ -84,6 +84,19 @@ TEST_CASE("a scene is saved with its line breaks and its byte order mark", "[uni
   }
 }
 
+TEST_CASE("a scene is saved with any light that chooses no tone map", "[unit][view]") {
+  for (std::string const form : {"sun 5 8 2  0.9 0.9 0.8", "sun 5 8 2  0.9 0.9 0.8 radius=0.5",
+                                 "diffuse sun 5 8 2  0 0 0  0.9 0.9 0.8", "sun 5 8 2  0 0 0  0.9 0.9 0.8"}) {
+    INFO(form);
+    std::string const scene = "define light " + form + "\n";
+    Opened opened(scene);
+    Light::Model model = opened.values.lights.at(0).model();
+    std::get<PointLight>(model).ld = Rgb(2);
+    opened.values.lights[0] = Light("sun", model);
+    CHECK(Opened(view::edited_scene(scene, opened.values)).values.lights == opened.values.lights);
+  }
+}
+
 TEST_CASE("a scene is saved with the names that it has", "[unit][view]") {
   std::string const scene =
       "define material wall/left 0 0 0  0.5 0 0  0 0 0  1\ndefine shape sphere ball 0 0 0  1 wall/left\n"
@@ -102,5 +115,5 @@ TEST_CASE("a scene is not saved where an edit would be lost", "[unit][view]") {
   CHECK_THROWS_WITH(view::edited_scene(std::string(middle), opened.values), contains_text("material red"));
   opened.values.reset();
   opened.values.lights[0] = Light("lamp", PointLight{.ld = Rgb(3)});
-  CHECK_THROWS_WITH(view::edited_scene("define light lamp 0 5 0  1 1 1  2\n", opened.values), contains_text("dialect"));
+  CHECK_THROWS_WITH(view::edited_scene("define light lamp 0 5 0  1 1 1  2\n", opened.values), contains_text("tone map"));
 }

@@ -54,8 +54,8 @@ std::string thing_defined_by(std::vector<std::string> const& words) {
   return "light " + words[has_kind ? 3 : 2];
 }
 
-/// Whether it is `define light <name> [position] [colour] <brightness>`, which also chooses the tones of the picture: no
-/// other statement does, so none can stand for it.
+/// Whether it is `define light <name> [position] [colour] <brightness>`, which also chooses the tones of the picture:
+/// no other statement does, so none can stand for it.
 bool has_brightness(std::vector<std::string> const& words) {
   if (words[1] != "light" || words[2] == "diffuse" || words[2] == "ambient" || words[2] == "environment") return false;
   auto const is_number = [](std::string const& word) { return word.find('=') == std::string::npos; };
@@ -121,9 +121,10 @@ std::string edited_scene(std::string_view text, SceneValues const& values) {
       continue;
     }
     if (has_brightness(words)) {
-      refuse(fmt::format("{} is defined as a colour times a brightness, which also chooses the tone map; write Ld "
-                         "instead, or copy the light and choose --tonemap",
-                         found->first));
+      refuse(
+          fmt::format("{} is defined as a colour times a brightness, which also chooses the tone map; write Ld "
+                      "instead, or copy the light and choose --tonemap",
+                      found->first));
     }
     result += with_statement(line, found->second(words));
     missing.erase(found);
@@ -132,6 +133,14 @@ std::string edited_scene(std::string_view text, SceneValues const& values) {
     refuse(fmt::format("no line of the scene's file defines {}; copy it instead", missing.begin()->first));
   }
   return result;
+}
+
+void check_readable(std::string const& text, std::filesystem::path const& file, EsdfOptions const& options) {
+  try {
+    EsdfScript::from_text(text, file.string(), options, file.has_parent_path() ? file.parent_path() : ".");
+  } catch (Error const& error) {
+    refuse(fmt::format("the file could not be read again; was it changed since it was read?\n{}", error.what()));
+  }
 }
 
 }  // namespace lichtraum::view

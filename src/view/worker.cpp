@@ -163,6 +163,7 @@ void Worker::load(Renderer& renderer) {
     SceneView scene;
     scene.file = source_.name();
     scene.loaded = loaded_scene;
+    scene.models = load_options_.models;
     scene.time_seconds = job_.reading.model.time_seconds;
     scene.objects = std::make_shared<DrawnObjects const>(loaded.scene(), job_.root);
     scene.values = SceneValues(loaded.scene(), *scene.objects);

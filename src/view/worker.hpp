@@ -40,6 +40,7 @@ struct SceneView {
   SceneValues values;
   Development development;                         ///< as the scene has its picture
   std::shared_ptr<app::LoadedScene const> loaded;  ///< keeps what both of them point to
+  std::shared_ptr<ModelCache> models;              ///< what the scene includes: to read it again soon
   std::optional<double> time_seconds;              ///< of a model's pose; nothing: as its nodes stand
   unsigned number = 0;                             ///< one more each time it is read
 };

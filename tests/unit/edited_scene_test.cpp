@@ -115,5 +115,13 @@ TEST_CASE("a scene is not saved where an edit would be lost", "[unit][view]") {
   CHECK_THROWS_WITH(view::edited_scene(std::string(middle), opened.values), contains_text("material red"));
   opened.values.reset();
   opened.values.lights[0] = Light("lamp", PointLight{.ld = Rgb(3)});
-  CHECK_THROWS_WITH(view::edited_scene("define light lamp 0 5 0  1 1 1  2\n", opened.values), contains_text("tone map"));
+  CHECK_THROWS_WITH(view::edited_scene("define light lamp 0 5 0  1 1 1  2\n", opened.values),
+                    contains_text("tone map"));
+}
+
+TEST_CASE("a scene is not saved where it could not be read", "[unit][view]") {
+  std::string const scene = std::string(red) + middle;
+  CHECK_NOTHROW(view::check_readable(scene, "scene.sdf", {}));
+  CHECK_THROWS_WITH(view::check_readable(scene + "define shape sphere b 0 0 0  1 gone\n", "scene.sdf", {}),
+                    contains_text("nothing is saved") && contains_text("scene.sdf:4:"));
 }

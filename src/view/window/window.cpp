@@ -228,7 +228,14 @@ void Window::save_edits() {
     }
     std::ifstream in(file, std::ios::binary);
     std::string const text{std::istreambuf_iterator<char>(in), {}};
-    return edited_scene(text, panel_.values());
+    std::string edited = edited_scene(text, panel_.values());
+    SceneReading const& reading = options_.render.job.reading;
+    EsdfOptions how;
+    static_cast<EsdfDialect&>(how) = reading.dialect;
+    how.allowed_paths = reading.allowed_paths;
+    how.models = scene_.models;
+    check_readable(edited, file, how);
+    return edited;
   });
 }
 

@@ -162,6 +162,7 @@ TEST_CASE("the panel selects objects, changes lights and shows depth, normals an
   CHECK(material.at(546, 227, 1) == opened.at(546, 227, 1));
   // The scene that was saved is drawn so, and the other one is as it was.
   CHECK(lichtraum.folder.read("scene.sdf") == scene);
+  CHECK_THAT(lichtraum.folder.read("scene_edited_0001.sdf"), contains_text(" 0.1 0.1  0 0 0  1\n"));  // no other digits
   REQUIRE(lichtraum("render -q scene_edited_0001.sdf --samples 256 --size 380x480 -o drawn.png").exit_code == 0);
   CHECK(difference(material, shot("drawn"), picture, 260) < 0.1);
   // Exposure develops the same picture again.

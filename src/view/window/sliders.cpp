@@ -11,6 +11,7 @@
 #include <iterator>
 #include <string>
 
+#include "view/edited_number.hpp"
 #include "view/scene_values.hpp"
 
 namespace lichtraum::view {
@@ -20,7 +21,7 @@ bool edit_number(char const* label, double& value, double low, double high, int 
   if (!ImGui::SliderFloat(label, &number, float(low), float(high), "%.3g", flags | ImGuiSliderFlags_AlwaysClamp)) {
     return false;
   }
-  value = double(number);
+  value = edited_number(value, number);
   return true;
 }
 
@@ -35,7 +36,7 @@ bool edit_color(char const* label, Rgb& color) {
   float channels[] = {float(color.r), float(color.g), float(color.b)};
   if (!ImGui::ColorEdit3(label, channels, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR)) return false;
   if (!are_finite(channels)) return false;
-  for (int c = 0; c < 3; ++c) color[c] = std::max(0.0, double(channels[c]));
+  for (int c = 0; c < 3; ++c) color[c] = edited_number(color[c], std::max(0.0f, channels[c]));
   return true;
 }
 
@@ -51,7 +52,7 @@ bool edit_light_color(Rgb& color, Rgb const& original) {
   Rgb hue = brightness > 0 ? color / brightness : brightest(original) > 0 ? original / brightest(original) : Rgb(1);
   double const range = brightest(original) > 0 ? 4 * brightest(original) : 4;
   bool const has_changed = any_of({edit_number("brightness", brightness, 0, range), edit_color("colour", hue)});
-  if (has_changed) color = brightness * hue;
+  for (int c = 0; has_changed && c < 3; ++c) color[c] = edited_number(color[c], float(brightness * hue[c]));
   return has_changed;
 }
 
@@ -59,7 +60,7 @@ bool edit_position(Vec3& position, double scene_size) {
   float p[] = {float(position.x), float(position.y), float(position.z)};
   if (!ImGui::DragFloat3("position", p, float(0.005 * scene_size), 0, 0, "%.3g")) return false;
   if (!are_finite(p)) return false;
-  position = {double(p[0]), double(p[1]), double(p[2])};
+  for (int axis = 0; axis < 3; ++axis) position[axis] = edited_number(position[axis], p[axis]);
   return true;
 }
 

@@ -1,0 +1,13 @@
+#include "view/edited_number.hpp"
+
+#include "support/catch.hpp"
+
+using lichtraum::view::edited_number;
+
+TEST_CASE("a number that a widget changes has no more digits than the widget, and else stays", "[unit][view]") {
+  CHECK(edited_number(0.9, 0.763f) == 0.763);
+  CHECK(edited_number(0, 1e-20f) == 1e-20);
+  CHECK(edited_number(1, -12345.678f) == -12345.678);
+  CHECK(edited_number(0.1, 0.1f) == 0.1);
+  CHECK(edited_number(1.0 / 3, float(1.0 / 3)) == 1.0 / 3);
+}

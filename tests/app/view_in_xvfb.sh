@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # view_in_xvfb.sh PROGRAM FOLDER: opens scene.sdf of the folder in a window on a display of its own, and does what a user
-# would; then draws it with --show. Leaves there: opened.png, turned.png, saved.png, faulty.png, camera.sdf, exit_code,
-# then written.png, shown.png, exit_code_shown, and log.txt. In class: the windows that desktops take for lichtraum's.
+# would; then draws it with --show. Leaves there: opened.png, turned.png, untold.png, saved.png, faulty.png, dismissed.png,
+# camera.sdf, exit_code, then written.png, shown.png, exit_code_shown, and log.txt. In class: the windows that desktops take
+# for lichtraum's.
 set -u
 program=$1
 # shellcheck source-path=SCRIPTDIR source=../support/xvfb_window.sh
@@ -23,10 +24,15 @@ until_true has_camera || exit 1
 press s
 has_picture() { [[ -s scene_view_0001.png ]]; }
 until_true has_picture || exit 1
+until_true changed told.png turned.png || exit 1 # it says so
+press Shift_L                                    # a key without effect, but that it takes the message away
+until_true changed untold.png told.png || exit 1
 sed -i 's/material red .*/material red 0 0 0  0 0.6 0  0 0 0  1/' scene.sdf
-until_true changed saved.png turned.png || exit 1
+until_true changed saved.png untold.png || exit 1
 echo 'define nonsense' >>scene.sdf
 until_true changed faulty.png saved.png || exit 1
+press Shift_L
+until_true changed dismissed.png faulty.png || exit 1
 press q
 wait $window
 echo $? >exit_code

@@ -126,6 +126,10 @@ TEST_CASE("a window is opened, turned, saved to, and closed", "[app][view]") {
   CHECK(shot("saved.png").at(170, 120, 1) > shot("saved.png").at(170, 120, 0));
   CHECK(difference(shot("faulty.png"), shot("saved.png"), 0, 120) < 0.5);
   CHECK(difference(shot("faulty.png"), shot("saved.png"), 180, 240) > 5);
+  // What was read goes away.
+  CHECK(difference(shot("told.png"), shot("turned.png"), 180, 240) > 1);
+  CHECK(difference(shot("untold.png"), shot("turned.png")) < 0.5);
+  CHECK(difference(shot("dismissed.png"), shot("saved.png")) < 0.5);
   CHECK(lichtraum.folder.read("exit_code_shown") == "0\n");
   CHECK(difference(shot("shown.png"), shot("written.png")) == 0);  // and not of more samples than were asked for
   CHECK(shot("shown.png").at(170, 120, 1) > shot("shown.png").at(170, 120, 0));

@@ -24,6 +24,8 @@ constexpr Resolution default_size{960, 640};
 constexpr double seconds_between_draws = 0.03;
 /// When nothing happens.
 constexpr double seconds_between_looks = 1;
+/// What was saved where.
+constexpr double seconds_to_read = 5;
 
 /// Along the camera's axis; of what is not before it, as the crow flies.
 double distance_ahead(Camera const& camera, Vec3 const& point) {
@@ -64,6 +66,7 @@ void Window::run() {
     if (glfwGetTime() - start < patience) draws_due = 4;
     bool const has_news = take_news();
     graphics_->begin_drawing();
+    dismiss_messages();
     open_dropped();
     handle_mouse();
     handle_keys();
@@ -246,13 +249,19 @@ void Window::save_as(std::string const& stem, char const* extension, std::functi
     try {
       write_file_atomically(name, contents());
       problem_.clear();
-      console_.info(fmt::format("saved {}", name));
-    } catch (Error const& error) {
+      tell("saved " + name, seconds_to_read);
+      console_.info("saved " + name);
+    } catch (std::exception const& error) {
       problem_ = error.what();
       console_.error(error.what());
     }
     return;
   }
+}
+
+void Window::tell(std::string text, double seconds) {
+  notice_ = std::move(text);
+  notice_end_ = glfwGetTime() + seconds;
 }
 
 void Window::copy_camera() const {
@@ -292,19 +301,27 @@ void Window::draw() {
   if (is_panel_open_) draw_time_line();
   if (is_help_open_) draw_keys();
   if (!awaited_.empty()) draw_awaited();
+  if (glfwGetTime() >= notice_end_) notice_.clear();
   if (!problem_.empty()) {
-    float const margin = scaled(8);
-    ImGui::SetNextWindowPos({left + margin, area.y - margin}, ImGuiCond_Always, {0, 1});
-    ImGui::SetNextWindowSizeConstraints(
-        {0, 0}, {area.x - left - 2 * margin, area.y - 2 * margin});  // the first of many mistakes stay in sight
-    ImGui::Begin("problem", nullptr, overlay | ImGuiWindowFlags_NoInputs);
-    ImGui::PushStyleColor(ImGuiCol_Text, {1, 0.5f, 0.4f, 1});
-    ImGui::PushTextWrapPos(area.x - left - 3 * margin);
-    ImGui::TextUnformatted(problem_.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-    ImGui::End();
+    draw_message(problem_, {1, 0.5, 0.4});
+  } else if (!notice_.empty()) {
+    draw_message(notice_, {1, 1, 1});
   }
+}
+
+void Window::draw_message(std::string const& text, Rgb const& color) const {
+  ImVec2 const area = ImGui::GetIO().DisplaySize;
+  float const left = panel_width(), margin = scaled(8);
+  ImGui::SetNextWindowPos({left + margin, area.y - margin}, ImGuiCond_Always, {0, 1});
+  ImGui::SetNextWindowSizeConstraints(
+      {0, 0}, {area.x - left - 2 * margin, area.y - 2 * margin});  // the first of many mistakes stay in sight
+  ImGui::Begin("message", nullptr, overlay | ImGuiWindowFlags_NoInputs);
+  ImGui::PushStyleColor(ImGuiCol_Text, {float(color.r), float(color.g), float(color.b), 1});
+  ImGui::PushTextWrapPos(area.x - left - 3 * margin);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::End();
 }
 
 void Window::draw_awaited() const {

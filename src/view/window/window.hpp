@@ -30,6 +30,8 @@ class Window {
  private:
   /// Whether there was something to be seen.
   bool take_news();
+  /// At the next click or key: they were read.
+  void dismiss_messages();
   void handle_mouse();
   void handle_keys();
   void handle_character(char32_t character);
@@ -37,6 +39,7 @@ class Window {
   void draw();
   void draw_panel();
   void draw_awaited() const;
+  void draw_message(std::string const& text, Rgb const& color) const;
   std::string statistics() const;
 
   /// What was read last: after a step to a file that could not be, the one behind it is next.
@@ -62,6 +65,8 @@ class Window {
   void save();
   /// The scene with what was changed of lights, materials and environment, as a new file beside it.
   void save_edits();
+  /// Is shown for some seconds.
+  void tell(std::string text, double seconds);
   /// To a new file with a number. Says where, or why not.
   void save_as(std::string const& stem, char const* extension, std::function<std::string()> const& contents);
   void copy_camera() const;
@@ -83,6 +88,8 @@ class Window {
   Resolution shown_size_;
   std::optional<Frame> frame_;
   std::string problem_;
+  std::string notice_;  // what went well
+  double notice_end_ = 0;
   std::string skipped_;  // the problem of the last file that was skipped
   std::string device_;
   std::string awaited_;  // the file that is being read; empty: none

@@ -11,6 +11,14 @@
 
 namespace lichtraum::view {
 
+void Window::dismiss_messages() {
+  bool const is_click = ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
+                        ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
+  if (!is_click && graphics_->keys.empty() && graphics_->characters.empty()) return;
+  if (frame_) problem_.clear();  // without a picture it is all that there is to see
+  notice_.clear();
+}
+
 void Window::handle_mouse() {
   ImGuiIO const& io = ImGui::GetIO();
   if (!camera_ || io.WantCaptureMouse) {

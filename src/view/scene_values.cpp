@@ -34,6 +34,11 @@ bool SceneValues::is_environment_edited() const {
           environment->brightness != original_environment_->brightness);
 }
 
+bool SceneValues::is_edited() const {
+  return lights != original_lights_ || is_environment_edited() ||
+         std::any_of(materials.begin(), materials.end(), [](auto const& material) { return material.is_edited; });
+}
+
 void SceneValues::reset() {
   lights = original_lights_;
   environment = original_environment_;

@@ -32,6 +32,8 @@ class SceneValues {
     materials[number].is_edited = false;
   }
   bool is_environment_edited() const;
+  /// Anything of it.
+  bool is_edited() const;
   void reset();
   SceneEdits edits() const;
 

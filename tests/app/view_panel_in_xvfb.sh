@@ -41,6 +41,15 @@ click 115 10
 until_true changed menu_again.png keys.png || exit 1
 click 150 32
 until_true changed closed.png keys.png || exit 1
+# Escape closes what lies over the picture, and not yet the window.
+click 115 10
+until_true changed menu_open.png closed.png || exit 1
+press Escape
+until_true changed menu_closed.png menu_open.png || exit 1
+press question
+until_true changed keys_open.png menu_closed.png || exit 1
+press Escape
+until_true changed keys_closed.png keys_open.png || exit 1
 press d
 until_true changed depth.png reset.png || exit 1
 press n
@@ -62,6 +71,8 @@ click 52 410  # the only one
 until_true changed materials.png "$before" || exit 1
 drag 52 452 2 452 # the red of its kd, by 50 of 255
 until_true changed material.png materials.png || exit 1
+press Escape # is told that this would be lost
+until_true changed unsaved.png material.png || exit 1
 press w
 has_scene() { [[ -s scene_edited_0001.sdf ]]; }
 until_true has_scene || exit 1

@@ -50,8 +50,12 @@ TEST_CASE("edits have lights only where one was edited: those of a pose move on"
   set_material(opened.values, Rgb(0.25, 1, 0));
   CHECK(!opened.values.edits().lights);
   CHECK(opened.values.edits().materials.size() == 1);
+  CHECK(opened.values.is_edited());
+  opened.values.reset();
+  CHECK(!opened.values.is_edited());
   opened.values.lights[1] = Light::ambient("sky", Rgb(1, 1, 0.5));
   CHECK(opened.values.edits().lights == opened.values.lights);
+  CHECK(opened.values.is_edited());
   opened.values.reset_light(1);
   CHECK(!opened.values.edits().lights);
 }
@@ -61,6 +65,7 @@ TEST_CASE("a scene is saved with its environment turned and dimmed", "[unit][vie
   Opened opened(room + lamp);
   opened.values.environment->rotation_degrees = -30;
   opened.values.environment->brightness = 0.25;
+  CHECK(opened.values.is_edited());
   std::string const text = view::edited_scene(room + lamp, opened.values);
   CHECK(text == std::string("define light environment room 0.5 0.5 1 rotation=-30 brightness=0.25 # evening\n") + lamp);
   Opened const again(text);

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "lichtraum/image_io.hpp"
@@ -108,6 +109,7 @@ bool Window::take_news() {
     }
     glfwSetWindowTitle(graphics_->window, ("lichtraum - " + scene_.file).c_str());
     panel_.set_scene(scene_);
+    warns_of_edits_ = false;
     begin_animation();
     focus_ = focus_of(scene_.request.camera, center_of_interest());
     mark_selection();  // of nothing: what was selected was of the scene before
@@ -195,7 +197,23 @@ void Window::mark_selection() {
   worker_->mark(panel_.selected_objects());
 }
 
-void Window::close() { glfwSetWindowShouldClose(graphics_->window, GLFW_TRUE); }
+void Window::close() {
+  if (std::exchange(warns_of_edits_, false)) {
+    bool const is_model = scene_.loaded->is_model();  // whose file nobody writes
+    return tell(fmt::format("what was changed is not saved: {}Q or Esc closes without it",
+                            is_model ? "" : "W saves it as a new file, "),
+                std::numeric_limits<double>::infinity());
+  }
+  glfwSetWindowShouldClose(graphics_->window, GLFW_TRUE);
+}
+
+bool Window::close_topmost() {
+  if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {
+    ImGui::SetWindowFocus(nullptr);  // closes them all
+    return true;
+  }
+  return std::exchange(is_help_open_, false);
+}
 
 void Window::choose_camera(std::size_t number) {
   if (number >= scene_.cameras.size()) return;
@@ -223,7 +241,7 @@ void Window::save() {
 void Window::save_edits() {
   // Beside the scene, from where it names its files.
   std::filesystem::path const file = scene_.file;
-  save_as((file.parent_path() / file.stem()).string() + "_edited", ".sdf", [&] {
+  bool const is_saved = save_as((file.parent_path() / file.stem()).string() + "_edited", ".sdf", [&] {
     constexpr std::uintmax_t most_bytes = 256u << 20;
     std::error_code unknown;
     if (std::filesystem::file_size(file, unknown) > most_bytes || unknown) {
@@ -240,9 +258,10 @@ void Window::save_edits() {
     check_readable(edited, file, how);
     return edited;
   });
+  if (is_saved) warns_of_edits_ = false;
 }
 
-void Window::save_as(std::string const& stem, char const* extension, std::function<std::string()> const& contents) {
+bool Window::save_as(std::string const& stem, char const* extension, std::function<std::string()> const& contents) {
   for (int number = 1;; ++number) {
     std::string const name = fmt::format("{}_{:04}{}", stem, number, extension);
     if (std::filesystem::exists(name)) continue;
@@ -251,11 +270,12 @@ void Window::save_as(std::string const& stem, char const* extension, std::functi
       problem_.clear();
       tell("saved " + name, seconds_to_read);
       console_.info("saved " + name);
+      return true;
     } catch (std::exception const& error) {
       problem_ = error.what();
       console_.error(error.what());
+      return false;
     }
-    return;
   }
 }
 
@@ -344,7 +364,10 @@ void Window::draw_panel() {
   Panel::Changes const changes =
       panel_.draw(panel_width(), [this] { draw_menus(*graphics_, playback_.duration() > 0); });
   if (!changes.copied.empty()) copy(changes.copied);
-  if (changes.values) worker_->edit(scene_.number, panel_.values().edits());
+  if (changes.values) {
+    worker_->edit(scene_.number, panel_.values().edits());
+    warns_of_edits_ = panel_.values().is_edited();
+  }
   if (changes.development) worker_->develop(panel_.development);
   if (changes.selection) mark_selection();
   if (changes.plane || changes.aperture) show();

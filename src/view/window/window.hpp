@@ -35,7 +35,10 @@ class Window {
   void handle_mouse();
   void handle_keys();
   void handle_character(char32_t character);
+  /// Not at once where edits would be lost, which are then told of.
   void close();
+  /// Of what lies over the picture, a menu or the list of keys. Whether there was any.
+  bool close_topmost();
   void draw();
   void draw_panel();
   void draw_awaited() const;
@@ -67,8 +70,8 @@ class Window {
   void save_edits();
   /// Is shown for some seconds.
   void tell(std::string text, double seconds);
-  /// To a new file with a number. Says where, or why not.
-  void save_as(std::string const& stem, char const* extension, std::function<std::string()> const& contents);
+  /// To a new file with a number. Says where, or why not. Whether it was saved.
+  bool save_as(std::string const& stem, char const* extension, std::function<std::string()> const& contents);
   void copy_camera() const;
   /// To the clipboard, and to standard output for those whose clipboard ends with the window.
   void copy(std::string const& text) const;
@@ -94,6 +97,7 @@ class Window {
   std::string device_;
   std::string awaited_;  // the file that is being read; empty: none
   double awaited_since_ = 0;
+  bool warns_of_edits_ = false;  // there are some, neither saved nor told of
   bool is_help_open_ = false;
   bool is_panel_open_ = true;
   Overlays overlays_;

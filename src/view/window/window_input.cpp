@@ -65,7 +65,7 @@ void Window::handle_keys() {
   for (char32_t const character : std::exchange(graphics_->characters, {})) handle_character(character);
   constexpr double step_degrees = 5;
   for (int const key : std::exchange(graphics_->keys, {})) {
-    if (key == GLFW_KEY_ESCAPE) close();
+    if (key == GLFW_KEY_ESCAPE && !close_topmost()) close();
     if (key == GLFW_KEY_PAGE_DOWN) step(1);
     if (key == GLFW_KEY_PAGE_UP) step(-1);
     if (key == GLFW_KEY_TAB) is_panel_open_ = !is_panel_open_;

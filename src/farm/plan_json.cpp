@@ -11,6 +11,9 @@ constexpr char const* plan_version_key = "lichtraum_plan";
 constexpr int plan_version = 1;
 constexpr int most = std::numeric_limits<int>::max();
 constexpr int most_pictures = 1'000'000;
+constexpr std::size_t most_files = 2 * std::size_t(most_pictures);
+/// A scene or a file is an object of two keys, which count with its start and end; the rest is the size of a job.
+constexpr std::size_t most_values = 6 * (std::size_t(most_pictures) + most_files) + 100'000;
 
 constexpr auto kind_words = std::to_array<Word<DeviceKind>>({{"reference", DeviceKind::reference},
                                                              {"cpu", DeviceKind::cpu},
@@ -112,6 +115,7 @@ void check(Plan const& plan) {
   std::int64_t pictures = 0;
   for (PlannedScene const& scene : plan.scenes) pictures += scene.picture_count;
   (root / "scenes").expect(pictures <= most_pictures, fmt::format("at most {} pictures", most_pictures));
+  (root / "files").expect(plan.files.size() <= most_files, fmt::format("at most {} files", most_files));
   bool const has_region =
       plan.region.width > 0 && plan.region.height > 0 && plan.tile.width > 0 && plan.tile.height > 0;
   root.expect(has_region, "a region and a tile");
@@ -139,7 +143,7 @@ std::string to_json(Plan const& plan) {
 }
 
 Plan plan_from_json(std::string_view text) {
-  Json json = parse(text);
+  Json json = parse(text, "plan", most_values);
   Pointer const root;
   root.expect(json.is_object(), "a JSON object");
   auto const found = json.find(plan_version_key);

@@ -225,7 +225,8 @@ std::string to_json(Job const& job) {
 }
 
 Job job_from_json(std::string_view text) {
-  Json json = parse(text);
+  constexpr std::size_t most_values = 100'000;
+  Json json = parse(text, "job", most_values);
   Pointer const root;
   root.expect(json.is_object(), "a JSON object");
   auto const found = json.find(version_key);

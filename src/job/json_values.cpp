@@ -6,7 +6,6 @@ namespace lichtraum::json_values {
 namespace {
 
 constexpr int most_levels = 4;
-constexpr std::size_t most_values = 100'000;
 
 std::string place(std::string_view text, std::size_t offset) {
   std::string_view const before = text.substr(0, std::min(offset, text.size()));
@@ -18,9 +17,11 @@ std::string place(std::string_view text, std::size_t offset) {
 /// Refuses while it is read what would grow without bounds, or hide a value behind another.
 class Guard {
  public:
+  Guard(std::string_view kind, std::size_t most_values) : kind_(kind), most_values_(most_values) {}
+
   bool operator()(int depth, Json::parse_event_t event, Json const& parsed) {
     using Event = Json::parse_event_t;
-    if (++count_ > most_values) fail(fmt::format("more than {} values", most_values));
+    if (++count_ > most_values_) fail(fmt::format("more than {} values", most_values_));
     if (event == Event::object_start || event == Event::array_start) {
       if (depth >= most_levels) fail(fmt::format("nested deeper than {} levels", most_levels));
     }
@@ -33,17 +34,21 @@ class Guard {
   }
 
  private:
-  [[noreturn]] static void fail(std::string const& what) { throw Error(ErrorKind::usage, "not a job: " + what); }
+  [[noreturn]] void fail(std::string const& what) const {
+    throw Error(ErrorKind::usage, fmt::format("not a {}: {}", kind_, what));
+  }
 
+  std::string_view kind_;
+  std::size_t most_values_;
   std::size_t count_ = 0;
   std::vector<std::set<std::string>> keys_;  // of each object that is open
 };
 
 }  // namespace
 
-Json parse(std::string_view text) {
+Json parse(std::string_view text, std::string_view kind, std::size_t most_values) {
   try {
-    return Json::parse(text, Guard());
+    return Json::parse(text, Guard(kind, most_values));
   } catch (Json::parse_error const& error) {
     throw Error(ErrorKind::usage, fmt::format("{}: not JSON", place(text, error.byte > 0 ? error.byte - 1 : 0)));
   } catch (Json::exception const&) {

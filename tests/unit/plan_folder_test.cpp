@@ -67,6 +67,21 @@ TEST_CASE("the same plan may be made for its folder again", "[unit][farm]") {
   CHECK(PlanFolder(folder.path()).plan().job.seed == 1);
 }
 
+TEST_CASE("a plan of many scenes can be read", "[unit][farm]") {
+  Plan plan = plan_with_seed(1);
+  plan.scenes.clear();
+  for (int i = 0; i < 20'000; ++i) {
+    std::string const name = "frame" + std::to_string(i) + ".sdf";
+    plan.scenes.push_back({name, 1});
+    plan.files.push_back({name, "0123456789abcdef0123456789abcdef"});
+  }
+  CHECK(plan_from_json(to_json(plan)) == plan);
+}
+
+TEST_CASE("what is no plan is called so", "[unit][farm]") {
+  CHECK_THROWS_WITH(plan_from_json(std::string(100, '[')), contains_text("not a plan: "));
+}
+
 TEST_CASE("a folder whose plan is gone gets no units", "[unit][farm]") {
   TemporaryFolder const folder;
   PlanFolder const plan(folder / "job", plan_with_seed(1));

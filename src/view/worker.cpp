@@ -197,10 +197,14 @@ void Worker::load(Renderer& renderer) {
   } catch (std::exception const& error) {  // a file that is too large, or vanishes, may bring other ones than ours
     auto const* const known = dynamic_cast<Error const*>(&error);
     if (is_first && !(is_watching_ && known && known->kind() == ErrorKind::scene)) throw;
-    std::lock_guard const lock(mutex_);
-    news_.problem = problem_text(error);
+    tell_of(error);
   }
   wake_();
+}
+
+void Worker::tell_of(std::exception const& problem) {
+  std::lock_guard const lock(mutex_);
+  news_.problem = problem_text(problem);
 }
 
 void Worker::apply_edits(Renderer& renderer) {
@@ -210,10 +214,15 @@ void Worker::apply_edits(Renderer& renderer) {
     edits.swap(edits_);
   }
   if (!edits || edits->scene_number != scene_number_) return;
-  edits_in_place_ = std::move(edits->edits);
-  has_edits_ = true;
-  renderer.set_scene(renderer.edit(prepared_, edits_in_place_));
-  film_ = {};
+  try {
+    renderer.set_scene(renderer.edit(prepared_, edits->edits));
+    edits_in_place_ = std::move(edits->edits);
+    has_edits_ = true;
+    film_ = {};
+  } catch (std::exception const& error) {  // as for want of memory, on the device or off it
+    tell_of(error);
+    wake_();
+  }
 }
 
 void Worker::develop_again(Renderer& renderer) {

@@ -104,7 +104,7 @@ class Worker {
     std::optional<Marking> marking;
     std::optional<SceneView> scene;      ///< it was read, for the first time or again
     std::optional<PosedView> posed;      ///< it was posed
-    std::optional<std::string> problem;  ///< why it could not be read; empty: it could
+    std::optional<std::string> problem;  ///< why it could not be read, posed or edited; empty: it was read
     std::string device;
   };
   /// What has come since the last call. Throws what made the thread end: an Error of the device, or of the first load,
@@ -131,6 +131,8 @@ class Worker {
   /// Gives freed memory back once for each size of the view: with the second picture, when the window has let go of
   /// those of other sizes.
   void tidy_memory(Resolution const& size);
+  /// Why something was not done; what was shown before stays.
+  void tell_of(std::exception const& problem);
   void restart_refinement();
   /// What is outlined has changed, or where it is seen.
   void expect_marking();

@@ -1,5 +1,4 @@
 #include "lichtraum/turntable.hpp"
-#include "view/problem_text.hpp"
 #include "view/worker.hpp"
 
 // How a Worker poses an animated model.
@@ -40,9 +39,8 @@ void Worker::apply_pose(Renderer& renderer) {
     news_.posed = std::move(posed);
     expect_marking();
     restart_refinement();
-  } catch (Error const& error) {  // of this pose; the one before is shown still
-    std::lock_guard const lock(mutex_);
-    news_.problem = problem_text(error);
+  } catch (std::exception const& error) {  // of this pose, or for want of memory; the one before is shown still
+    tell_of(error);
   }
   wake_();
 }

@@ -308,6 +308,24 @@ TEST_CASE("an animation moves its node to where it is at a time", "[unit][gltf]"
   CHECK(x_at(2) == Approx(6));
 }
 
+TEST_CASE("frames of an animation have the warnings of their model once", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  int const times = writer.add_accessor<float>("SCALAR", 1, {0, 1});
+  int const places = writer.add_vec3({0, 0, 0, 4, 0, 0});
+  // The first channel is warned of in each pose, the extension when the file is read.
+  writer.json["animations"] = {{{"channels",
+                                 {{{"sampler", 0}, {"target", {{"path", "pointer"}}}},
+                                  {{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
+                                {"samplers", {{{"input", times}, {"output", places}}}}}};
+  writer.json["extensionsRequired"] = {"EXT_unknown"};
+  GltfAnimation animation(writer.text(), "model.gltf", {}), framed(writer.text(), "model.gltf", {});
+  framed.frame_whole_animation();
+  std::string const expected = messages(animation.pose(0.5));
+  CHECK_THAT(expected, contains_text("EXT_unknown") && contains_text("/animations/0/channels"));
+  CHECK(messages(framed.pose(0.5)) == expected);
+}
+
 TEST_CASE("what an animation moves as one, or not at all, says so", "[unit][gltf]") {
   GltfWriter writer;
   writer.add_mesh(triangle_positions);

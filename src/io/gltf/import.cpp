@@ -54,6 +54,10 @@ int select(List const& list, std::string const& selector, char const* kind) {
                                             known.empty() ? "none" : known));
 }
 
+bool has_message(std::vector<Diagnostic> const& diagnostics, std::string const& message) {
+  return std::ranges::find(diagnostics, message, &Diagnostic::message) != diagnostics.end();
+}
+
 int select_scene(tinygltf::Model const& model, std::string const& selector) {
   if (!selector.empty()) return select(model.scenes, selector, "scene");
   if (model.defaultScene >= 0) return model.defaultScene;
@@ -119,8 +123,10 @@ struct GltfAnimation::State {
 
     set_point_sizes(result.scene, options.point_size);
     add_view(tree, result.scene);
+    std::vector<Diagnostic> found = findings.take();
+    std::erase_if(found, [&](Diagnostic const& finding) { return has_message(early_diagnostics, finding.message); });
     result.diagnostics = std::exchange(early_diagnostics, {});
-    std::ranges::move(findings.take(), std::back_inserter(result.diagnostics));
+    std::ranges::move(found, std::back_inserter(result.diagnostics));
     if (!contents) {
       Findings::Muted const muted(findings);  // what is wrong in animations that nobody asked for
       contents = describe_contents(document.model, accessors);
@@ -154,11 +160,13 @@ struct GltfAnimation::State {
     constexpr int poses = 16;  // between which little moves far, or in a straight line
     double const duration = duration_seconds();
     Bounds box;
+    std::vector<Diagnostic> found;
     for (int i = 0; i < poses; ++i) {
       Model const model = pose_at(duration * i / (poses - 1));
-      if (i == 0) early_diagnostics = model.diagnostics;
+      if (i == 0) found = model.diagnostics;
       box.add(fold_bounds(model.scene.roots()).total());
     }
+    early_diagnostics = std::move(found);  // not before, or the pose at i = 1 would have them
     framed = box;
   }
 

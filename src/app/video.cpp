@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <random>
 #include <sstream>
 
 #include "core/ascii.hpp"
@@ -68,6 +69,76 @@ std::string find_ffmpeg() {
   return {};
 }
 
+[[noreturn]] void cannot_start(int code) {
+  throw Error(ErrorKind::io, fmt::format("cannot start ffmpeg: {}", std::strerror(code)));
+}
+
+/// A new, empty file beside the film. Its name cannot be foreseen: another host may have a process of this number, and
+/// who else may write in the folder could put a link there.
+fs::path create_beside(fs::path const& film, std::string_view extension) {
+  std::random_device random;
+  for (;;) {
+    fs::path file = film.parent_path() / fmt::format(".lichtraum-{:08x}{:08x}.tmp{}", random(), random(), extension);
+    if (Descriptor(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)).is_open()) return file;
+    if (errno == EEXIST || errno == EINTR) continue;
+    throw Error(ErrorKind::cannot_create, fmt::format("cannot write '{}': {}", film.string(), std::strerror(errno)));
+  }
+}
+
+std::vector<std::string> ffmpeg_arguments(FilmFormat const& format, Resolution const& size, double frames_per_second,
+                                          fs::path const& file) {
+  std::vector<std::string> arguments{find_ffmpeg(),
+                                     "-hide_banner",
+                                     "-nostdin",
+                                     "-loglevel",
+                                     "error",
+                                     "-y",
+                                     "-f",
+                                     "rawvideo",
+                                     "-pixel_format",
+                                     "rgb24",
+                                     "-video_size",
+                                     fmt::format("{}x{}", size.width, size.height),
+                                     "-framerate",
+                                     fmt::format("{}", frames_per_second),
+                                     "-i",
+                                     "pipe:0"};
+  arguments.insert(arguments.end(), format.encoder_arguments.begin(), format.encoder_arguments.end());
+  // "file:" keeps a name with a colon from being taken for a protocol.
+  for (std::string const& word : {std::string("-f"), std::string(format.container), "file:" + file.string()}) {
+    arguments.push_back(word);
+  }
+  return arguments;
+}
+
+/// A child that reads `input` and says what it has to say to `messages`. Throws Error{io}.
+pid_t spawn(std::vector<std::string> arguments, Descriptor const& input, Descriptor const& messages) {
+  std::vector<char*> words;
+  for (std::string& argument : arguments) words.push_back(argument.data());
+  words.push_back(nullptr);
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, input.number(), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, messages.number(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, messages.number(), STDERR_FILENO);
+  // A group of its own: Ctrl-C in the terminal is for lichtraum, which then ends the film in order.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t defaults;
+  sigemptyset(&defaults);
+  sigaddset(&defaults, SIGPIPE);
+  sigaddset(&defaults, SIGXFSZ);
+  posix_spawnattr_setsigdefault(&attributes, &defaults);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+  pid_t child = -1;
+  int const code = ::posix_spawn(&child, words[0], &actions, &attributes, words.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  if (code != 0) cannot_start(code);
+  return child;
+}
+
 }  // namespace
 
 std::span<FilmFormat const> film_formats() {
@@ -121,76 +192,25 @@ Video::Video(fs::path path, Resolution size, double frames_per_second) : path_(s
                                               format.extension, size.width, size.height));
   }
   check_writable(path_);
-  unfinished_ = path_.parent_path() / fmt::format(".lichtraum-{}.tmp{}", ::getpid(), format.extension);
-
+  unfinished_.path = create_beside(path_, format.extension);
+  messages_ = Descriptor(::memfd_create("ffmpeg-messages", MFD_CLOEXEC));
   int ends[2];
-  messages_ = ::memfd_create("ffmpeg-messages", MFD_CLOEXEC);
-  if (messages_ < 0 || ::pipe2(ends, O_CLOEXEC) != 0) {
-    throw Error(ErrorKind::io, fmt::format("cannot start ffmpeg: {}", std::strerror(errno)));
-  }
-  std::vector<std::string> arguments{find_ffmpeg(),
-                                     "-hide_banner",
-                                     "-nostdin",
-                                     "-loglevel",
-                                     "error",
-                                     "-y",
-                                     "-f",
-                                     "rawvideo",
-                                     "-pixel_format",
-                                     "rgb24",
-                                     "-video_size",
-                                     fmt::format("{}x{}", size.width, size.height),
-                                     "-framerate",
-                                     fmt::format("{}", frames_per_second),
-                                     "-i",
-                                     "pipe:0"};
-  arguments.insert(arguments.end(), format.encoder_arguments.begin(), format.encoder_arguments.end());
-  // "file:" keeps a name with a colon from being taken for a protocol.
-  for (std::string const& word : {std::string("-f"), std::string(format.container), "file:" + unfinished_.string()}) {
-    arguments.push_back(word);
-  }
-  std::vector<char*> words;
-  for (std::string& argument : arguments) words.push_back(argument.data());
-  words.push_back(nullptr);
-
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, messages_, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, messages_, STDERR_FILENO);
-  // A group of its own: Ctrl-C in the terminal is for lichtraum, which then ends the film in order.
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  sigset_t defaults;
-  sigemptyset(&defaults);
-  sigaddset(&defaults, SIGPIPE);
-  sigaddset(&defaults, SIGXFSZ);
-  posix_spawnattr_setsigdefault(&attributes, &defaults);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-  pid_t child = -1;
-  fs::path unfinished = unfinished_;  // before ffmpeg runs: what throws after that would leave it running
-  int const code = ::posix_spawn(&child, words[0], &actions, &attributes, words.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  posix_spawnattr_destroy(&attributes);
-  ::close(ends[0]);
-  pixels_ = ends[1];
-  if (code != 0) {
-    ::close(pixels_);
-    ::close(messages_);
-    throw Error(ErrorKind::io, fmt::format("cannot start ffmpeg: {}", std::strerror(code)));
-  }
-  process_ = child;
-  removed_on_signal_.emplace(child, std::move(unfinished));
+  if (!messages_.is_open() || ::pipe2(ends, O_CLOEXEC) != 0) cannot_start(errno);
+  Descriptor const input(ends[0]);
+  pixels_ = Descriptor(ends[1]);
+  fs::path unfinished = unfinished_.path;  // before ffmpeg runs: what throws after that would leave it running
+  process_ = spawn(ffmpeg_arguments(format, size, frames_per_second, unfinished), input, messages_);
+  removed_on_signal_.emplace(process_, std::move(unfinished));
 }
 
 Video::~Video() {
-  if (pixels_ >= 0) ::close(pixels_);
-  if (process_ > 0) {
-    ::kill(process_, SIGKILL);
-    wait_for_ffmpeg();
-  }
-  if (messages_ >= 0) ::close(messages_);
-  ::unlink(unfinished_.c_str());
+  if (process_ <= 0) return;
+  ::kill(process_, SIGKILL);
+  wait_for_ffmpeg();
+}
+
+Video::Temporary::~Temporary() {
+  if (!path.empty()) ::unlink(path.c_str());
 }
 
 int Video::wait_for_ffmpeg() {
@@ -202,13 +222,12 @@ int Video::wait_for_ffmpeg() {
 }
 
 void Video::fail() {
-  if (pixels_ >= 0) ::close(pixels_);
-  pixels_ = -1;
+  pixels_ = Descriptor();
   wait_for_ffmpeg();
   std::string text;
   char buffer[4096];
-  ::lseek(messages_, 0, SEEK_SET);
-  for (ssize_t count; (count = ::read(messages_, buffer, sizeof buffer)) > 0 && text.size() < (1u << 20);) {
+  ::lseek(messages_.number(), 0, SEEK_SET);
+  for (ssize_t count; (count = ::read(messages_.number(), buffer, sizeof buffer)) > 0 && text.size() < (1u << 20);) {
     text.append(buffer, std::size_t(count));
   }
   std::string const lines = last_lines(text);
@@ -218,7 +237,7 @@ void Video::fail() {
 
 void Video::add(std::string_view pixels) {
   while (!pixels.empty()) {
-    ssize_t const written = ::write(pixels_, pixels.data(), pixels.size());
+    ssize_t const written = ::write(pixels_.number(), pixels.data(), pixels.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail();
     pixels.remove_prefix(std::size_t(written));
@@ -227,11 +246,10 @@ void Video::add(std::string_view pixels) {
 }
 
 void Video::finish_as(fs::path const& path) {
-  ::close(pixels_);
-  pixels_ = -1;
+  pixels_ = Descriptor();
   int const status = wait_for_ffmpeg();
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();
-  if (::rename(unfinished_.c_str(), path.c_str()) != 0) {
+  if (::rename(unfinished_.path.c_str(), path.c_str()) != 0) {
     throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}", path.string(), std::strerror(errno)));
   }
 }

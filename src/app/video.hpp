@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/interruption.hpp"
+#include "core/descriptor.hpp"
 #include "lichtraum/camera.hpp"
 
 namespace lichtraum::app {
@@ -54,14 +55,20 @@ class Video {
   [[noreturn]] void fail();
   int wait_for_ffmpeg();
 
+  /// Removed at the end, unless it has another name by then.
+  struct Temporary {
+    std::filesystem::path path;
+    ~Temporary();
+  };
+
   std::filesystem::path path_;
-  std::filesystem::path unfinished_;
   Resolution size_;
   int frame_count_ = 0;
   int process_ = -1;
-  int pixels_ = -1;    // what ffmpeg reads
-  int messages_ = -1;  // a file without a name that holds what ffmpeg said
   std::optional<UnfinishedFile> removed_on_signal_;
+  Temporary unfinished_;
+  Descriptor messages_;  // a file without a name that holds what ffmpeg said
+  Descriptor pixels_;    // what ffmpeg reads
 };
 
 /// Throws Error{unavailable} that names the package when the ffmpeg program is not there.

@@ -170,6 +170,20 @@ TEST_CASE("what ffmpeg says when it fails is told, and the old film stays", "[ap
   }
 }
 
+TEST_CASE("an unfinished film is a new file, of a name that nobody can foresee", "[app][film]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("balls.sdf", moving_balls());
+  auto const result = run_process(with_ffmpeg(lichtraum, "balls.sdf -o film.mp4",
+                                              "#!/bin/sh\n"
+                                              "for last; do :; done\n"
+                                              "file=${last#file:}\n"
+                                              "[ -f \"$file\" ] && [ ! -s \"$file\" ] && echo \"$file\" > name\n"
+                                              "exit 3\n"));
+  CHECK(result.exit_code == 74);
+  CHECK(lichtraum.folder.read("name").size() >= std::string(".lichtraum-0123456789abcdef.tmp.mp4\n").size());
+  CHECK(lichtraum.folder.names() == std::vector<std::string>{"balls.sdf", "bin", "name"});
+}
+
 TEST_CASE("a film that is interrupted twice leaves nothing behind", "[app][film]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("balls.sdf", moving_balls());

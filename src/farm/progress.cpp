@@ -4,6 +4,7 @@
 #include <charconv>
 #include <map>
 
+#include "core/folder_entries.hpp"
 #include "farm/unit_file.hpp"
 
 namespace lichtraum::farm {
@@ -41,27 +42,25 @@ Progress progress_of(PlanFolder const& folder) {
   Progress progress;
   progress.is_done.resize(std::size_t(folder.plan().unit_count()));
   UnitSizes size_of(folder.plan());
-  std::error_code ignored;
-  for (auto const& part : fs::directory_iterator(folder.units_folder(), ignored)) {
-    for (auto const& entry : fs::directory_iterator(part.path(), ignored)) {
-      fs::path const& path = entry.path();
-      std::int64_t const number = number_of(path.stem().string());
-      if (path.extension() == ".tmp") ++progress.unfinished;
-      if (path.extension() == ".bad") ++progress.set_aside;
-      if (path.extension() != ".unit" || number < 0 || number >= folder.plan().unit_count()) continue;
-      if (path != folder.unit_file(number)) continue;
-      std::error_code is_gone;
-      std::uint64_t const size = entry.file_size(is_gone);
-      if (is_gone) continue;
-      if (size != size_of(number)) {
-        ++progress.cut_short;
-        continue;
-      }
-      ++progress.done;
-      progress.bytes += size;
-      progress.is_done[std::size_t(number)] = true;
+  auto const count = [&](fs::directory_entry const& entry) {
+    fs::path const& path = entry.path();
+    std::int64_t const number = number_of(path.stem().string());
+    if (path.extension() == ".tmp") ++progress.unfinished;
+    if (path.extension() == ".bad") ++progress.set_aside;
+    if (path.extension() != ".unit" || number < 0 || number >= folder.plan().unit_count()) return;
+    if (path != folder.unit_file(number)) return;
+    std::error_code is_gone;
+    std::uint64_t const size = entry.file_size(is_gone);
+    if (is_gone) return;
+    if (size != size_of(number)) {
+      ++progress.cut_short;
+      return;
     }
-  }
+    ++progress.done;
+    progress.bytes += size;
+    progress.is_done[std::size_t(number)] = true;
+  };
+  for_each_entry(folder.units_folder(), [&](fs::directory_entry const& part) { for_each_entry(part.path(), count); });
   return progress;
 }
 

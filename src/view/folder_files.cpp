@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/input_list.hpp"
+#include "core/folder_entries.hpp"
 #include "lichtraum/model.hpp"
 
 namespace lichtraum::view {
@@ -19,12 +20,10 @@ bool is_readable(std::filesystem::path const& file) {
 
 std::vector<std::string> readable_names(std::filesystem::path const& folder) {
   std::vector<std::string> names;
-  std::error_code error;  // a folder that cannot be listed has no other files
-  for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
-       entry.increment(error)) {
+  for_each_entry(folder.empty() ? "." : folder, [&](std::filesystem::directory_entry const& entry) {
     std::error_code unknown;
-    if (is_readable(entry->path()) && entry->is_regular_file(unknown)) names.push_back(entry->path().filename());
-  }
+    if (is_readable(entry.path()) && entry.is_regular_file(unknown)) names.push_back(entry.path().filename());
+  });
   std::sort(names.begin(), names.end(), app::comes_before);
   return names;
 }

@@ -8,6 +8,7 @@
 #include "app/planned_pictures.hpp"
 #include "app/sequence.hpp"
 #include "app/video.hpp"
+#include "core/quoted_for_shell.hpp"
 #include "farm/progress.hpp"
 
 namespace lichtraum::app {
@@ -63,9 +64,9 @@ void check_all_there(farm::PlanFolder const& folder) {
   std::string const where =
       first.first == first.last ? fmt::format("{}", first.first) : fmt::format("{}..{}", first.first, first.last);
   throw Error(ErrorKind::try_again,
-              fmt::format("{}: {} of {} missing, the first of them {}: 'lichtraum job work {}' draws {}",
+              fmt::format("{}: {} of {} missing, the first of them {}: lichtraum job work {} draws {}",
                           folder.path().string(), missing, unit_text(folder.plan().unit_count()), where,
-                          folder.path().string(), missing == 1 ? "it" : "them"));
+                          quoted_for_shell(folder.path().string()), missing == 1 ? "it" : "them"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "app/job_commands.hpp"
 #include "app/planned_pictures.hpp"
 #include "app/renderer_choice.hpp"
+#include "core/quoted_for_shell.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -78,8 +79,8 @@ int job_plan_command(Arguments const& arguments, Console& console) {
                               options.unit_samples, console);
   farm::PlanFolder const folder(options.folder, std::move(plan));
   std::int64_t const units = folder.plan().unit_count();
-  console.info(fmt::format("{}: {}; 'lichtraum job work {}' draws {}", options.folder, unit_text(units), options.folder,
-                           units == 1 ? "it" : "them"));
+  console.info(fmt::format("{}: {}; lichtraum job work {} draws {}", options.folder, unit_text(units),
+                           quoted_for_shell(options.folder), units == 1 ? "it" : "them"));
   return 0;
 }
 

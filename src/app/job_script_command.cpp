@@ -8,6 +8,7 @@
 #include "app/arguments.hpp"
 #include "app/job_commands.hpp"
 #include "app/values.hpp"
+#include "core/quoted_for_shell.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -36,12 +37,6 @@ struct ScriptTasks {
     return fmt::format("{}..{}", task * task_units, std::min(unit_count, (task + 1) * task_units) - 1);
   }
 };
-
-std::string shell_quoted(std::string const& text) {
-  std::string quoted = "'";
-  for (char const c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
-}
 
 /// A text in JSON, and in JavaScript and Python as well.
 std::string json_quoted(std::string const& text) {
@@ -72,7 +67,7 @@ fi
 exit "$status"
 )script",
                      tasks.count() - 1, tasks.task_units, tasks.task_units - 1, tasks.unit_count, tasks.unit_count - 1,
-                     shell_quoted(tasks.folder));
+                     quoted_for_shell(tasks.folder));
 }
 
 std::string parallel_script(ScriptTasks const& tasks) {
@@ -85,7 +80,7 @@ seq 0 {} {} | while read -r first; do
 done | parallel -j 1 --retries 3 "$@" lichtraum job work {} -q --units
 )script",
                      tasks.task_units, tasks.unit_count - 1, tasks.task_units - 1, tasks.unit_count,
-                     tasks.unit_count - 1, shell_quoted(shell_quoted(tasks.folder)));
+                     tasks.unit_count - 1, quoted_for_shell(quoted_for_shell(tasks.folder)));
 }
 
 std::string openjd_template(ScriptTasks const& tasks) {

@@ -5,6 +5,7 @@
 #include "app/commands.hpp"
 #include "app/lack_of_memory.hpp"
 #include "app/program.hpp"
+#include "core/quoted_for_shell.hpp"
 
 using namespace lichtraum;
 using namespace lichtraum::app;
@@ -37,7 +38,7 @@ std::string help() {
       word == "-" || word.find_first_of("./") != std::string::npos || ::access(word.c_str(), F_OK) == 0;
   std::string const advice = word.substr(0, 1) == "-" && word != "-"
                                  ? "options follow a command: lichtraum render --help"
-                             : is_file       ? fmt::format("to draw a scene: lichtraum render {}", word)
+                             : is_file ? fmt::format("to draw a scene: lichtraum render {}", quoted_for_shell(word))
                              : !near.empty() ? fmt::format("did you mean 'lichtraum {}'?", near)
                                              : "lichtraum --help lists the commands";
   throw Error(ErrorKind::usage, fmt::format("'{}' is not a command: {}", word, advice));

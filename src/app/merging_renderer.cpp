@@ -7,6 +7,7 @@
 
 #include "app/job_commands.hpp"
 #include "app/stopwatch.hpp"
+#include "core/quoted_for_shell.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -58,8 +59,9 @@ RayCounts MergingRenderer::check(std::int64_t first_unit, ProgressFunction const
     if (progress && !progress(now)) throw Error(ErrorKind::interrupted, "interrupted: nothing was written");
   }
   if (lacking.is_empty()) return rays;
-  throw Error(ErrorKind::try_again, fmt::format("{}: {}: 'lichtraum job work {}' draws what is missing",
-                                                folder_.path().string(), lacking.text(), folder_.path().string()));
+  throw Error(ErrorKind::try_again,
+              fmt::format("{}: {}: lichtraum job work {} draws what is missing", folder_.path().string(),
+                          lacking.text(), quoted_for_shell(folder_.path().string())));
 }
 
 RenderResult MergingRenderer::render(RenderRequest const& request, Film& film, ProgressFunction const& progress) {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/content_hash.hpp"
+#include "core/quoted_for_shell.hpp"
 #include "core/read_file.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/image_io.hpp"
@@ -77,11 +78,11 @@ PlanFolder::PlanFolder(fs::path folder) : folder_(std::move(folder)) {
   std::error_code ignored;
   if (fs::is_regular_file(folder_, ignored)) {
     throw Error(ErrorKind::no_input, fmt::format("'{}' is not a folder: lichtraum job plan {} -o FOLDER makes one",
-                                                 folder_.string(), folder_.string()));
+                                                 folder_.string(), quoted_for_shell(folder_.string())));
   }
   if (!is_there()) {
     throw Error(ErrorKind::no_input, fmt::format("'{}' has no {}: lichtraum job plan SCENE -o {} makes one",
-                                                 folder_.string(), plan_name, folder_.string()));
+                                                 folder_.string(), plan_name, quoted_for_shell(folder_.string())));
   }
   std::string const text = read_file(file);
   hash_ = hash_of(text);

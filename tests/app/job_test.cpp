@@ -410,6 +410,7 @@ TEST_CASE("what cannot be planned or drawn is refused in a sentence", "[app][job
   refused("work shared --units 0..1 --device reference", 64, "units 0..0, not 1");
   refused("work shared --units 5..2", 64, "expected the first unit before the last");
   refused("work", 64, "no folder is given");
+  refused("work far(2)", 66, "'far(2)' has no plan.json: lichtraum job plan SCENE -o 'far(2)' makes one");
   refused("work ball.sdf", 66, "'ball.sdf' is not a folder: lichtraum job plan ball.sdf -o FOLDER");
   for (std::string const text : {"{}", "[", "{\"lichtraum_plan\": 1}", "{\"lichtraum_plan\": 2}"}) {
     put(farm.folder / "shared/plan.json", text);

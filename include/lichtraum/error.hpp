@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lichtraum/api.hpp"
@@ -31,6 +32,8 @@ struct SourceLocation {
 };
 
 enum class Severity { note, warning, error };
+/// "note", "warning" or "error".
+std::string_view severity_text(Severity severity);
 
 /// One finding in an input, ready to be shown.
 struct Diagnostic {

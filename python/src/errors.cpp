@@ -15,18 +15,6 @@ namespace {
 using State =
     std::tuple<int, int, std::string, std::size_t, std::size_t, std::size_t, std::string, std::string, std::string>;
 
-char const* name_of(Severity severity) {
-  switch (severity) {
-    case Severity::note:
-      return "note";
-    case Severity::warning:
-      return "warning";
-    case Severity::error:
-      break;
-  }
-  return "error";
-}
-
 /// Of lichtraum._errors.
 char const* class_for(ErrorKind kind) {
   switch (kind) {
@@ -71,7 +59,7 @@ void translate(std::exception_ptr const& thrown, void*) {
 void bind_errors(nb::module_& module) {
   nb::class_<Diagnostic>(module, "Diagnostic", "One finding in a scene or a model.")
       .def_prop_ro(
-          "severity", [](Diagnostic const& d) { return name_of(d.severity); }, "'note', 'warning' or 'error'.")
+          "severity", [](Diagnostic const& d) { return severity_text(d.severity); }, "'note', 'warning' or 'error'.")
       .def_prop_ro(
           "file", [](Diagnostic const& d) { return d.location.file; }, "As it was named; empty: of no file.")
       .def_prop_ro(
@@ -96,8 +84,8 @@ void bind_errors(nb::module_& module) {
            })
       .def("__str__", [](Diagnostic const& d) { return format_diagnostic(d); })
       .def("__repr__", [](Diagnostic const& d) {
-        return "<" + std::string(name_of(d.severity)) + " " + d.location.file + ":" + std::to_string(d.location.line) +
-               ":" + std::to_string(d.location.column) + ": " + d.message + ">";
+        return "<" + std::string(severity_text(d.severity)) + " " + d.location.file + ":" +
+               std::to_string(d.location.line) + ":" + std::to_string(d.location.column) + ": " + d.message + ">";
       });
   nb::register_exception_translator(translate);
 }

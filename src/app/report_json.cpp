@@ -9,18 +9,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-char const* severity_name(Severity severity) {
-  switch (severity) {
-    case Severity::note:
-      return "note";
-    case Severity::warning:
-      return "warning";
-    case Severity::error:
-      return "error";
-  }
-  return "";
-}
-
 /// What counts from 1, and is 0 where there is none.
 Json count_json(std::size_t count) { return count > 0 ? Json(count) : Json(); }
 
@@ -31,7 +19,7 @@ Json json_of(std::vector<Diagnostic> const& diagnostics) {
   for (Diagnostic const& d : diagnostics) {
     Json const notes = d.hint.empty() ? Json::array() : Json::array({d.hint});
     std::string_view const code = code_text(d.code);
-    list.push_back({{"severity", severity_name(d.severity)},
+    list.push_back({{"severity", severity_text(d.severity)},
                     {"code", code.empty() ? Json() : Json(code)},
                     {"message", d.message},
                     {"file", d.location.file.empty() ? Json() : Json(d.location.file)},

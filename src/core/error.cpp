@@ -14,18 +14,6 @@ constexpr std::size_t characters_before = 60;
 constexpr std::size_t characters_after = 100;
 constexpr std::size_t longest_sequence = 4;  // bytes of a UTF-8 character
 
-std::string_view severity_name(Severity severity) {
-  switch (severity) {
-    case Severity::note:
-      return "note";
-    case Severity::warning:
-      return "warning";
-    case Severity::error:
-      return "error";
-  }
-  return "";
-}
-
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 /// The part of a line around the marked bytes, [begin, end), in bytes.
@@ -96,13 +84,25 @@ std::string join(std::vector<Diagnostic> const& diagnostics) {
 
 }  // namespace
 
+std::string_view severity_text(Severity severity) {
+  switch (severity) {
+    case Severity::note:
+      return "note";
+    case Severity::warning:
+      return "warning";
+    case Severity::error:
+      return "error";
+  }
+  return "";
+}
+
 std::string format_diagnostic(Diagnostic const& diagnostic) {
   SourceLocation const& location = diagnostic.location;
   std::string result = printable(location.file);
   if (location.line > 0) result += ':' + std::to_string(location.line);
   if (location.line > 0 && location.column > 0) result += ':' + std::to_string(location.column);
   if (!result.empty()) result += ": ";
-  result += severity_name(diagnostic.severity);
+  result += severity_text(diagnostic.severity);
   result += ": " + printable(diagnostic.message);
   if (diagnostic.code != DiagnosticCode::none) result.append(" [").append(code_text(diagnostic.code)).append("]");
   result += '\n' + quote(diagnostic);

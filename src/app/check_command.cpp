@@ -8,6 +8,7 @@
 #include "app/input_list.hpp"
 #include "app/prediction.hpp"
 #include "app/renderer_choice.hpp"
+#include "core/counted.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -25,10 +26,6 @@ constexpr char const* check_examples =
     "  lichtraum check -q --json hello.sdf\n"
     "  lichtraum check -v - < hello.sdf\n";
 
-std::string count(std::size_t number, std::string_view what) {
-  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
-}
-
 std::size_t count_of(std::vector<Diagnostic> const& diagnostics, Severity severity) {
   return static_cast<std::size_t>(std::count_if(diagnostics.begin(), diagnostics.end(),
                                                 [&](Diagnostic const& d) { return d.severity == severity; }));
@@ -43,15 +40,15 @@ std::string picture_line(PicturePlan const& plan) {
 std::string summary(Prediction const& prediction) {
   std::size_t const errors = count_of(prediction.diagnostics, Severity::error);
   std::size_t const warnings = count_of(prediction.diagnostics, Severity::warning);
-  std::string text = fmt::format("{}: {}", prediction.file, errors == 0 ? "good" : count(errors, "error"));
-  if (errors + warnings > 0) text += ", " + count(warnings, "warning");
+  std::string text = fmt::format("{}: {}", prediction.file, errors == 0 ? "good" : counted(errors, "error"));
+  if (errors + warnings > 0) text += ", " + counted(warnings, "warning");
   text += "\n";
   constexpr std::size_t most_pictures = 4;
   std::size_t const shown = std::min(prediction.pictures.size(), most_pictures);
   for (std::size_t i = 0; i < shown; ++i) text += picture_line(prediction.pictures[i]);
   if (std::size_t const more = prediction.pictures.size() - shown; more > 0) {
-    text +=
-        fmt::format("  and {}, the last is {}\n", count(more, "more picture"), prediction.pictures.back().output.shown);
+    text += fmt::format("  and {}, the last is {}\n", counted(more, "more picture"),
+                        prediction.pictures.back().output.shown);
   }
   return text;
 }

@@ -2,6 +2,7 @@
 
 #include "app/arguments.hpp"
 #include "app/job_commands.hpp"
+#include "core/counted.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -57,6 +58,6 @@ int job_command(Arguments const& arguments, Console& console) {
                                                          : fmt::format("did you mean 'lichtraum job {}'?", near)));
 }
 
-std::string unit_text(std::int64_t count) { return fmt::format("{} unit{}", count, count == 1 ? "" : "s"); }
+std::string unit_text(std::int64_t count) { return counted(std::uint64_t(count), "unit"); }
 
 }  // namespace lichtraum::app

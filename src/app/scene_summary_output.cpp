@@ -6,6 +6,7 @@
 
 #include "app/report_json.hpp"
 #include "app/scene_summary.hpp"
+#include "core/counted.hpp"
 #include "lichtraum/words.hpp"
 
 namespace lichtraum::app {
@@ -20,11 +21,6 @@ std::string number(std::uint64_t count) {
   return count >= ShapeCounts::uncountable ? "more than 4e18" : std::to_string(count);
 }
 
-std::string plural(ShapeKind kind) {
-  std::string const name(name_of(kind));
-  return name + (name.ends_with('x') || name.ends_with('h') ? "es" : "s");
-}
-
 struct CountRow {
   std::string what;
   std::uint64_t count;
@@ -33,7 +29,7 @@ struct CountRow {
 std::vector<CountRow> rows_of(ShapeCounts const& counts) {
   std::vector<CountRow> rows;
   for (std::size_t i = 0; i < shape_kind_count; ++i) {
-    rows.push_back({plural(ShapeKind(i)), counts.of_kind[i]});
+    rows.push_back({plural(name_of(ShapeKind(i))), counts.of_kind[i]});
     if (ShapeKind(i) == ShapeKind::mesh) rows.push_back({"mesh triangles", counts.mesh_triangles});
     if (ShapeKind(i) == ShapeKind::point_cloud) rows.push_back({"points", counts.points});
     if (ShapeKind(i) == ShapeKind::line_set) rows.push_back({"lines", counts.lines});

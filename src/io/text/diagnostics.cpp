@@ -6,6 +6,8 @@
 #include <functional>
 #include <utility>
 
+#include "core/counted.hpp"
+
 namespace lichtraum {
 namespace {
 
@@ -14,10 +16,6 @@ constexpr std::size_t longest_line_before = 4096;  // bytes of a line that are k
 constexpr std::size_t longest_line_after = 512;    // ... and after it
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
-
-std::string counted(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 }  // namespace
 

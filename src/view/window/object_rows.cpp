@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/counted.hpp"
+
 namespace lichtraum::view {
 namespace {
 
@@ -28,8 +30,7 @@ RowAction draw_row(ObjectTree::Row const& row, bool is_selected, SceneValues con
   action.selects = ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen();
   ImGui::SameLine();
   if (row.composite) {
-    std::size_t const count = row.composite->children().size();
-    ImGui::TextDisabled("%zu part%s", count, count == 1 ? "" : "s");
+    ImGui::TextDisabled("%s", counted(row.composite->children().size(), "part").c_str());
   } else {
     ImGui::TextDisabled("%s, %s", std::string(name_of(row.shape->kind())).c_str(),
                         material_name(*row.shape, values).c_str());

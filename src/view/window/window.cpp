@@ -12,6 +12,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/counted.hpp"
 #include "lichtraum/image_io.hpp"
 #include "view/edited_scene.hpp"
 #include "view/window/keys.hpp"
@@ -377,14 +378,12 @@ std::string Window::statistics() const {
   if (!frame_) return problem_.empty() ? "loading ..." : "waiting for the file to be saved";
   RenderStatistics const& render = frame_->statistics;
   SceneStatistics const& scene = frame_->scene;
-  int const samples = frame_->pass.sampling.count;
-  return fmt::format(
-      "{}\n{}x{}, {} sample{} per pixel, {:.1f} ms, {:.1f} Mrays/s\n{} triangles, {} spheres, {} boxes, {} nodes\n? "
-      "shows "
-      "the keys",
-      device_, frame_->image.width(), frame_->image.height(), samples, samples == 1 ? "" : "s", render.trace_ms,
-      render.trace_ms > 0 ? 1e-3 * double(render.rays.total()) / render.trace_ms : 0.0, scene.triangles, scene.spheres,
-      scene.boxes, scene.bvh_nodes);
+  return fmt::format("{}\n{}x{}, {} per pixel, {:.1f} ms, {:.1f} Mrays/s\n{}, {}, {}, {}\n? shows the keys", device_,
+                     frame_->image.width(), frame_->image.height(),
+                     counted(std::uint64_t(frame_->pass.sampling.count), "sample"), render.trace_ms,
+                     render.trace_ms > 0 ? 1e-3 * double(render.rays.total()) / render.trace_ms : 0.0,
+                     counted(scene.triangles, "triangle"), counted(scene.spheres, "sphere"),
+                     counted(scene.boxes, "box"), counted(scene.bvh_nodes, "node"));
 }
 
 }  // namespace lichtraum::view

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "core/descriptor.hpp"
 #include "core/huge_pages.hpp"
 #include "lichtraum/error.hpp"
 
@@ -18,20 +19,6 @@ namespace lichtraum {
 namespace {
 
 std::string reason(int code) { return std::generic_category().message(code); }
-
-class FileDescriptor {
- public:
-  explicit FileDescriptor(int number) : number_(number) {}
-  FileDescriptor(FileDescriptor const&) = delete;
-  FileDescriptor& operator=(FileDescriptor const&) = delete;
-  ~FileDescriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 // read(2), again when a signal interrupts it.
 std::size_t read_some(int file, char* to, std::size_t size, std::filesystem::path const& path) {
@@ -46,8 +33,8 @@ std::size_t read_some(int file, char* to, std::size_t size, std::filesystem::pat
 }  // namespace
 
 std::string read_file(std::filesystem::path const& path, std::size_t stream_limit) {
-  FileDescriptor const file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.number() < 0) {
+  Descriptor const file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) {
     throw Error(ErrorKind::no_input, fmt::format("cannot open '{}': {}", path.string(), reason(errno)));
   }
   struct stat status {};

@@ -92,6 +92,8 @@ void check_writable(std::filesystem::path const& path);
 /// Throws Error{cannot_create} or Error{io} and leaves the old file as it was.
 void write_file_atomically(std::filesystem::path const& path, std::string_view bytes);
 
+class TemporaryFile;
+
 /// The same of a file that is written by and by; not for streams. Removed again unless it is finished.
 class NewFile final : public ByteSink {
  public:
@@ -112,10 +114,8 @@ class NewFile final : public ByteSink {
   void note(int code);
 
   std::filesystem::path path_;
-  std::filesystem::path temporary_;
-  int descriptor_ = -1;
+  std::unique_ptr<TemporaryFile> temporary_;
   int code_ = 0;  // of what failed first
-  bool is_finished_ = false;
 };
 
 }  // namespace lichtraum

@@ -13,7 +13,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
-#include <random>
 #include <sstream>
 
 #include "core/ascii.hpp"
@@ -71,18 +70,6 @@ std::string find_ffmpeg() {
 
 [[noreturn]] void cannot_start(int code) {
   throw Error(ErrorKind::io, fmt::format("cannot start ffmpeg: {}", std::strerror(code)));
-}
-
-/// A new, empty file beside the film. Its name cannot be foreseen: another host may have a process of this number, and
-/// who else may write in the folder could put a link there.
-fs::path create_beside(fs::path const& film, std::string_view extension) {
-  std::random_device random;
-  for (;;) {
-    fs::path file = film.parent_path() / fmt::format(".lichtraum-{:08x}{:08x}.tmp{}", random(), random(), extension);
-    if (Descriptor(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)).is_open()) return file;
-    if (errno == EEXIST || errno == EINTR) continue;
-    throw Error(ErrorKind::cannot_create, fmt::format("cannot write '{}': {}", film.string(), std::strerror(errno)));
-  }
 }
 
 std::vector<std::string> ffmpeg_arguments(FilmFormat const& format, Resolution const& size, double frames_per_second,
@@ -192,13 +179,17 @@ Video::Video(fs::path path, Resolution size, double frames_per_second) : path_(s
                                               format.extension, size.width, size.height));
   }
   check_writable(path_);
-  unfinished_.path = create_beside(path_, format.extension);
+  unfinished_.emplace(path_.parent_path(), format.extension);
+  if (!unfinished_->descriptor().is_open()) {
+    throw Error(ErrorKind::cannot_create, fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)));
+  }
+  unfinished_->descriptor().close();  // ffmpeg opens it by its name
   messages_ = Descriptor(::memfd_create("ffmpeg-messages", MFD_CLOEXEC));
   int ends[2];
   if (!messages_.is_open() || ::pipe2(ends, O_CLOEXEC) != 0) cannot_start(errno);
   Descriptor const input(ends[0]);
   pixels_ = Descriptor(ends[1]);
-  fs::path unfinished = unfinished_.path;  // before ffmpeg runs: what throws after that would leave it running
+  fs::path unfinished = unfinished_->path();  // before ffmpeg runs: what throws after that would leave it running
   process_ = spawn(ffmpeg_arguments(format, size, frames_per_second, unfinished), input, messages_);
   removed_on_signal_.emplace(process_, std::move(unfinished));
 }
@@ -207,10 +198,6 @@ Video::~Video() {
   if (process_ <= 0) return;
   ::kill(process_, SIGKILL);
   wait_for_ffmpeg();
-}
-
-Video::Temporary::~Temporary() {
-  if (!path.empty()) ::unlink(path.c_str());
 }
 
 int Video::wait_for_ffmpeg() {
@@ -236,12 +223,7 @@ void Video::fail() {
 }
 
 void Video::add(std::string_view pixels) {
-  while (!pixels.empty()) {
-    ssize_t const written = ::write(pixels_.number(), pixels.data(), pixels.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail();
-    pixels.remove_prefix(std::size_t(written));
-  }
+  if (write_all(pixels_, pixels) != 0) fail();
   ++frame_count_;
 }
 
@@ -249,8 +231,8 @@ void Video::finish_as(fs::path const& path) {
   pixels_ = Descriptor();
   int const status = wait_for_ffmpeg();
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();
-  if (::rename(unfinished_.path.c_str(), path.c_str()) != 0) {
-    throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}", path.string(), std::strerror(errno)));
+  if (int const code = unfinished_->rename_to(path); code != 0) {
+    throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}", path.string(), std::strerror(code)));
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/interruption.hpp"
 #include "core/descriptor.hpp"
+#include "core/temporary_file.hpp"
 #include "lichtraum/camera.hpp"
 
 namespace lichtraum::app {
@@ -55,18 +56,12 @@ class Video {
   [[noreturn]] void fail();
   int wait_for_ffmpeg();
 
-  /// Removed at the end, unless it has another name by then.
-  struct Temporary {
-    std::filesystem::path path;
-    ~Temporary();
-  };
-
   std::filesystem::path path_;
   Resolution size_;
   int frame_count_ = 0;
   int process_ = -1;
   std::optional<UnfinishedFile> removed_on_signal_;
-  Temporary unfinished_;
+  std::optional<TemporaryFile> unfinished_;
   Descriptor messages_;  // a file without a name that holds what ffmpeg said
   Descriptor pixels_;    // what ffmpeg reads
 };

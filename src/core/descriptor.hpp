@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <cerrno>
+#include <string_view>
 #include <utility>
 
 namespace lichtraum {
@@ -28,5 +30,16 @@ class Descriptor {
  private:
   int number_;
 };
+
+/// Returns errno; 0 when all is written.
+inline int write_all(Descriptor const& file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    ssize_t const written = ::write(file.number(), bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    bytes.remove_prefix(std::size_t(written));
+  }
+  return 0;
+}
 
 }  // namespace lichtraum

@@ -9,11 +9,11 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <random>
 #include <vector>
 
 #include "core/content_hash.hpp"
 #include "core/descriptor.hpp"
+#include "core/temporary_file.hpp"
 #include "lichtraum/error.hpp"
 
 namespace lichtraum::farm {
@@ -102,50 +102,14 @@ bool read_exactly(Descriptor const& file, void* bytes, std::size_t count) {
       fmt::format("cannot write '{}': {}; what is done stays, and 'lichtraum job work' goes on", path.string(), why));
 }
 
-/// Removed again unless it gets its name.
-class NewFile {
- public:
-  explicit NewFile(fs::path target) : target_(std::move(target)) {
-    std::random_device random;
-    std::array<char, 65> host{};
-    ::gethostname(host.data(), host.size() - 1);
-    path_ = target_.parent_path() / fmt::format(".{}-{}-{:08x}{:08x}.tmp", host.data(), ::getpid(), random(), random());
-    file_ = Descriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (!file_.is_open()) cannot_write(target_);
-  }
-  NewFile(NewFile const&) = delete;
-  NewFile& operator=(NewFile const&) = delete;
-  ~NewFile() {
-    if (!is_named_) ::unlink(path_.c_str());
-  }
-
-  void write(void const* bytes, std::size_t count) {
-    auto const* at = static_cast<char const*>(bytes);
-    while (count > 0) {
-      ssize_t const written = ::write(file_.number(), at, count);
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) cannot_write(target_);
-      at += written;
-      count -= std::size_t(written);
-    }
-  }
-
-  /// What some file systems find out late is known before the name is there.
-  void finish() {
-    if (::fsync(file_.number()) != 0) cannot_write(target_);
-    if (file_.close() != 0) cannot_write(target_);
-    if (::rename(path_.c_str(), target_.c_str()) != 0) cannot_write(target_);
-    is_named_ = true;
-    Descriptor const folder(::open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (folder.is_open()) ::fsync(folder.number());
-  }
-
- private:
-  fs::path target_;
-  fs::path path_;
-  Descriptor file_;
-  bool is_named_ = false;
-};
+/// What some file systems find out late is known before the name is there.
+void finish(TemporaryFile& file, fs::path const& path) {
+  if (::fsync(file.descriptor().number()) != 0) cannot_write(path);
+  if (file.descriptor().close() != 0) cannot_write(path);
+  if (file.rename_to(path) != 0) cannot_write(path);
+  Descriptor const folder(::open(path.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.is_open()) ::fsync(folder.number());
+}
 
 }  // namespace
 
@@ -165,18 +129,22 @@ void write_unit(PlanFolder const& folder, std::int64_t number, DrawnUnit& unit) 
     errno = failure.value();
     cannot_write(path);
   }
-  NewFile file(path);
+  TemporaryFile file(path.parent_path());
+  if (!file.descriptor().is_open()) cannot_write(path);
+  auto const write = [&](void const* bytes, std::size_t count) {
+    if (write_all(file.descriptor(), {static_cast<char const*>(bytes), count}) != 0) cannot_write(path);
+  };
   ContentHasher hasher;
   auto const add = [&](void const* bytes, std::size_t count) {
     hasher.add_bytes(bytes, count);
-    file.write(bytes, count);
+    write(bytes, count);
   };
   Head const head = head_of(folder, number, unit);
   add(&head, sizeof head);
   for (auto const& array : unit.film.arrays()) add(array.data(), array.size());
   std::string const hash = hasher.finish().text();
-  file.write(hash.data(), hash.size());
-  file.finish();
+  write(hash.data(), hash.size());
+  finish(file, path);
 }
 
 UnitCheck check_unit(PlanFolder const& folder, std::int64_t number, std::string_view allowed_class) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/descriptor.hpp"
+#include "core/temporary_file.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/image_io.hpp"
 
@@ -26,17 +27,6 @@ std::string reason(int code) {
   if (code == EDQUOT) return "your disk quota is used up";
   if (code == EFBIG) return "the file would be larger than the limit set for this process (ulimit -f)";
   return std::strerror(code);
-}
-
-/// Returns errno, 0 when all is written.
-int write_all(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    ssize_t const written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return errno;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return 0;
 }
 
 /// Where a write through symbolic links ends up, the last of them dangling or not.
@@ -88,7 +78,7 @@ Target examine(fs::path const& path) {
 void write_stream(int descriptor, fs::path const& path, std::string_view bytes) {
   Descriptor file(descriptor);
   if (!file.is_open()) fail(ErrorKind::cannot_create, path, reason(errno));
-  int code = write_all(file.number(), bytes);
+  int code = write_all(file, bytes);
   if (file.close() != 0 && code == 0) code = errno;
   if (code != 0) fail(ErrorKind::io, path, reason(code));
 }
@@ -112,24 +102,18 @@ NewFile::NewFile(fs::path path) : path_(std::move(path)) {
   Target const target = examine(path_);
   // In the same folder as its target: renaming is only atomic within one file system.
   fs::path const folder = target.path.has_parent_path() ? target.path.parent_path() : fs::path(".");
-  for (int attempt = 0; descriptor_ < 0; ++attempt) {
-    // Short, so that a target whose name is as long as names may be can be written too.
-    temporary_ = folder / fmt::format(".lichtraum-{}-{}.tmp", ::getpid(), attempt);
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ >= 0 || errno == EEXIST || errno == EINTR) continue;  // or left by a killed process of this number
+  temporary_ = std::make_unique<TemporaryFile>(folder);
+  if (!temporary_->descriptor().is_open()) {
     int const code = errno;
     std::string const why = code == ENOENT ? fmt::format("there is no folder '{}' (mkdir -p makes it)", folder.string())
                             : code == ENOTDIR ? fmt::format("'{}' is not a folder", folder.string())
                                               : fmt::format("in the folder '{}': {}", folder.string(), reason(code));
     fail(ErrorKind::cannot_create, target.path, why);
   }
-  if (target.old) ::fchmod(descriptor_, target.old->st_mode & 07777);
+  if (target.old) ::fchmod(temporary_->descriptor().number(), target.old->st_mode & 07777);
 }
 
-NewFile::~NewFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-  if (!is_finished_) ::unlink(temporary_.c_str());
-}
+NewFile::~NewFile() = default;
 
 /// Remembered, as some encoders write from destructors, which cannot throw.
 void NewFile::note(int code) {
@@ -137,17 +121,18 @@ void NewFile::note(int code) {
   if (code_ != 0) fail(ErrorKind::io, path_, reason(code_));
 }
 
-void NewFile::write(std::string_view bytes) { note(write_all(descriptor_, bytes)); }
+void NewFile::write(std::string_view bytes) { note(write_all(temporary_->descriptor(), bytes)); }
 
-void NewFile::seek(std::uint64_t position) { note(::lseek(descriptor_, off_t(position), SEEK_SET) < 0 ? errno : 0); }
+void NewFile::seek(std::uint64_t position) {
+  note(::lseek(temporary_->descriptor().number(), off_t(position), SEEK_SET) < 0 ? errno : 0);
+}
 
 // No fsync: the rename is atomic without it, and a picture can be rendered again after a power cut.
 void NewFile::finish_as(fs::path const& path) {
   fs::path const target = examine(path).path;
   // Some file systems report a full disk only here.
-  note(::close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno);
-  note(::rename(temporary_.c_str(), target.c_str()) == 0 ? 0 : errno);
-  is_finished_ = true;
+  note(temporary_->descriptor().close() == 0 ? 0 : errno);
+  note(temporary_->rename_to(target));
 }
 
 }  // namespace lichtraum

@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::string_view kind_names[] = {"material", "shape", "light", "camera"};  // by Kind
 
+std::string_view name_of(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+
 bool is_conflict_marker(Token token) {
   return token == "<<<<<<<" || token == "=======" || token == ">>>>>>>" || token == "|||||||";
 }
@@ -23,7 +25,7 @@ bool is_conflict_marker(Token token) {
 Token defined_name(Kind kind, std::span<Token const> tokens) {
   auto const token = [&](std::size_t i) { return i < tokens.size() ? tokens[i] : Token(); };
   if (kind == Kind::camera && token(0) == "camera") return token(1);
-  if (token(0) != "define" || token(1) != kind_names[static_cast<std::size_t>(kind)]) return {};
+  if (token(0) != "define" || token(1) != name_of(kind)) return {};
   if (kind == Kind::shape) return token(3);
   bool const has_light_class =
       kind == Kind::light && (token(2) == "ambient" || token(2) == "diffuse" || token(2) == "environment");
@@ -266,8 +268,7 @@ void Interpreter::define(Token name, Camera camera) {
 
 void Interpreter::define(Token name, Light light) {
   tell(EsdfStatement::Kind::light, name);
-  bool const is_environment = scene.environment && scene.environment->name == name;
-  if (is_environment || scene.lights.contains(name)) report_duplicate(Kind::light, name);
+  if (is_light(name)) report_duplicate(Kind::light, name);
   scene.lights.insert_or_replace(std::move(light));
 }
 
@@ -295,9 +296,25 @@ void Interpreter::render(RenderCommand command) {
 
 void Interpreter::report_duplicate(Kind kind, Token name) {
   std::size_t const line = find_definition(kind, name, false);
-  error(Code::already_defined, name,
-        fmt::format("{} {} is already defined", kind_names[static_cast<std::size_t>(kind)], in_quotes(name)),
+  error(Code::already_defined, name, fmt::format("{} {} is already defined", name_of(kind), in_quotes(name)),
         line == 0 ? std::string() : fmt::format("first defined in line {}", line));
+}
+
+bool Interpreter::is_light(Token name) const {
+  return scene.lights.contains(name) || (scene.environment && scene.environment->name == name);
+}
+
+std::string Interpreter::defined_as_another_kind(Token name) {
+  auto const defined = [&](Kind kind) {
+    std::size_t const line = find_definition(kind, name, false);
+    return fmt::format("{} is a {}{}", in_quotes(name), name_of(kind),
+                       line == 0 ? std::string() : fmt::format(", defined in line {}", line));
+  };
+  if (scene.materials.contains(name)) return defined(Kind::material);
+  if (scene.shapes.contains(name)) return defined(Kind::shape);
+  if (is_light(name)) return defined(Kind::light);
+  if (scene.cameras.contains(name)) return defined(Kind::camera);
+  return {};
 }
 
 std::string Interpreter::defined_later(Kind kind, Token name) {

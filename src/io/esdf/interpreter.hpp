@@ -90,13 +90,16 @@ class Interpreter {
   void define(Token name, Light light);
   /// The only one: a second is reported, and takes the first one's place.
   void define(Token name, EnvironmentLight environment);
+  /// Whether a light or the environment has that name.
+  bool is_light(Token name) const;
   /// Reports a reference to something that does not exist, with what was probably meant. Once for each name.
   template <class... Names>
   void report_undefined(Code code, std::string_view what, Kind kind, Token name, Names const&... names) {
     auto const [known, is_new] = undefined_[static_cast<std::size_t>(kind)].try_emplace(name, Diagnostics::no_finding);
     if (!is_new) return diagnostics_.add_again(known->second);
-    std::string hint = suggest(name, names...);
-    if (hint.empty()) hint = defined_later(kind, name);
+    std::string hint = defined_later(kind, name);
+    if (hint.empty()) hint = defined_as_another_kind(name);
+    if (hint.empty()) hint = suggest(name, names...);
     error(code, name, std::string(what) + ' ' + in_quotes(name) + " is not defined", std::move(hint));
     known->second = diagnostics_.last();
   }
@@ -118,6 +121,8 @@ class Interpreter {
   /// The first line that defines `name`, from the text's start or after the current line; 0: none found.
   std::size_t find_definition(Kind kind, Token name, bool after_current_line);
   std::string defined_later(Kind kind, Token name);
+  /// "'red' is a material, defined in line 1", for what is not of the kind that was looked for.
+  std::string defined_as_another_kind(Token name);
 
   Diagnostics diagnostics_;
   Suggester suggester_;

@@ -157,10 +157,11 @@ void transform(Interpreter& interpreter, Statement const& statement) {
                         fmt::format("{} is both a shape and a camera: the shape is transformed", in_quotes(name)));
   }
   if (!shape && !camera && !interpreter.is_faulty(Kind::shape, name) && !interpreter.is_faulty(Kind::camera, name)) {
-    if (scene.lights.contains(name)) {
+    if (interpreter.is_light(name)) {
       interpreter.error(Code::transformed_light, name,
                         fmt::format("{} is a light: only shapes and cameras can be transformed", in_quotes(name)),
-                        "set the light's position in its definition");
+                        scene.lights.contains(name) ? "set the light's position in its definition"
+                                                    : "rotation=<degrees> in its definition turns it");
     } else {
       interpreter.report_undefined(Code::undefined_object, "shape or camera", Kind::shape, name, scene.shapes,
                                    scene.cameras);

@@ -14,15 +14,6 @@
 namespace lichtraum::esdf {
 namespace {
 
-std::string listed(std::vector<std::string> const& items, std::string_view last_word) {
-  std::string result;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (i > 0) result += i + 1 == items.size() ? fmt::format(" {} ", last_word) : ", ";
-    result += items[i];
-  }
-  return result;
-}
-
 std::size_t sum_of(std::initializer_list<Parameter> const& numbers) {
   std::size_t sum = 0;
   for (Parameter const& parameter : numbers) sum += parameter.count;
@@ -72,6 +63,15 @@ bool report_unknown_key(Interpreter& interpreter, Statement const& statement, st
 }
 
 }  // namespace
+
+std::string listed(std::vector<std::string> const& items, std::string_view last_word) {
+  std::string result;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) result += i + 1 == items.size() ? fmt::format(" {} ", last_word) : ", ";
+    result += items[i];
+  }
+  return result;
+}
 
 std::string with_article(std::string_view what) {
   bool const has_vowel = std::string_view("aeiou").find(what.front()) != std::string_view::npos;
@@ -135,8 +135,8 @@ void report_wrong_count(Interpreter& interpreter, Statement const& statement, Si
     at = statement.rest(1 + std::min(good, tokens.size() - 1));
   }
   std::string hint(signature.usage);
-  bool const has_comment = std::any_of(first_word, tokens.end(), [](Token t) { return t.substr(0, 2) == "//"; });
-  if (has_comment) hint = "a comment after a statement starts with '#'";
+  bool const has_comment = std::any_of(first_word, tokens.end(), is_comment);
+  if (has_comment) hint = comment_hint;
   interpreter.error(Code::wrong_count, at,
                     fmt::format("{}: expected {}, found {}{}", statement.what, wanted, found,
                                 missing.empty() ? "" : fmt::format(" ({})", missing)),

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/esdf/lexer.hpp"
 #include "lichtraum/camera.hpp"
@@ -14,6 +15,10 @@
 namespace lichtraum::esdf {
 
 class Interpreter;
+
+/// How other languages begin a comment.
+inline bool is_comment(Token token) { return token.substr(0, 2) == "//"; }
+inline constexpr std::string_view comment_hint = "a comment after a statement starts with '#'";
 
 /// A statement: what it is called in messages, and its tokens after that word.
 struct Statement {
@@ -46,6 +51,9 @@ struct Signature {
   std::initializer_list<std::size_t> other_counts = {};  ///< numbers that dialects take as well
   std::string_view usage = {};                           ///< a hint where the count alone says little
 };
+
+/// "a, b and c", where `last_word` is "and".
+std::string listed(std::vector<std::string> const& items, std::string_view last_word);
 
 /// "a material", "an ambient light".
 std::string with_article(std::string_view what);

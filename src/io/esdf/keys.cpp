@@ -12,7 +12,7 @@ namespace lichtraum::esdf {
 namespace {
 
 bool read_key(Interpreter& interpreter, std::string_view what, Token argument, std::span<Key const> keys,
-              std::string const& usage, std::unordered_set<std::string_view>& seen) {
+              std::string const& usage, std::string_view other, std::unordered_set<std::string_view>& seen) {
   if (!has_key(argument)) {
     interpreter.error(Code::expected_key, argument,
                       fmt::format("{}: expected key=value, found {}", what, in_quotes(argument)), usage);
@@ -28,7 +28,7 @@ bool read_key(Interpreter& interpreter, std::string_view what, Token argument, s
     std::string const hint = interpreter.suggest(word, words);
     interpreter.error(Code::unknown_key, word.empty() ? argument : word,
                       fmt::format("{}: unknown key {}", what, in_quotes(word)),
-                      hint.empty() ? fmt::format("{} takes {}", with_article(what), list_of(keys)) : hint);
+                      hint.empty() ? fmt::format("{} takes {}", with_article(what), list_of(keys, other)) : hint);
     return false;
   }
   if (!seen.insert(word).second) {
@@ -46,12 +46,11 @@ bool read_key(Interpreter& interpreter, std::string_view what, Token argument, s
 
 }  // namespace
 
-std::string list_of(std::span<Key const> keys) {
-  std::string text;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    text += fmt::format("{}{}=", i == 0 ? "" : i + 1 < keys.size() ? ", " : " and ", keys[i].word);
-  }
-  return text;
+std::string list_of(std::span<Key const> keys, std::string_view other) {
+  std::vector<std::string> items;
+  for (Key const& key : keys) items.push_back(fmt::format("{}=", key.word));
+  if (!other.empty()) items.emplace_back(other);
+  return listed(items, "and");
 }
 
 std::size_t first_key(Statement const& statement, std::size_t names) {
@@ -61,11 +60,11 @@ std::size_t first_key(Statement const& statement, std::size_t names) {
 }
 
 bool read_keys(Interpreter& interpreter, Statement const& statement, std::size_t first, std::span<Key const> keys,
-               std::string const& usage) {
+               std::string const& usage, std::string_view other) {
   std::unordered_set<std::string_view> seen;
   bool good = true;
   for (Token const argument : statement.arguments.subspan(first)) {
-    good &= read_key(interpreter, statement.what, argument, keys, usage, seen);
+    good &= read_key(interpreter, statement.what, argument, keys, usage, other, seen);
   }
   return good;
 }

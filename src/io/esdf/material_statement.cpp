@@ -49,6 +49,9 @@ ColorWord const* find_color_word(Token token) {
   return found == std::end(color_words) ? nullptr : found;
 }
 
+/// "emission <r> <g> <b>"
+std::string usage_of(ColorWord const& color) { return fmt::format("{} <r> <g> <b>", color.word); }
+
 /// A term in its range.
 std::optional<double> read_share(Interpreter& interpreter, std::string_view word, Token value) {
   auto const share = read_number(interpreter, value);
@@ -86,10 +89,9 @@ auto keys_of(Interpreter& interpreter, OptionalTerms& terms) {
 
 /// `tokens` start with the word.
 bool read_color(Interpreter& interpreter, ColorWord const& color, std::span<Token const> tokens, OptionalTerms& terms) {
-  std::string const hint = fmt::format("{} <r> <g> <b>", color.word);
   if (tokens.size() < 4) {
     interpreter.error(Code::wrong_count, place_after(tokens.back()),
-                      fmt::format("material: {} is followed by 3 numbers", color.word), hint);
+                      fmt::format("material: {} is followed by 3 numbers", color.word), usage_of(color));
     return false;
   }
   Token const at = span_of(tokens[0], tokens[3]);
@@ -102,32 +104,74 @@ bool read_color(Interpreter& interpreter, ColorWord const& color, std::span<Toke
   return (terms.*color.term).has_value();
 }
 
+/// The term that was probably meant by a word that is none, as it is written with the numbers after it:
+/// "write reflect=0.3". Else an empty text.
+std::string correct_term(Interpreter& interpreter, Token word, std::span<Token const> numbers,
+                         std::span<Key const> keys) {
+  std::vector<std::string_view> known;
+  for (Key const& key : keys) known.push_back(key.word);
+  for (ColorWord const& color : color_words) known.push_back(color.word);
+  std::string_view const nearest = interpreter.nearest(word, known);
+  if (nearest.empty()) return {};
+  if (ColorWord const* const color = find_color_word(nearest)) {
+    if (numbers.size() != 3) return usage_of(*color);
+    return fmt::format("write {} {}", color->word, span_of(numbers.front(), numbers.back()));
+  }
+  return fmt::format("write {}={}", nearest, numbers.size() == 1 ? numbers[0] : "<number>");
+}
+
+/// Reports a word that is no term, and what was probably meant by it: `tokens` are it and the numbers after it.
+void report_unknown_term(Interpreter& interpreter, std::span<Token const> tokens, std::span<Key const> keys) {
+  Token const whole = tokens.front();
+  std::size_t const colon = std::min(whole.find(':'), whole.size());
+  Token const word = whole.substr(0, colon);
+  std::vector<Token> numbers(tokens.begin() + 1, tokens.end());
+  if (colon + 1 < whole.size()) numbers.insert(numbers.begin(), whole.substr(colon + 1));
+  std::string hint = correct_term(interpreter, word, numbers, keys);
+  if (hint.empty()) hint = "numbers come before " + list_of(keys, usage_of(color_words[0]));
+  interpreter.error(Code::expected_key, span_of(whole, tokens.back()),
+                    fmt::format("material: expected key=value, found {}", in_quotes(whole)), std::move(hint));
+}
+
 /// What follows the numbers: colours and keys, in any order.
 bool read_terms(Interpreter& interpreter, Statement const& statement, std::size_t first, OptionalTerms& terms) {
   std::vector<Token> others;
+  auto const keys = keys_of(interpreter, terms);
   bool good = true;
   for (std::size_t i = first; i < statement.size(); ++i) {
     Token const token = statement[i];
     Token const word = token.substr(0, token.find('='));
     ColorWord const* const color = find_color_word(word);
-    if (!color) {
+    std::span<Token const> const rest = statement.arguments.subspan(i);
+    if (is_comment(token)) {
+      interpreter.error(Code::expected_key, statement.rest(i),
+                        fmt::format("material: expected key=value, found {}", in_quotes(token)),
+                        std::string(comment_hint));
+      good = false;
+      break;
+    }
+    if (!color && !has_key(token) && !looks_like_number(token)) {
+      auto const end = std::find_if_not(rest.begin() + 1, rest.end(), looks_like_number);
+      std::size_t const count = std::size_t(end - rest.begin());
+      report_unknown_term(interpreter, rest.first(count), keys);
+      good = false;
+      i += count - 1;
+    } else if (!color) {
       others.push_back(token);
     } else if (word != token) {
       interpreter.error(Code::color_with_equals, token,
-                        fmt::format("material: {} is followed by 3 numbers, not by '='", word),
-                        fmt::format("{} <r> <g> <b>", word));
+                        fmt::format("material: {} is followed by 3 numbers, not by '='", word), usage_of(*color));
       good = false;
     } else {
-      std::span<Token const> const rest = statement.arguments.subspan(i);
       auto const next_key = std::find_if(rest.begin(), rest.end(), has_key);
       std::size_t const count = std::min<std::size_t>(4, std::size_t(next_key - rest.begin()));
       good &= read_color(interpreter, *color, rest.first(count), terms);
       i += count - 1;
     }
   }
-  auto const keys = keys_of(interpreter, terms);
+  std::string const color_usage = usage_of(color_words[0]);
   return read_keys(interpreter, {statement.what, statement.keyword, others}, 0, keys,
-                   "numbers come before " + list_of(keys)) &&
+                   "numbers come before " + list_of(keys, color_usage), color_usage) &&
          good;
 }
 
@@ -193,8 +237,11 @@ void warn_of_colors(Interpreter& interpreter, std::span<Token const> tokens, std
 
 bool read_material(Interpreter& interpreter, Statement const& statement) {
   auto const& arguments = statement.arguments;
-  auto const first_key = std::find_if(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end(),
-                                      [](Token token) { return has_key(token) || find_color_word(token); });
+  auto const first_key =
+      std::find_if(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end(), [&](Token const& token) {
+        bool const is_after_numbers = &token > &arguments[0] + least_numbers;
+        return has_key(token) || find_color_word(token) || (is_after_numbers && !looks_like_number(token));
+      });
   auto const positional = static_cast<std::size_t>(first_key - arguments.begin());
   if (positional < 1 + least_numbers || positional > 1 + most_numbers) {
     report_wrong_count(interpreter, {statement.what, statement.keyword, arguments.first(positional)},

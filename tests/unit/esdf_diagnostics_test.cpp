@@ -54,12 +54,14 @@ TEST_CASE("what refers to a faulty definition is not a second error", "[unit][es
   CHECK(findings("define material red 1\ndefine shape sphere s 0 0 0 1 red\n").size() == 1);
   CHECK(findings(red + "define shape sphere s 0 red\ndefine shape composite c s\ntransform s scale 2\n").size() == 1);
   CHECK(findings("define shape teapot t 1 2 3\ndefine shape composite c t\n").size() == 1);
+  CHECK(findings("define camera eye {{fov}}\ntransform eye scale 2\nrender eye a.png 1 1\n").size() == 1);
+  CHECK(findings("define camera eye \x01 45\ntransform eye scale 2\nrender eye a.png 1 1\n").size() == 1);
   CHECK(findings("define camera eye 200\ntransform eye scale 2\nrender eye a.png 1 1\n").size() == 1);
 }
 
 TEST_CASE("a misspelt keyword hides no name", "[unit][esdf]") {
   for (std::string const shape : {"define shap sphere", "define Shape sphere", "define sphere", "defin shape sphere",
-                                  "Define shape sphere", "shape sphere", "sphere"}) {
+                                  "Define shape sphere", "shape sphere", "sphere", "Define Shape Sphere"}) {
     INFO(shape);
     std::string const text =
         red + shape + " a 0 0 0 1 red\ndefine shape composite c a\ntransform a scale 2\ndefine shape composite d b\n";
@@ -71,6 +73,7 @@ TEST_CASE("a misspelt keyword hides no name", "[unit][esdf]") {
   CHECK(findings("define materiel m 1 0 0 1 0 0 1 0 0 1\ndefine shape sphere s 0 0 0 1 m\n").size() == 1);
   CHECK(findings("define camra eye 45\ntransform eye scale 2\nrender eye a.png 1 1\n").size() == 1);
   CHECK(findings("Camera eye 45\nrender eye a.png 1 1\n").size() == 1);
+  CHECK(findings("Define Material m 1 0 0 1 0 0 1 0 0 1\ndefine shape sphere s 0 0 0 1 m\n").size() == 1);
   // What the word was meant to be is not known, so neither is what the line defines.
   CHECK(findings("define teapot sphere a 0 0 0 1\ntransform a scale 2\n").size() == 2);
   // The name is one of shapes, and of nothing else.

@@ -32,16 +32,28 @@ Token defined_name(Kind kind, std::span<Token const> tokens) {
   return token(has_light_class ? 3 : 2);
 }
 
+/// The keywords that a line begins with when their case does not count, in lower case: "define", "shape" and "sphere".
+std::vector<std::string> lower_keywords(std::span<Token const> tokens) {
+  std::vector<std::string> words;
+  for (Token const token : tokens.first(std::min<std::size_t>(tokens.size(), 3)))
+    words.push_back(to_lower_ascii(token));
+  std::size_t count = find_keyword(commands(), words[0]) ? 1 : 0;
+  if (words[0] == "define") {
+    bool const has_class = words.size() > 1 && find_keyword(classes(), words[1]);
+    bool const has_kind = has_class && words[1] == "shape" && words.size() > 2 && find_keyword(shape_kinds(), words[2]);
+    count = has_kind ? 3 : has_class ? 2 : 1;
+  }
+  words.resize(count);
+  return words;
+}
+
 /// What a line was probably meant to be.
 struct Correction {
   std::vector<Token> words;  ///< in place of those that are wrong; empty: nobody knows
   std::string hint;
 };
 
-Correction correct_command(Interpreter& interpreter, Token word, std::string_view lower) {
-  if (lower != word && (lower == "define" || find_keyword(commands(), lower))) {
-    return {{lower}, fmt::format("keywords are lower case: {}", lower)};
-  }
+Correction correct_command(Interpreter& interpreter, Token word) {
   if (find_keyword(classes(), word)) return {{"define", word}, fmt::format("did you mean 'define {}'?", word)};
   if (find_keyword(shape_kinds(), word)) {
     return {{"define", "shape", word}, fmt::format("did you mean 'define shape {}'?", word)};
@@ -52,10 +64,7 @@ Correction correct_command(Interpreter& interpreter, Token word, std::string_vie
   return {{}, "a line starts with define, transform, render or camera; comments with '#'"};
 }
 
-Correction correct_class(Interpreter& interpreter, Token word, std::string_view lower) {
-  if (lower != word && find_keyword(classes(), lower)) {
-    return {{"define", lower}, fmt::format("keywords are lower case: {}", lower)};
-  }
+Correction correct_class(Interpreter& interpreter, Token word) {
   if (find_keyword(shape_kinds(), word)) {
     return {{"define", "shape", word}, fmt::format("did you mean 'define shape {}'?", word)};
   }
@@ -140,6 +149,7 @@ bool Interpreter::check_tokens(TokenTraits const& traits) {
       Token const placeholder = line.substr(open, close + 2 - open);
       error(Code::placeholder, placeholder, fmt::format("unsubstituted placeholder {}", in_quotes(placeholder)),
             "this file is a template: fill it in first");
+      mark_faulty(tokens_);
       return false;
     }
   }
@@ -150,6 +160,7 @@ bool Interpreter::check_tokens(TokenTraits const& traits) {
       if (at == token.end()) continue;
       error(Code::control_character, Token(&*at, 1),
             fmt::format("control character U+{:04X}", static_cast<unsigned>(*at)));
+      mark_faulty(tokens_);
       return false;
     }
   }
@@ -177,17 +188,23 @@ void Interpreter::execute() {
           "'define' is followed by material, shape, light, camera or background");
     return;
   }
-  Token const word = tokens[is_define ? 1 : 0];
+  std::size_t const at = is_define ? 1 : 0;
+  Token const word = tokens[at];
   Keyword const* const keyword = find_keyword(is_define ? classes() : commands(), word);
   if (!keyword) {
-    std::string const lower = to_lower_ascii(word);
-    auto [meant, hint] = is_define ? correct_class(*this, word, lower) : correct_command(*this, word, lower);
+    std::vector<std::string> const lower = lower_keywords(tokens);
+    bool const is_upper = lower.size() > at && lower[at] != word;
+    auto [meant, hint] = is_upper    ? Correction{{lower.begin(), lower.end()},
+                                               fmt::format("keywords are lower case: {}", fmt::join(lower, " "))}
+                         : is_define ? correct_class(*this, word)
+                                     : correct_command(*this, word);
     error(is_define ? Code::unknown_definition : Code::unknown_statement, word,
           is_define ? fmt::format("cannot define {}: unknown kind", in_quotes(word))
                     : fmt::format("unknown statement {}", in_quotes(word)),
           std::move(hint));
     if (meant.empty()) return;
-    meant.insert(meant.end(), tokens.begin() + (is_define ? 2 : 1), tokens.end());
+    std::span<Token const> const rest = tokens.subspan(is_upper ? lower.size() : at + 1);
+    meant.insert(meant.end(), rest.begin(), rest.end());
     mark_faulty(meant);
     return;
   }
@@ -196,7 +213,7 @@ void Interpreter::execute() {
     return;
   }
   if (has_rendered_ && keyword->execute != esdf::render) is_animated_ = true;
-  keyword->execute(*this, {keyword->word, word, tokens.subspan(is_define ? 2 : 1)});
+  keyword->execute(*this, {keyword->word, word, tokens.subspan(at + 1)});
 }
 
 void Interpreter::mark_faulty(std::span<Token const> definition) {

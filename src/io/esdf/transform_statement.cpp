@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -19,6 +20,10 @@ namespace {
 using Steps = std::vector<Transform>;
 using Operands = std::span<Token const>;
 
+constexpr std::string_view operations[] = {"translate", "rotate", "scale"};
+
+bool is_operation(Token word) { return std::ranges::find(operations, word) != std::end(operations); }
+
 double sense(Interpreter const& interpreter) { return interpreter.options.rotation == RotationSense::left ? -1 : 1; }
 
 Transform rotation(Interpreter const& interpreter, double degrees, Vec3 const& axis) {
@@ -31,7 +36,7 @@ std::optional<Steps> refuse_count(Interpreter& interpreter, Token operation, Ope
   bool const too_many = operands.size() > most;
   std::string_view hint = "";
   for (Token const token : operands) {
-    if (token == "translate" || token == "rotate" || token == "scale") hint = "write one operation per line";
+    if (is_operation(token)) hint = "write one operation per line";
   }
   interpreter.error(
       Code::wrong_count,
@@ -108,14 +113,22 @@ std::optional<Steps> read_scale(Interpreter& interpreter, Token operation, Opera
   return Steps{Transform::scaling(Vec3(v[0], v[1], v[2]))};
 }
 
+/// Whether the operation stands where the object should, which is then reported.
+bool report_operation_first(Interpreter& interpreter, Statement const& statement) {
+  if (!is_operation(statement[0]) || is_operation(statement[1])) return false;
+  interpreter.error(Code::unknown_transform, span_of(statement[0], statement[1]),
+                    fmt::format("transform: {} stands before the object", in_quotes(statement[0])),
+                    fmt::format("write transform {} {}", statement[1], statement[0]));
+  return true;
+}
+
 std::optional<Steps> read_steps(Interpreter& interpreter, Statement const& statement) {
   Token const operation = statement[1];
   Operands const operands = statement.arguments.subspan(2);
   if (operation == "translate") return read_translate(interpreter, operation, operands);
   if (operation == "rotate") return read_rotate(interpreter, operation, operands);
   if (operation == "scale") return read_scale(interpreter, operation, operands);
-  constexpr std::string_view known[] = {"translate", "rotate", "scale"};
-  std::string hint = interpreter.suggest(operation, known);
+  std::string hint = interpreter.suggest(operation, operations);
   if (hint.empty()) hint = "translate, rotate or scale";
   interpreter.error(Code::unknown_transform, operation,
                     fmt::format("transform: unknown operation {}", in_quotes(operation)), std::move(hint));
@@ -148,6 +161,7 @@ void transform(Interpreter& interpreter, Statement const& statement) {
                       "translate, rotate or scale");
     return;
   }
+  if (report_operation_first(interpreter, statement)) return;
   Token const name = statement[0];
   Scene& scene = interpreter.scene;
   auto* const shape = scene.shapes.find(name);

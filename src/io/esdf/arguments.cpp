@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/parse_number.hpp"
@@ -46,7 +47,7 @@ std::string hint_for_no_number(Token token) {
   }
   if (token.find('=') != Token::npos)
     return "key=value arguments come last, and only materials, lights, cameras and render take them";
-  return token.find(',') == Token::npos ? "" : "separate numbers by spaces";
+  return token.find(',') == Token::npos ? "" : "separate numbers by spaces only";
 }
 
 // A key=value argument where none belongs.
@@ -181,7 +182,13 @@ std::optional<double> read_number(Interpreter& interpreter, Token token) {
 
 bool read_numbers(Interpreter& interpreter, std::span<Token const> tokens, std::span<double> values) {
   bool good = true;
+  bool has_comma = false;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
+    // Where one number has a comma after it, all of them have: that is one mistake.
+    if (tokens[i].back() == ',' && is_number(tokens[i].substr(0, tokens[i].size() - 1)) &&
+        std::exchange(has_comma, true)) {
+      continue;
+    }
     if (auto const value = read_number(interpreter, tokens[i])) {
       values[i] = *value;
     } else {

@@ -22,6 +22,16 @@ RenderRequest reduced(RenderRequest request) {
   return request;
 }
 
+Diagnostic warning(SourceLocation const& at, DiagnosticCode code, std::string message, std::string hint = {}) {
+  return {Severity::warning, code, at, 1, std::move(message), {}, std::move(hint)};
+}
+
+/// Why a `render` does not show what is defined below it; empty for an empty name.
+std::string hint_of_order(std::string_view what, std::string const& name) {
+  if (name.empty()) return {};
+  return fmt::format("the {} '{}' is defined below this render: statements run in order", what, name);
+}
+
 }  // namespace
 
 void Sight::add(RayCounts const& rays, Film& film) {
@@ -38,14 +48,10 @@ void PictureFindings::begin(SceneOpened const& scene) {
   has_told_of_light_ = false;
 }
 
-Diagnostic PictureFindings::warning(DiagnosticCode code, std::string message, std::string hint) const {
-  return {Severity::warning, code, {source_->name(), 0, 0}, 1, std::move(message), {}, std::move(hint)};
-}
-
 std::vector<Diagnostic> PictureFindings::of_scene(PictureReady const& ready) {
   std::uint64_t const left_out = ready.scene->statistics.unrepresentable;
   if (left_out == 0 || ready.number > 0) return {};
-  return {warning(DiagnosticCode::shapes_left_out,
+  return {warning({source_->name(), 0, 0}, DiagnosticCode::shapes_left_out,
                   fmt::format("{} left out: too large for the device, which has coordinates up to 1e18, or too small",
                               left_out == 1 ? "1 shape is" : fmt::format("{} shapes are", left_out)))};
 }
@@ -57,14 +63,7 @@ std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, P
       ready.light != SceneLight::some && !sight.is_empty() && ready.request.planes.has(FilmPlane::radiance);
   bool const is_whole = !options_.job.region;
   if ((lacks_light || (sight.is_black() && is_whole)) && !std::exchange(has_told_of_light_, true)) {
-    found.push_back(
-        lacks_light
-            ? explain_missing_light(ready.light)
-            : warning(
-                  DiagnosticCode::black_picture,
-                  fmt::format("the picture is black: no light reaches what the camera '{}' sees",
-                              ready.request.camera.name()),
-                  "is each lamp inside a shape, or outside of a closed room? or do the materials reflect nothing?"));
+    found.push_back(lacks_light ? explain_missing_light(ready.light, plan) : explain_black_picture(ready, plan));
   }
   if (sight.is_empty() && is_whole && !std::exchange(has_explained_view_, true)) {
     found.push_back(explain_empty_view(ready, plan));
@@ -96,26 +95,60 @@ std::vector<Diagnostic> PictureFindings::predicted(PictureReady const& ready, Pi
   return found;
 }
 
-Diagnostic PictureFindings::explain_missing_light(SceneLight light) const {
+Diagnostic PictureFindings::explain_missing_light(SceneLight light, PicturePlan const& plan) const {
   if (light == SceneLight::unused) {
-    return warning(DiagnosticCode::no_light, "nothing gives light: whitted does not show the light of an environment",
+    return warning(plan.location, DiagnosticCode::no_light,
+                   "nothing gives light: whitted does not show the light of an environment",
                    "--integrator path does");
   }
   if (light == SceneLight::dimmed) {
-    return warning(DiagnosticCode::no_light, "nothing gives light: the environment's brightness is 0",
+    return warning(plan.location, DiagnosticCode::no_light, "nothing gives light: the environment's brightness is 0",
                    "--environment-brightness 1 shows it as it is");
   }
-  return warning(
-      DiagnosticCode::no_light,
-      "nothing gives light: there is no lamp, no ambient light, no environment and no surface that shines",
-      is_model_ ? "--integrator path --environment studio lights models" : "define light diffuse lamp 10 10 10 1 1 1");
+  std::string hint = hint_of_order("light", defined_below(plan).light);
+  if (hint.empty()) {
+    hint = is_model_ ? "--integrator path --environment studio lights models"
+                     : "define light diffuse lamp 10 10 10 1 1 1";
+  }
+  return warning(plan.location, DiagnosticCode::no_light,
+                 "nothing gives light: there is no lamp, no ambient light, no environment and no surface that shines",
+                 std::move(hint));
+}
+
+Diagnostic PictureFindings::explain_black_picture(PictureReady const& ready, PicturePlan const& plan) const {
+  std::string hint = hint_of_order("light", defined_below(plan).light);
+  if (hint.empty())
+    hint = "is each lamp inside a shape, or outside of a closed room? or do the materials reflect nothing?";
+  return warning(plan.location, DiagnosticCode::black_picture,
+                 fmt::format("the picture is black: no light reaches what the camera '{}' sees",
+                             ready.request.camera.name()),
+                 std::move(hint));
+}
+
+PictureFindings::DefinedBelow PictureFindings::defined_below(PicturePlan const& plan) const {
+  if (is_model_ || options_.is_merging) return {};
+  LoadedScene script = source_->load(options_.job.reading, options_.load);
+  Scene const& end = script.scene();
+  DefinedBelow below;
+  script.play([&](Scene const& scene, std::size_t index) {
+    if (index != plan.scene_number) return true;
+    std::size_t const shapes = scene.shapes.size(), lights = scene.lights.size();
+    if (shapes < end.shapes.size()) below.shape = std::next(end.shapes.begin(), std::ptrdiff_t(shapes))->get()->name();
+    if (lights < end.lights.size()) below.light = std::next(end.lights.begin(), std::ptrdiff_t(lights))->name();
+    if (below.light.empty() && end.environment && !scene.environment) below.light = end.environment->name;
+    return false;
+  });
+  return below;
 }
 
 /// Says where the scene lies, and which other convention would show it.
 Diagnostic PictureFindings::explain_empty_view(PictureReady const& ready, PicturePlan const& plan) {
   Diagnostic result =
-      warning(DiagnosticCode::empty_view, fmt::format("the camera '{}' sees nothing: {}", ready.request.camera.name(),
-                                                      describe_direction(ready.request.camera, ready.scene->bounds)));
+      warning(plan.location, DiagnosticCode::empty_view,
+              fmt::format("the camera '{}' sees nothing: {}", ready.request.camera.name(),
+                          describe_direction(ready.request.camera, ready.scene->bounds)),
+              hint_of_order("shape", defined_below(plan).shape));
+  if (!result.hint.empty()) return result;
   for (Convention const& convention : other_conventions(options_.job.reading.dialect)) {
     if (is_model_ || options_.is_merging || !shows_something(convention.dialect, ready.request, plan.scene_number))
       continue;

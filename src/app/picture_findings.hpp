@@ -43,9 +43,16 @@ class PictureFindings {
   std::vector<Diagnostic> predicted(PictureReady const& ready, PicturePlan const& plan);
 
  private:
-  Diagnostic warning(DiagnosticCode code, std::string message, std::string hint = {}) const;
-  Diagnostic explain_missing_light(SceneLight light) const;
+  /// What the scene defines only below the `render` of a picture, so that this does not show it: names, or nothing.
+  struct DefinedBelow {
+    std::string shape;
+    std::string light;
+  };
+
+  Diagnostic explain_missing_light(SceneLight light, PicturePlan const& plan) const;
+  Diagnostic explain_black_picture(PictureReady const& ready, PicturePlan const& plan) const;
   Diagnostic explain_empty_view(PictureReady const& ready, PicturePlan const& plan);
+  DefinedBelow defined_below(PicturePlan const& plan) const;
   bool shows_something(EsdfDialect const& dialect, RenderRequest request, std::size_t wanted);
 
   Renderer& renderer_;

@@ -146,8 +146,8 @@ render eye picture.png 32 24
      "lichtraum render scene.sdf"},
     {DiagnosticCode::no_light,
      R"(Nothing gives light, so all that the picture shows is black. Define a lamp, an
-ambient light or an environment, or a material with emission. An environment is
-light for the integrator path only.
+ambient light or an environment, or a material with emission, above the render:
+statements run in order. An environment is light for the integrator path only.
 )",
      R"(define material red  1 0 0  1 0 0  0 0 0  10
 define shape sphere ball  0 0 -5  1  red
@@ -181,9 +181,9 @@ render eye picture.png 32 24
      "lichtraum render scene.sdf"},
     {DiagnosticCode::empty_view,
      R"(No ray of the camera meets anything: it looks the wrong way, stands too far
-away, or the scene has no shapes. The message says where the scene lies, as the
-camera sees it, and whether another reading of rotations or transforms
-(--rotation, --transform-order) would show it.
+away, or the scene has no shapes, or defines them below the render. The message
+says where the scene lies, as the camera sees it, and whether another reading of
+rotations or transforms (--rotation, --transform-order) would show it.
 )",
      R"(define material red  1 0 0  1 0 0  0 0 0  10
 define shape sphere ball  0 0 5  1  red

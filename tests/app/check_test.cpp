@@ -201,6 +201,28 @@ TEST_CASE("check and render say where light is missing", "[app][check]") {
   CHECK(lichtraum("check a.sdf --device reference").err.empty());
 }
 
+TEST_CASE("a picture lacks what is defined below its render", "[app][check]") {
+  Lichtraum const lichtraum;
+  std::string const white = "define material m 1 1 1 1 1 1 0 0 0 1\n";
+  std::string const lamp = "define light diffuse lamp 0 5 0 1 1 1\n";
+  std::string const render = "define camera eye 40\nrender eye out.png 64 48\n";
+  auto const check = [&](std::string const& text) {
+    lichtraum.folder.write("a.sdf", text);
+    return lichtraum("check a.sdf --device reference").err;
+  };
+  CHECK_THAT(check(white + lamp + render + ball),
+             contains_text("a.sdf:4:") && contains_text("sees nothing") &&
+                 contains_text("hint: the shape 's' is defined below this render: statements run in order"));
+  CHECK_THAT(check(white + ball + render + lamp),
+             contains_text("a.sdf:4:") && contains_text("nothing gives light") &&
+                 contains_text("hint: the light 'lamp' is defined below this render: statements run in order"));
+  CHECK_THAT(check(white + ball + render + "define light environment sky 1 1 1\n"),
+             contains_text("hint: the light 'sky' is defined below this render"));
+  CHECK_THAT(check(white + ball + "define light diffuse dark 0 0 -5 1 1 1\n" + render + lamp),
+             contains_text("a.sdf:5:") && contains_text("the picture is black") &&
+                 contains_text("hint: the light 'lamp' is defined below this render"));
+}
+
 TEST_CASE("a shape that is too large for the device is called so", "[app][check]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("a.sdf", start + "define shape sphere s 0 0 -1e37 1e36 m\nrender eye out.png 64 48\n");

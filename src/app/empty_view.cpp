@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -11,33 +12,60 @@ namespace {
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
-std::string turn(double angle_degrees, char const* positive, char const* negative) {
-  return fmt::format("{:.0f} degrees {}", std::abs(angle_degrees), angle_degrees > 0 ? positive : negative);
+/// "30 degrees to the right of and 10 degrees above": what hardly counts beside the other is left out.
+std::string aside(Camera const& camera, Vec3 const& center) {
+  constexpr double steep = 80;  // degrees; near the vertical, left and right mean nothing
+  double right = center.x, up = center.y;
+  if (!camera.is_orthographic()) {
+    up = degrees(std::atan2(center.y, std::hypot(center.x, center.z)));
+    right = std::abs(up) < steep ? degrees(std::atan2(center.x, -center.z)) : 0;
+  }
+  double const least = 0.02 * std::max(std::abs(right), std::abs(up));
+  auto const part = [&](double amount, char const* positive, char const* negative) {
+    if (std::abs(amount) <= least) return std::string();
+    return fmt::format("{:.3g} {} {}", std::abs(amount), camera.is_orthographic() ? "units" : "degrees",
+                       amount > 0 ? positive : negative);
+  };
+  std::string const across = part(right, "to the right of", "to the left of");
+  std::string const along = part(up, "above", "below");
+  return across + (across.empty() || along.empty() ? "" : " and ") + along;
+}
+
+std::string describe_behind(Camera const& camera) {
+  Transform const& world_from_camera = camera.world_from_camera();
+  if (world_from_camera.matrix() == Mat4(1))
+    return "the scene is behind the camera, which looks along -z: what lies before it has a negative z";
+  Vec3 const eye = world_from_camera.point(Vec3(0)), ahead = glm::normalize(world_from_camera.vector(Vec3(0, 0, -1)));
+  return fmt::format(
+      "the scene is behind the camera, which is at {:.3g} {:.3g} {:.3g} and looks along {:.3g} {:.3g} {:.3g}", eye.x,
+      eye.y, eye.z, ahead.x, ahead.y, ahead.z);
+}
+
+/// Of a scene whose middle, so far ahead, is in view.
+std::string describe_ahead(double depth, double diameter, double pixel) {
+  constexpr double few_pixels = 4;
+  return fmt::format(
+      "the scene is in view, {:.3g} away and {:.3g} wide: its shapes {}", depth, diameter,
+      diameter < few_pixels * pixel ? "are too small for the pixels" : "lie beside what the camera sees");
 }
 
 }  // namespace
 
-std::string describe_direction(Camera const& camera, Bounds const& bounds) {
+std::string describe_direction(Camera const& camera, Resolution const& size, Bounds const& bounds) {
   if (bounds.is_empty()) return "the scene draws no shapes, or nothing but planes";
-  Vec3 const center = camera.world_from_camera().inverse().point(bounds.center());
-  double const distance = glm::length(center);
-  double const radius = 0.5 * glm::length(camera.world_from_camera().inverse().vector(bounds.max - bounds.min));
-  if (distance < 0.01 * radius) return "the camera is in the middle of the scene, and looks past its shapes";
+  Transform const camera_from_world = camera.world_from_camera().inverse();
+  Vec3 const center = camera_from_world.point(bounds.center());
+  double const diameter = glm::length(camera_from_world.vector(bounds.max - bounds.min));
+  if (glm::length(center) < 0.005 * diameter)
+    return "the camera is in the middle of the scene, and looks past its shapes";
 
-  double const right = degrees(std::atan2(center.x, -center.z));
-  double const up = degrees(std::atan2(center.y, std::hypot(center.x, center.z)));
-  bool const is_turned = std::abs(right) >= 1;
-  bool const is_tilted = std::abs(up) >= 1;
-  if (!is_turned && !is_tilted) {
-    return fmt::format(
-        "the scene is straight ahead, {:.3g} away and {:.3g} wide: its shapes are too small to be hit, "
-        "or lie off-centre",
-        distance, 2 * radius);
-  }
-  std::string where;
-  if (is_turned) where = turn(right, "to the right of", "to the left of");
-  if (is_tilted) where += (is_turned ? " and " : "") + turn(up, "above", "below");
-  return fmt::format("the scene is {} the view{}", where, std::abs(right) > 90 ? ", behind the camera" : "");
+  double const depth = -center.z;
+  double const pixel = depth > 0 ? camera.width_at(depth) / size.width : 0;
+  bool const is_in_view =
+      std::abs(center.x) < 0.5 * size.width * pixel && std::abs(center.y) < 0.5 * size.height * pixel;
+  if (is_in_view) return describe_ahead(depth, diameter, pixel);
+  if (depth < 0 && std::hypot(center.x, center.y) < -depth) return describe_behind(camera);
+  return fmt::format("the scene is {} where the camera looks", aside(camera, center));
 }
 
 std::vector<Convention> other_conventions(EsdfDialect const& dialect) {

@@ -10,9 +10,8 @@
 
 namespace lichtraum::app {
 
-/// "the scene is 71 degrees to the left of the view": where the box lies for the
-/// camera.
-std::string describe_direction(Camera const& camera, Bounds const& bounds);
+/// "the scene is 71 degrees to the left of where the camera looks": where the box lies for a picture of that size.
+std::string describe_direction(Camera const& camera, Resolution const& size, Bounds const& bounds);
 
 /// A reading of the same file under another convention, and the options that choose it: "--rotation left".
 struct Convention {

@@ -98,8 +98,7 @@ std::vector<Diagnostic> PictureFindings::predicted(PictureReady const& ready, Pi
 Diagnostic PictureFindings::explain_missing_light(SceneLight light, PicturePlan const& plan) const {
   if (light == SceneLight::unused) {
     return warning(plan.location, DiagnosticCode::no_light,
-                   "nothing gives light: whitted does not show the light of an environment",
-                   "--integrator path does");
+                   "nothing gives light: whitted does not show the light of an environment", "--integrator path does");
   }
   if (light == SceneLight::dimmed) {
     return warning(plan.location, DiagnosticCode::no_light, "nothing gives light: the environment's brightness is 0",
@@ -107,8 +106,8 @@ Diagnostic PictureFindings::explain_missing_light(SceneLight light, PicturePlan 
   }
   std::string hint = hint_of_order("light", defined_below(plan).light);
   if (hint.empty()) {
-    hint = is_model_ ? "--integrator path --environment studio lights models"
-                     : "define light diffuse lamp 10 10 10 1 1 1";
+    hint =
+        is_model_ ? "--integrator path --environment studio lights models" : "define light diffuse lamp 10 10 10 1 1 1";
   }
   return warning(plan.location, DiagnosticCode::no_light,
                  "nothing gives light: there is no lamp, no ambient light, no environment and no surface that shines",
@@ -119,10 +118,10 @@ Diagnostic PictureFindings::explain_black_picture(PictureReady const& ready, Pic
   std::string hint = hint_of_order("light", defined_below(plan).light);
   if (hint.empty())
     hint = "is each lamp inside a shape, or outside of a closed room? or do the materials reflect nothing?";
-  return warning(plan.location, DiagnosticCode::black_picture,
-                 fmt::format("the picture is black: no light reaches what the camera '{}' sees",
-                             ready.request.camera.name()),
-                 std::move(hint));
+  return warning(
+      plan.location, DiagnosticCode::black_picture,
+      fmt::format("the picture is black: no light reaches what the camera '{}' sees", ready.request.camera.name()),
+      std::move(hint));
 }
 
 PictureFindings::DefinedBelow PictureFindings::defined_below(PicturePlan const& plan) const {
@@ -146,7 +145,7 @@ Diagnostic PictureFindings::explain_empty_view(PictureReady const& ready, Pictur
   Diagnostic result =
       warning(plan.location, DiagnosticCode::empty_view,
               fmt::format("the camera '{}' sees nothing: {}", ready.request.camera.name(),
-                          describe_direction(ready.request.camera, ready.scene->bounds)),
+                          describe_direction(ready.request.camera, ready.request.resolution, ready.scene->bounds)),
               hint_of_order("shape", defined_below(plan).shape));
   if (!result.hint.empty()) return result;
   for (Convention const& convention : other_conventions(options_.job.reading.dialect)) {

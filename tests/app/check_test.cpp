@@ -55,7 +55,7 @@ TEST_CASE("check predicts render: what is written, what is said, and the exit st
            {start + "define shape sphere s 0 0 5 1 m\nrender eye out.png 64 48\n", 0, "behind the camera", {"out.png"}},
            {start + "define shape sphere s 0 0 -5 1 m\ntransform s translate 9 0 0\nrender eye out.png 64 48\n",
             0,
-            "to the right of the view",
+            "to the right of where the camera looks",
             {"out.png"}},
            // In 64 pixels it would fall between their middles.
            {start + "define shape sphere s 0.005 0.005 -5 0.002 m\nrender eye out.png 1201 901\n", 0, "", {}},

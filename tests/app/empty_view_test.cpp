@@ -20,13 +20,27 @@ std::string sphere_at(std::string const& center) { return "define shape sphere s
 TEST_CASE("a camera that sees nothing: where the scene is", "[app][view]") {
   CHECK_THAT(warning(sphere_at("0 0 -5")), !contains_text("sees nothing"));
   CHECK_THAT(warning(sphere_at("-5 0 -1.722")),
-             contains_text("the scene is 71 degrees to the left of the view [W0816]\n"));
-  CHECK_THAT(warning(sphere_at("5 0 0")), contains_text("90 degrees to the right of the view [W0816]\n"));
-  CHECK_THAT(warning(sphere_at("0 0 5")), contains_text("180 degrees") && contains_text("behind the camera"));
-  CHECK_THAT(warning(sphere_at("0 5 -5")), contains_text("45 degrees above the view"));
-  CHECK_THAT(warning(sphere_at("0 -5 -5")), contains_text("45 degrees below the view"));
+             contains_text("the scene is 71 degrees to the left of where the camera looks [W0816]\n"));
+  CHECK_THAT(warning(sphere_at("5 0 0")),
+             contains_text("is 90 degrees to the right of where the camera looks [W0816]\n"));
+  CHECK_THAT(warning(sphere_at("0 5 -5")), contains_text("is 45 degrees above where the camera looks"));
+  CHECK_THAT(warning(sphere_at("0 -5 -5")), contains_text("is 45 degrees below where the camera looks"));
+  CHECK_THAT(warning(sphere_at("0 10 0")),
+             contains_text("the scene is 90 degrees above where the camera looks [W0816]"));
+  CHECK_THAT(warning(sphere_at("-5 5 -5")), contains_text("is 45 degrees to the left of and 35.3 degrees above where"));
   CHECK_THAT(warning(sphere_at("5 0 -0.01") + "transform s scale 0.1\n"), contains_text("right"));
   CHECK_THAT(warning(""), contains_text("draws no shapes"));
+  CHECK_THAT(warning(sphere_at("0 0 5")),
+             contains_text("the scene is behind the camera, which looks along -z: what lies "
+                           "before it has a negative z [W0816]\n"));
+  CHECK_THAT(warning(sphere_at("9 0 0") + "transform eye rotate 90 0 1 0\ntransform eye translate 1 2 3\n"),
+             contains_text("behind the camera, which is at 1 2 3 and looks along -1 0 "));
+  CHECK_THAT(warning("define shape sphere s 0.4 0.4 -5 1e-5 m\n"),
+             contains_text("the scene is in view, 5 away and 3.46e-05 wide: its shapes are too small for the pixels"));
+  std::string const beside = sphere_at("-6 0 -5") + "define shape sphere t 6 0 -5 1 m\n";
+  CHECK_THAT(warning(beside), contains_text("its shapes lie beside what the camera sees"));
+  CHECK_THAT(warning(sphere_at("9 0.1 -5") + "define camera flat 40 20 20 orthographic=4\n", "--camera flat"),
+             contains_text("the scene is 9 units to the right of where the camera looks [W0816]"));
   CHECK(warning(sphere_at("0 0 5"), "-q").empty());
 }
 

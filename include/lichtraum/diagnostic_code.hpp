@@ -41,7 +41,7 @@ namespace LICHTRAUM_API lichtraum {
   CODE(E, 0310, semicolon, "a semicolon at the end of a line")                                          \
   CODE(E, 0311, conflict_marker, "a git conflict marker")                                               \
   CODE(E, 0312, placeholder, "a placeholder that was not filled in")                                    \
-  CODE(E, 0313, control_character, "a control character")                                               \
+  CODE(E, 0313, control_character, "a character that cannot be seen")                                   \
   CODE(W, 0314, not_utf8, "text that is not UTF-8")                                                     \
   CODE(E, 0315, not_standard, "a form that is not part of the standard")                                \
   CODE(E, 0401, already_defined, "a name that is already defined")                                      \

@@ -102,10 +102,12 @@ lichtraum reads it. Run the program that does so, or write the value yourself.
      R"(define camera eye 45
 )"},
     {DiagnosticCode::control_character,
-     R"(The line has a character that cannot be seen, such as escape or a zero byte. It
-often comes from text that was copied from a terminal, or from a damaged file.
-Delete it; many editors show such characters when asked to. For example, text
-from a terminal that was in colour has an escape, ^[, before [31m.
+     R"(The line has a character that cannot be seen, such as escape or a zero byte, or
+one that only looks like a blank, such as a no-break space. It often comes from
+text that was copied from a terminal, a web page or a PDF, or from a damaged
+file. Delete it, or write an ordinary space; many editors show such characters
+when asked to. For example, text from a terminal that was in colour has an
+escape, ^[, before [31m.
 )",
      "", ""},
     {DiagnosticCode::not_utf8,

@@ -221,6 +221,27 @@ TEST_CASE("control characters and bytes that are not UTF-8", "[unit][esdf]") {
   CHECK(findings("camera kügel 45\n").empty());
 }
 
+TEST_CASE("characters that look like blanks or nothing", "[unit][esdf]") {
+  auto const hint_of = [](std::string const& text) {
+    auto const found = findings(text);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].code == DiagnosticCode::control_character);
+    return found[0].message + ": " + found[0].hint;
+  };
+  CHECK(hint_of("camera eye\u00A045\ntransform eye scale 2\n") ==
+        "no-break space U+00A0: write an ordinary space instead");
+  CHECK(hint_of("camera eye\u202F45\n") == "narrow no-break space U+202F: write an ordinary space instead");
+  CHECK(hint_of(eye + "\uFEFFcamera other 45\ntransform other scale 2\n") ==
+        "byte order mark U+FEFF: delete it: it cannot be seen");
+  CHECK(hint_of("camera eye 4\u200B5\ntransform eye scale 2\n") ==
+        "zero-width space U+200B: delete it: it cannot be seen");
+  CHECK(hint_of("cam\u00ADera eye 45\n") == "soft hyphen U+00AD: delete it: it cannot be seen");
+  CHECK_THAT(shown("camera eye\u00A045\n"), contains_text("s.sdf:1:11: error: no-break space"));
+  CHECK(findings("# a\u00A0comment\n\uFEFF# another\n").size() == 1);
+  // Joiners belong to some scripts, and to names made of signs.
+  CHECK(findings("camera \u0646\u200C\u0645 45\n").empty());
+}
+
 TEST_CASE("long tokens and lines are cut in messages", "[unit][esdf]") {
   auto const found = findings(std::string(1'000'000, 'x') + "\n");
   REQUIRE(found.size() == 1);

@@ -9,6 +9,7 @@
 #include "core/utf8.hpp"
 #include "io/esdf/keys.hpp"
 #include "io/esdf/statements.hpp"
+#include "io/esdf/unseen_character.hpp"
 
 namespace lichtraum::esdf {
 namespace {
@@ -135,6 +136,18 @@ bool Interpreter::report_spaces_around_equals() {
   return false;
 }
 
+bool Interpreter::report_unseen_character() {
+  for (Token const token : tokens_) {
+    auto const unseen = find_unseen_character(token);
+    if (!unseen) continue;
+    error(Code::control_character, unseen->at, fmt::format("{} U+{:04X}", unseen->name, unseen->value),
+          unseen->is_blank ? "write an ordinary space instead" : "delete it: it cannot be seen");
+    mark_faulty(split_at_unseen_characters(tokens_));
+    return true;
+  }
+  return false;
+}
+
 bool Interpreter::check_tokens(TokenTraits const& traits) {
   if (is_conflict_marker(tokens_[0])) {
     error(Code::conflict_marker, span_of(tokens_.front(), tokens_.back()), "git conflict marker",
@@ -176,6 +189,7 @@ bool Interpreter::check_tokens(TokenTraits const& traits) {
       if (!has_bad_encoding_) warning(Code::not_utf8, token, std::string(message), std::string(hint));
       has_bad_encoding_ = true;
     }
+    if (report_unseen_character()) return false;
   }
   return true;
 }

@@ -115,6 +115,8 @@ class Interpreter {
   bool check_tokens(TokenTraits const& traits);
   /// Whether there are some, in a line that is to be `key=value`.
   bool report_spaces_around_equals();
+  /// Whether there is one.
+  bool report_unseen_character();
   /// Reports it, so that the rest of the line is read as if it were not there.
   void drop_semicolon();
   void report_duplicate(Kind kind, Token name);

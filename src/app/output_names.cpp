@@ -145,7 +145,10 @@ Output OutputNames::from_scene(std::string const& name, SourceLocation const& lo
     outside.code = DiagnosticCode::file_outside;
     outside.location = location;
     outside.message = fmt::format("cannot write '{}': {}", name, place.reason);
-    outside.hint = "-o FILE names the picture; --allow-path FOLDER permits files outside of the scene's folder";
+    outside.hint =
+        "pictures go to the folder of --output-dir, or else the current one, and below it: -o FILE names another "
+        "place, "
+        "--allow-path FOLDER permits one";
     throw SceneError({outside});
   }
   output.path = place.path;

@@ -17,8 +17,9 @@ named the right file.
 )"},
     {DiagnosticCode::file_outside,
      R"(A scene may use files in its own folder and in folders below it, so that a scene
-from somebody else cannot read whatever it likes. Move the file there, or permit
-its folder with --allow-path.
+from somebody else cannot read whatever it likes. Its pictures go to the folder
+that lichtraum runs in, or that of --output-dir, and below it. Move the file
+there, or permit its folder with --allow-path.
 )",
      R"(define shape mesh teapot ../teapot.obj
 )",

@@ -119,7 +119,8 @@ TEST_CASE("65: faulty scenes", "[app][exit]") {
   for (char const* const name : {"/tmp/x.ppm", "../x.ppm", "sub/../../x.ppm"}) {
     auto const result = lichtraum.render("-", std::string("define camera eye 60\nrender eye ") + name + " 4 3\n");
     CHECK(result.exit_code == 65);
-    CHECK_THAT(result.err, contains_text(":2:1: error: cannot write '") && contains_text("--allow-path"));
+    CHECK_THAT(result.err, contains_text(":2:12: error: cannot write '") &&
+                               contains_text("hint: pictures go to the folder of --output-dir"));
   }
   auto const huge = lichtraum.render("-", "define camera eye 60\nrender eye a.ppm 1000000 1000000\n");
   CHECK(huge.exit_code == 65);

@@ -316,8 +316,9 @@ void Interpreter::define(Token name, EnvironmentLight environment) {
   scene.environment = std::move(environment);
 }
 
-void Interpreter::render(RenderCommand command) {
-  command.location = {source.name, diagnostics_.line().number, 1};
+void Interpreter::render(RenderCommand command, Token at) {
+  Line const& line = diagnostics_.line();
+  command.location = {source.name, line.number, static_cast<std::size_t>(at.data() - line.text.data()) + 1};
   tell(EsdfStatement::Kind::render, command.camera);
   has_rendered_ = true;
   scene.renders.push_back(std::move(command));

@@ -107,8 +107,9 @@ class Interpreter {
   /// Tells whoever wants to know (options.on_statement) what the current line did.
   void tell(EsdfStatement::Kind kind, std::string_view name) const;
 
-  /// Adds the command to the scene and draws it, when somebody wants to see it drawn.
-  void render(RenderCommand command);
+  /// Adds the command, whose file is named `at` a part of the current line, to the scene, and draws it when somebody
+  /// wants to see it drawn.
+  void render(RenderCommand command, Token at);
 
  private:
   void execute();

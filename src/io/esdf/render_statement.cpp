@@ -216,7 +216,7 @@ void render(Interpreter& interpreter, Statement const& whole) {
                       "render: neither this statement nor the camera has a resolution", std::string(render_usage));
     return;
   }
-  interpreter.render(std::move(command));
+  interpreter.render(std::move(command), parts.file.empty() ? whole.keyword : parts.file.front());
 }
 
 }  // namespace lichtraum::esdf

@@ -69,6 +69,7 @@ namespace LICHTRAUM_API lichtraum {
   CODE(E, 0608, zero_scale, "a scale of 0")                                                             \
   CODE(E, 0609, transforms_too_large, "transforms that exceed the range of numbers")                    \
   CODE(E, 0610, transformed_light, "a light that is to be transformed")                                 \
+  CODE(W, 0611, axis_before_angle, "a rotation whose axis seems to come first")                         \
   CODE(E, 0701, more_than_all_light, "a material that gives more light than it gets")                   \
   CODE(W, 0702, more_than_all_light_in_extras, "numbers after m that give more light than arrives")     \
   CODE(W, 0703, extra_material_numbers, "numbers after m that mean nothing")                            \

@@ -114,6 +114,17 @@ transform lamp translate 0 5 0
 )",
      R"(define light diffuse lamp  0 5 0  1 1 1
 )"},
+    {DiagnosticCode::axis_before_angle,
+     R"('transform ... rotate' takes the angle in degrees and then the axis. Here the
+first three numbers are an axis of x, y or z, and the last one would be an
+angle. It is read as it stands: by 0 degrees or by one, about another axis.
+)",
+     R"(camera eye 45
+transform eye rotate 0 1 0 30
+)",
+     R"(camera eye 45
+transform eye rotate 30 0 1 0
+)"},
 };
 static_assert(explains_all(shape_table, "06"));
 

@@ -56,11 +56,14 @@ std::optional<Steps> read_translate(Interpreter& interpreter, Token operation, O
 
 std::optional<Steps> read_rotate_about_letter(Interpreter& interpreter, Operands operands) {
   constexpr std::string_view letters = "xyz";
-  std::size_t const index = operands[1].size() == 1 ? letters.find(operands[1][0]) : std::string_view::npos;
+  auto const index_of = [&](Token word) { return word.size() == 1 ? letters.find(word[0]) : std::string_view::npos; };
+  std::size_t const index = index_of(operands[1]);
   if (index == std::string_view::npos) {
     interpreter.error(Code::unknown_axis, operands[1],
                       fmt::format("rotate: expected an axis, found {}", in_quotes(operands[1])),
-                      "three numbers, or one of x, y and z");
+                      index_of(operands[0]) == std::string_view::npos
+                          ? "three numbers, or one of x, y and z"
+                          : fmt::format("the angle comes first: rotate {} {}", operands[1], operands[0]));
     return std::nullopt;
   }
   auto const angle = read_number(interpreter, operands[0]);
@@ -68,6 +71,13 @@ std::optional<Steps> read_rotate_about_letter(Interpreter& interpreter, Operands
   Vec3 axis(0);
   axis[static_cast<glm::length_t>(index)] = 1;
   return Steps{rotation(interpreter, *angle, axis)};
+}
+
+/// Whether the first three numbers are the axis x, y or z, and the last is no part of such a one.
+bool seems_axis_first(std::array<double, 4> const& v) {
+  double const length = std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
+  double const largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  return length == 1 && largest == 1 && std::abs(v[3]) > 1;
 }
 
 std::optional<Steps> read_rotate(Interpreter& interpreter, Token operation, Operands operands) {
@@ -88,6 +98,12 @@ std::optional<Steps> read_rotate(Interpreter& interpreter, Token operation, Oper
   if (length == 0) {
     interpreter.error(Code::zero_direction, span_of(operands[1], operands[3]), "rotate: the axis must not be zero");
     return std::nullopt;
+  }
+  if (seems_axis_first(v)) {
+    interpreter.warning(
+        Code::axis_before_angle, span_of(operands[0], operands[3]),
+        fmt::format("rotate: the angle is {} and the axis {}", operands[0], span_of(operands[1], operands[3])),
+        fmt::format("the angle comes first: rotate {} {}", operands[3], span_of(operands[0], operands[2])));
   }
   return Steps{rotation(interpreter, v[0], axis / length)};
 }

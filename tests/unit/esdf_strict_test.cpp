@@ -112,3 +112,25 @@ TEST_CASE("dialects are noted, for those who want to know", "[unit][esdf]") {
   CHECK(found[0].length == 5);
   CHECK(found[1].message == "'ambient' is not part of the standard");
 }
+
+TEST_CASE("strict mode says what would be done without it", "[unit][esdf]") {
+  struct Case {
+    std::string line;
+    std::string message;
+    std::string hint;
+  };
+  for (Case const& c : std::vector<Case>{
+           {"define shape sphere t 0 0 0 -1 red", "is negative", "without --strict: its absolute value is taken"},
+           {"render nobody a.ppm 1 1", "not defined", "without --strict: using the only one: 'eye'"},
+           {"render eye my image.ppm 1 1", "spaces", "without --strict: taken as 'myimage.ppm'"},
+           {"render eye a.ppm 1 1 4", "one more number", "without --strict: taken as samples per pixel"},
+           {"define light ambient a 0 0 0 1 1 1", "ambient light has no position", "ambient light is written: "},
+           {"define material a 1 0 0 1 0 0 1 0 0 10 1", "1 number after m", "--material-extras says what they mean"},
+           {"define shape teapot t 1", "teapot", "the shapes are triangle, sphere, box, composite and mesh"}}) {
+    INFO(c.line);
+    auto const found = findings(base + c.line + "\n", strict);
+    REQUIRE(found.size() == 1);
+    CHECK_THAT(found[0].message, contains_text(c.message) && !contains_text("ignored") && !contains_text("count"));
+    CHECK(found[0].hint.substr(0, c.hint.size()) == c.hint);
+  }
+}

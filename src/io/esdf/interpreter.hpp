@@ -60,6 +60,8 @@ class Interpreter {
   bool dialect(Token at, std::string_view form);
   /// The same with a warning instead of a note.
   bool dialect_warning(Code code, Token at, std::string message, std::string hint = {});
+  /// A hint on what is done with a form that options.strict refuses.
+  std::string done_unless_strict(std::string done) const { return options.strict ? "without --strict: " + done : done; }
   /// The one of `names` that was probably meant by `word`, or an empty text.
   template <class... Names>
   std::string_view nearest(Token word, Names const&... names) {

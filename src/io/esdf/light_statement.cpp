@@ -170,7 +170,9 @@ void define_diffuse(Interpreter& interpreter, Statement const& outer, Statement 
 /// `outer` starts with the word 'ambient', `statement` after it.
 void define_ambient_light(Interpreter& interpreter, Statement const& outer, Statement const& statement) {
   std::string const hint = "ambient light is written: define light ambient <name> <r> <g> <b>";
-  std::string const no_position = "ambient light has no position: only the last three numbers count, as La";
+  std::string const no_position =
+      fmt::format("ambient light has no position{}",
+                  interpreter.options.strict ? "" : ": only the last three numbers count, as La");
   bool const has_name = statement.size() > 0 && !looks_like_number(statement[0]);
   std::size_t const numbers = statement.size() - (has_name ? 1 : 0);
   Statement const& named = has_name ? statement : outer;  // without a name it is called 'ambient'

@@ -206,7 +206,7 @@ bool read_extras(Interpreter& interpreter, std::span<Token const> tokens, Option
     std::size_t const named = meanings.size();
     bool const accepted = interpreter.dialect_warning(
         Code::extra_material_numbers, span_of(tokens[named], tokens.back()),
-        named == 0 ? fmt::format("material: {}, ignored", count)
+        named == 0 ? fmt::format("material: {}{}", count, interpreter.options.strict ? "" : ", ignored")
                    : fmt::format("material: {}, only the first {} named by --material-extras", count, named),
         "--material-extras says what they mean, e.g. --material-extras reflectance,ior");
     if (!accepted) return false;

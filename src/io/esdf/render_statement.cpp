@@ -69,14 +69,12 @@ Camera const* find_camera(Interpreter& interpreter, Statement const& statement, 
   if (Camera const* const camera = name.empty() ? nullptr : cameras.find(name)) return camera;
   if (!name.empty() && interpreter.is_faulty(Kind::camera, name)) return nullptr;
   if (cameras.size() == 1) {
-    std::string const only = in_quotes(cameras.front().name());
+    std::string const hint = interpreter.done_unless_strict("using the only one: " + in_quotes(cameras.front().name()));
     bool const accepted =
         name.empty()
-            ? interpreter.dialect_warning(Code::camera_assumed, statement.keyword, "render: no camera is given",
-                                          fmt::format("using the only one: {}", only))
+            ? interpreter.dialect_warning(Code::camera_assumed, statement.keyword, "render: no camera is given", hint)
             : interpreter.dialect_warning(Code::camera_assumed, name,
-                                          fmt::format("camera {} is not defined", in_quotes(name)),
-                                          fmt::format("using the only one: {}", only));
+                                          fmt::format("camera {} is not defined", in_quotes(name)), hint);
     return accepted ? &cameras.front() : nullptr;
   }
   if (!name.empty()) {
@@ -117,7 +115,7 @@ std::optional<std::string> join_file(Interpreter& interpreter, Statement const& 
     return std::nullopt;
   }
   if (!interpreter.dialect_warning(Code::spaces_in_file_name, at, "render: the file name contains spaces",
-                                   fmt::format("taken as {}", in_quotes(joined)))) {
+                                   interpreter.done_unless_strict("taken as " + in_quotes(joined)))) {
     return std::nullopt;
   }
   return joined;
@@ -125,9 +123,11 @@ std::optional<std::string> join_file(Interpreter& interpreter, Statement const& 
 
 bool read_extra_numbers(Interpreter& interpreter, std::span<Token const> extra, RenderCommand& command) {
   Token const at = span_of(extra.front(), extra.back());
+  bool const is_one = extra.size() == 1;
   if (!interpreter.dialect_warning(Code::extra_render_numbers, at,
-                                   extra.size() == 1 ? "render: one more number, taken as samples per pixel"
-                                                     : "render: more numbers, taken as samples per pixel and depth")) {
+                                   is_one ? "render: one more number" : "render: more numbers",
+                                   interpreter.done_unless_strict(is_one ? "taken as samples per pixel"
+                                                                         : "taken as samples per pixel and depth"))) {
     return false;
   }
   auto const samples = read_whole_number(interpreter, extra[0], "the number of samples", 0);

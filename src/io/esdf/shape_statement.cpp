@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/ascii.hpp"
@@ -23,8 +26,6 @@
 
 namespace lichtraum::esdf {
 namespace {
-
-constexpr char const* known_shapes = "the shapes are sphere, box, triangle, cylinder, cone, plane and composite";
 
 Signature const sphere_signature{{{"the center", 3}, {"the radius", 1}}, true};
 Signature const box_signature{{{"p1", 3}, {"p2", 3}}, true};
@@ -58,7 +59,7 @@ std::optional<double> checked_radius(Interpreter& interpreter, Statement const& 
   } else if (value > 0 ||
              interpreter.dialect_warning(Code::negative_radius, token,
                                          fmt::format("{}: the radius {} is negative", statement.what, in_quotes(token)),
-                                         "its absolute value is taken")) {
+                                         interpreter.done_unless_strict("its absolute value is taken"))) {
     return std::abs(value);
   }
   interpreter.mark_faulty(Kind::shape, statement[0]);
@@ -194,13 +195,32 @@ constexpr Keyword shape_table[] = {
     {"cylinder", define_cylinder, false}, {"cone", define_cone, false}, {"plane", define_plane, false},
 };
 
+std::vector<std::string> accepted_shapes(Interpreter const& interpreter) {
+  std::vector<std::string> words;
+  for (Keyword const& keyword : shape_table) {
+    if (keyword.is_standard || !interpreter.options.strict) words.emplace_back(keyword.word);
+  }
+  return words;
+}
+
+std::string known_shapes(Interpreter const& interpreter) {
+  return "the shapes are " + listed(accepted_shapes(interpreter), "and");
+}
+
+/// What other programs call a shape.
+std::string_view find_synonym(Token word) {
+  constexpr std::pair<std::string_view, std::string_view> synonyms[] = {
+      {"cube", "box"}, {"cuboid", "box"}, {"ball", "sphere"}, {"group", "composite"}, {"model", "mesh"}};
+  auto const* const found = std::ranges::find(synonyms, word, [](auto const& pair) { return pair.first; });
+  return found == std::end(synonyms) ? std::string_view() : found->second;
+}
+
 std::string hint_for_unknown_kind(Interpreter& interpreter, Statement const& statement) {
-  std::vector<std::string_view> known;
-  for (Keyword const& keyword : shape_kinds()) known.push_back(keyword.word);
   std::string const lower = to_lower_ascii(statement[0]);
   if (lower != statement[0] && find_keyword(shape_kinds(), lower)) return "keywords are lower case: " + lower;
-  std::string hint = interpreter.suggest(statement[0], known);
-  return hint.empty() ? std::string(known_shapes) : hint;
+  std::string hint = did_you_mean(find_synonym(lower));
+  if (hint.empty()) hint = interpreter.suggest(statement[0], accepted_shapes(interpreter));
+  return hint.empty() ? known_shapes(interpreter) : hint;
 }
 
 }  // namespace
@@ -210,7 +230,7 @@ std::span<Keyword const> shape_kinds() { return shape_table; }
 void define_shape(Interpreter& interpreter, Statement const& statement) {
   if (statement.arguments.empty()) {
     interpreter.error(Code::wrong_count, place_after(statement.keyword),
-                      "shape: expected a kind of shape, found nothing", known_shapes);
+                      "shape: expected a kind of shape, found nothing", known_shapes(interpreter));
     return;
   }
   Token const word = statement[0];

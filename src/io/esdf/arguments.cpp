@@ -138,6 +138,10 @@ void report_wrong_count(Interpreter& interpreter, Statement const& statement, Si
   std::string hint(signature.usage);
   bool const has_comment = std::any_of(first_word, tokens.end(), is_comment);
   if (has_comment) hint = comment_hint;
+  if (statement[0].front() == '"') {
+    at = statement[0];
+    hint = "names have neither quotes nor spaces";
+  }
   interpreter.error(Code::wrong_count, at,
                     fmt::format("{}: expected {}, found {}{}", statement.what, wanted, found,
                                 missing.empty() ? "" : fmt::format(" ({})", missing)),

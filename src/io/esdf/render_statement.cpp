@@ -63,6 +63,25 @@ Parts split(Interpreter const& interpreter, std::span<Token const> arguments) {
   return {arguments[0], arguments.subspan(1, file_words), numbers};
 }
 
+/// Whether file and camera are swapped, which is then reported.
+bool report_file_first(Interpreter& interpreter, Statement const& statement, Parts const& parts) {
+  auto const& cameras = interpreter.scene.cameras;
+  if (parts.camera.empty() || cameras.contains(parts.camera) || parts.file.size() != 1) return false;
+  if (!cameras.contains(parts.file[0])) return false;
+  interpreter.error(Code::undefined_camera, span_of(parts.camera, parts.file[0]),
+                    fmt::format("render: {} stands before the camera", in_quotes(parts.camera)),
+                    fmt::format("write {} {} {}", statement.keyword, parts.file[0], parts.camera));
+  return true;
+}
+
+/// "write 64 48" for a resolution of one word, 64x48; else an empty text.
+std::string hint_for_resolution(Token word) {
+  std::size_t const x = std::min(word.find('x'), word.size());
+  bool const is_resolution =
+      parse_number(word.substr(0, x)).has_value() && x < word.size() && parse_number(word.substr(x + 1)).has_value();
+  return is_resolution ? fmt::format("write {} {}", word.substr(0, x), word.substr(x + 1)) : std::string();
+}
+
 /// Null, after a report, when the camera is neither there nor obvious.
 Camera const* find_camera(Interpreter& interpreter, Statement const& statement, Token name) {
   auto const& cameras = interpreter.scene.cameras;
@@ -149,6 +168,15 @@ std::optional<Integrator> read_integrator(Interpreter& interpreter, Token value)
   return std::nullopt;
 }
 
+/// Per pixel; 4x4 is no number, though they may lie so.
+std::optional<int> read_samples(Interpreter& interpreter, Token value) {
+  std::string const hint = hint_for_resolution(value);
+  if (hint.empty()) return read_whole_number(interpreter, value, "the number of samples", 1);
+  interpreter.error(Code::not_a_number, value, fmt::format("{} is not a number", in_quotes(value)),
+                    "samples= is how many a pixel has in all");
+  return std::nullopt;
+}
+
 /// What fills `command`; as keys say it clearly, they win over extra numbers.
 auto keys_of(Interpreter& interpreter, RenderCommand& command) {
   return std::to_array<Key>({{"integrator",
@@ -159,7 +187,7 @@ auto keys_of(Interpreter& interpreter, RenderCommand& command) {
                               true},
                              {"samples",
                               [&](Token value) {
-                                command.samples = read_whole_number(interpreter, value, "the number of samples", 1);
+                                command.samples = read_samples(interpreter, value);
                                 return command.samples.has_value();
                               },
                               true},
@@ -192,13 +220,16 @@ void render(Interpreter& interpreter, Statement const& whole) {
   std::size_t const first_key = count_without_keys(whole.arguments, keys);
   Statement const statement{whole.what, whole.keyword, whole.arguments.first(first_key)};
   Parts const parts = split(interpreter, statement.arguments);
+  if (report_file_first(interpreter, statement, parts)) return;
   auto const file = join_file(interpreter, statement, parts);
   if (!file) return;
   if (parts.numbers.size() == 1 || parts.numbers.size() > 4) {
+    std::string const hint = hint_for_resolution(parts.numbers[0]);
     interpreter.error(
         Code::wrong_count,
         parts.numbers.size() == 1 ? place_after(statement.last()) : span_of(parts.numbers[4], parts.numbers.back()),
-        fmt::format("render: expected 2 numbers, found {}", parts.numbers.size()), std::string(render_usage));
+        fmt::format("render: expected 2 numbers, found {}", parts.numbers.size()),
+        hint.empty() ? std::string(render_usage) : hint);
     return;
   }
   Camera const* const camera = find_camera(interpreter, statement, parts.camera);

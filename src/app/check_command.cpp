@@ -33,8 +33,8 @@ std::size_t count_of(std::vector<Diagnostic> const& diagnostics, Severity severi
 
 std::string picture_line(PicturePlan const& plan) {
   Region const& region = *plan.job.region;
-  return fmt::format("  would write {}, {}x{}, camera '{}'\n", plan.output.shown, region.width, region.height,
-                     plan.job.camera);
+  std::string const camera = plan.job.camera.empty() ? "" : fmt::format(", camera '{}'", plan.job.camera);
+  return fmt::format("  would write {}, {}x{}{}\n", plan.output.shown, region.width, region.height, camera);
 }
 
 std::string summary(Prediction const& prediction) {

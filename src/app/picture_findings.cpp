@@ -26,6 +26,11 @@ Diagnostic warning(SourceLocation const& at, DiagnosticCode code, std::string me
   return {Severity::warning, code, at, 1, std::move(message), {}, std::move(hint)};
 }
 
+/// "the camera 'eye'"; the one that --orbit makes has no name.
+std::string name_in_text(Camera const& camera) {
+  return camera.name().empty() ? "the camera" : fmt::format("the camera '{}'", camera.name());
+}
+
 /// Why a `render` does not show what is defined below it; empty for an empty name.
 std::string hint_of_order(std::string_view what, std::string const& name) {
   if (name.empty()) return {};
@@ -116,12 +121,10 @@ Diagnostic PictureFindings::explain_missing_light(SceneLight light, PicturePlan 
 
 Diagnostic PictureFindings::explain_black_picture(PictureReady const& ready, PicturePlan const& plan) const {
   std::string hint = hint_of_order("light", defined_below(plan).light);
-  if (hint.empty())
-    hint = "is each lamp inside a shape, or outside of a closed room? or do the materials reflect nothing?";
-  return warning(
-      plan.location, DiagnosticCode::black_picture,
-      fmt::format("the picture is black: no light reaches what the camera '{}' sees", ready.request.camera.name()),
-      std::move(hint));
+  if (hint.empty()) hint = "perhaps every lamp is inside a shape or outside the room, or the materials reflect nothing";
+  return warning(plan.location, DiagnosticCode::black_picture,
+                 fmt::format("the picture is black: no light reaches what {} sees", name_in_text(ready.request.camera)),
+                 std::move(hint));
 }
 
 PictureFindings::DefinedBelow PictureFindings::defined_below(PicturePlan const& plan) const {
@@ -144,7 +147,7 @@ PictureFindings::DefinedBelow PictureFindings::defined_below(PicturePlan const& 
 Diagnostic PictureFindings::explain_empty_view(PictureReady const& ready, PicturePlan const& plan) {
   Diagnostic result =
       warning(plan.location, DiagnosticCode::empty_view,
-              fmt::format("the camera '{}' sees nothing: {}", ready.request.camera.name(),
+              fmt::format("{} sees nothing: {}", name_in_text(ready.request.camera),
                           describe_direction(ready.request.camera, ready.request.resolution, ready.scene->bounds)),
               hint_of_order("shape", defined_below(plan).shape));
   if (!result.hint.empty()) return result;

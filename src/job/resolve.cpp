@@ -149,12 +149,12 @@ IntegratorChoice chosen_integrator(Job const& job, Scene const& scene, DeviceKin
   if (is_model(job)) {
     bool const is_reference = device == DeviceKind::reference;
     return {usual_integrator(true, device),
-            is_reference ? "the reference tracer follows paths too slowly" : "models are, unless asked otherwise"};
+            is_reference ? "the reference tracer follows paths too slowly" : "that is the default for models"};
   }
   if (scene.environment) return {Integrator::path, "only paths show an environment's light"};
   if (has_lamp_with_size(scene)) return {Integrator::path, "only paths show a lamp's size"};
   if (has_shining_material(scene)) return {Integrator::path, "only paths show what an emission lights"};
-  return {usual_integrator(false, device), "scenes are, unless asked otherwise"};
+  return {usual_integrator(false, device), "that is the default for scenes"};
 }
 
 Denoising decided(Denoising asked, Integrator integrator) {

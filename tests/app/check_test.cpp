@@ -166,7 +166,7 @@ TEST_CASE("check and render say where light is missing", "[app][check]") {
            {white + ball + "define light diffuse l 0 0 -5 1 1 1\n", "", "no light reaches what the camera 'eye' sees"},
            {room + "define light diffuse l 0 99 0 1 1 1\n", "", "no light reaches"},
            {room + "define light diffuse l 0 0 0 1 1 1\n", "", ""},
-           {"define material m 0 0 0 0 0 0 0 0 0 1\n" + ball + lamp, "", "do the materials reflect nothing?"},
+           {"define material m 0 0 0 0 0 0 0 0 0 1\n" + ball + lamp, "", "or the materials reflect nothing"},
            {"define material m 0 0 0 0 0 0 0 0 0 1\n" + ball + lamp + "define background 1 1 1\n", "", ""},
        }) {
     Lichtraum const lichtraum;
@@ -199,6 +199,14 @@ TEST_CASE("check and render say where light is missing", "[app][check]") {
                                       "define shape sphere s 0.0002 0.0002 -5 0.002 b\ndefine light ambient a 1 1 1\n" +
                                       "define camera eye 40\nrender eye out.png 1201 901\n");
   CHECK(lichtraum("check a.sdf --device reference").err.empty());
+}
+
+TEST_CASE("a camera without a name is called none", "[app][check]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", "define material m 0 0 0 0 0 0 0 0 0 1\ndefine light diffuse l 9 9 9 1 1 1\n" + ball);
+  auto const result = lichtraum("check a.sdf --device reference --size 64x48 --orbit 35,20");
+  CHECK_THAT(result.err, contains_text("no light reaches what the camera sees [W0815]"));
+  CHECK_THAT(result.out, contains_text("would write a.png, 64x48\n"));
 }
 
 TEST_CASE("a picture lacks what is defined below its render", "[app][check]") {

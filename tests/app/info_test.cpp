@@ -50,7 +50,7 @@ TEST_CASE("info says what draws each picture, and why", "[app][info]") {
   CHECK(renders[0]["integrator"]["name"] == "whitted");
   CHECK(renders[1]["integrator"] == Json({{"name", "path"}, {"reason", "the scene's render asks for it"}}));
   CHECK_THAT(lichtraum("info -", scene).out,
-             contains_text("a.ppm through eye, by whitted, as scenes are, unless asked otherwise\n"));
+             contains_text("a.ppm through eye, by whitted, as that is the default for scenes\n"));
   std::string const no_picture = "define camera eye 60 4 3\n";
   CHECK_THAT(lichtraum("info -", no_picture).out, contains_text("drawn           by whitted, as "));
   CHECK(Json::parse(lichtraum("info - --json", no_picture).out)["integrator"]["name"] == "whitted");

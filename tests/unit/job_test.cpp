@@ -81,7 +81,7 @@ TEST_CASE("the integrator is the job's, the render's, or what the scene needs", 
     return std::pair(chosen.integrator, std::string(chosen.reason));
   };
   using Choice = std::pair<Integrator, std::string>;
-  CHECK(choice(job_of()) == Choice(Integrator::whitted, "scenes are, unless asked otherwise"));
+  CHECK(choice(job_of()) == Choice(Integrator::whitted, "that is the default for scenes"));
   scene.environment = EnvironmentLight{"studio", std::make_shared<EnvironmentMap>(EnvironmentMap{1, 1, {1, 1, 1}})};
   CHECK(choice(job_of()) == Choice(Integrator::path, "only paths show an environment's light"));
   scene.environment.reset();
@@ -111,7 +111,7 @@ TEST_CASE("the integrator is the job's, the render's, or what the scene needs", 
   job.scene = "model.glb";
   scene.renders.clear();
   job.picture = 0;
-  CHECK(choice(job) == Choice(Integrator::path, "models are, unless asked otherwise"));
+  CHECK(choice(job) == Choice(Integrator::path, "that is the default for models"));
   auto const by_reference = [&] { return chosen_integrator(job, scene, DeviceKind::reference); };
   CHECK(by_reference().integrator == Integrator::whitted);
   CHECK(by_reference().reason == "the reference tracer follows paths too slowly");

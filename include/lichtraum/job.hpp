@@ -53,6 +53,10 @@ struct JobView {
   friend bool operator==(JobView const&, JobView const&) = default;
 };
 
+/// Throws Error{usage} that names the option for what no camera can have: numbers that are none, an opening angle
+/// outside 0..180 degrees, a camera in the point it looks at, options that exclude each other.
+void check_view(JobView const& view);
+
 /// What rays see that hit nothing.
 struct JobBackground {
   std::optional<Background> shown;  ///< nothing: the picture is transparent there

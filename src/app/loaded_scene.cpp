@@ -3,6 +3,7 @@
 namespace lichtraum::app {
 
 void LoadOptions::set_drawing(Job const& job, DeviceKind drawing_device) {
+  check_view(job.view);  // models are lit from where its `up` says before their pictures are planned
   device = drawing_device;
   integrator = asked_integrator(job);
   up = job.view.up;

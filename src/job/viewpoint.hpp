@@ -4,10 +4,6 @@
 
 namespace lichtraum {
 
-/// Throws Error{usage} that names the option for what no camera can have: numbers that are none, an opening angle
-/// outside 0..180 degrees, a camera in the point it looks at, options that exclude each other.
-void check_view(JobView const& view);
-
 /// Whether `view` says by itself where a camera stands.
 inline bool has_place(JobView const& view) { return view.eye || view.orbit; }
 

@@ -51,6 +51,26 @@ TEST_CASE("a model is drawn, and its picture is stored in sRGB", "[app][gltf]") 
   CHECK(lichtraum.render("square.glb --time noon").exit_code == 64);
 }
 
+TEST_CASE("an up vector of no direction is refused before the model is lit from above", "[app][gltf]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("square.glb", square().glb());
+  for (char const* const command : {"render", "check", "preview", "job plan -o shared"}) {
+    INFO(command);
+    auto const result = lichtraum(std::string(command) + " square.glb --device reference --up 0,0,0");
+    CHECK(result.exit_code == 64);
+    CHECK_THAT(result.err, contains_text("--up 0,0,0: it has no direction"));
+  }
+  auto const picture = [&](std::string const& up) {
+    auto const result = lichtraum.render("square.glb -q --size 16x16 --orbit 35,20 -o up.png --up " + up);
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    return decode(lichtraum.folder.read("up.png")).values;
+  };
+  auto const sideways = picture("1,0,0");
+  CHECK(picture("1e300,0,0") == sideways);
+  CHECK(picture("1e-300,0,0") == sideways);
+}
+
 TEST_CASE("models are drawn by paths unless asked otherwise, or by the reference tracer", "[app][gltf]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("square.glb", square().glb());

@@ -62,7 +62,7 @@ def test_errors_name_options_as_python_does(options, message):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"time": 1}, "time or animation has no effect: a scene's models stand as in their files"),
+        ({"time": 1}, "time has no effect: a scene's models stand as in their files"),
         ({"both_sides": True}, "both_sides has no effect"),
         ({"clamp": 3}, "clamp has no effect"),
         ({"environment_rotation": 3, "integrator": "path"}, "environment_rotation has no effect: the scene has no environment"),

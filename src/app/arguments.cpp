@@ -157,7 +157,7 @@ void add_model_options(CLI::App& parser, ModelChoice& choice) {
             "Variant of the materials: name or number\n(default: as the meshes are)", group);
   add_value(parser, "--time", choice.time_seconds, parse_time, "SECONDS", "Show the animation at this time", group);
   add_value(parser, "--animation", choice.animation, parse_name, "NAME",
-            "Animation to show: name or number\n(default: the first)", group);
+            "Animation that --time, --frames and films show:\nname or number (default: the first)", group);
   parser
       .add_flag("--both-sides", choice.both_sides,
                 "Show the camera the backs of single-sided\nsurfaces (paths; glTF hides them)")

@@ -1,5 +1,7 @@
 #include "app/option_effects.hpp"
 
+#include "lichtraum/gltf.hpp"
+
 namespace lichtraum::app {
 
 std::vector<OptionWithoutEffect> options_without_effect(Job const& asked, Job const& decided, bool is_model,
@@ -22,9 +24,11 @@ std::vector<OptionWithoutEffect> options_without_effect(Job const& asked, Job co
   has_no_effect(asked.ground != Ground::none, is_lit && (is_upright || is_model), "--ground",
                 is_lit ? ": under a scene it is level in y, whatever --up says" : "");
   ModelChoice const& model = asked.reading.model;
-  bool const is_posed = model.time_seconds || !model.animation.empty();
   constexpr char const* as_in_files = ": a scene's models stand as in their files";
-  has_no_effect(is_posed, is_model, "--time or --animation", as_in_files);
+  has_no_effect(model.time_seconds.has_value(), is_model, "--time", as_in_files);
+  bool const is_at_rest = is_gltf_file(decided.scene) && !decided.reading.model.time_seconds;
+  has_no_effect(!model.animation.empty(), is_model && !is_at_rest, "--animation",
+                is_model ? ": without --time, --frames or a film the model stands as in its file" : as_in_files);
   has_no_effect(!model.variant.empty(), is_model, "--variant", as_in_files);
   has_no_effect(!model.scene.empty(), is_model, "--scene", as_in_files);
   has_no_effect(model.both_sides, is_model, "--both-sides", as_in_files);

@@ -85,6 +85,18 @@ TEST_CASE("the camera that a model is given stands still from frame to frame", "
   CHECK(columns("pose.png").second > columns("0.png").second);
 }
 
+TEST_CASE("an animation that no time shows is said to have no effect", "[app][sequence][gltf]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("model.glb", moving_square().glb());
+  auto const said = [&](std::string const& words) {
+    return lichtraum("check model.glb --device reference --size 16x16 -o %d.png --animation 0 " + words).err;
+  };
+  CHECK_THAT(said(""), contains_text("--animation has no effect on '1.png': without --time, --frames"));
+  CHECK_THAT(said("--turntable 2"), contains_text("--animation has no effect"));
+  CHECK(said("--time 1").find("no effect") == std::string::npos);
+  CHECK(said("--frames 0..1").find("no effect") == std::string::npos);
+}
+
 TEST_CASE("a pattern is the files that it matches, in the order of their numbers", "[app][sequence]") {
   Lichtraum const lichtraum;
   std::filesystem::create_directory(lichtraum.folder / "frames");

@@ -28,14 +28,15 @@ constexpr char const* denoise_examples =
     "  lichtraum denoise film.exr -o picture.png --exposure 1\n"
     "  lichtraum denoise film.exr -o smooth.exr --denoise builtin\n";
 
+constexpr Development usual_development{0, ToneMap::none, Transfer::srgb};
+
 struct DenoiseOptions {
   std::string input;
   std::filesystem::path output;
   Denoising denoising = Denoising::on;
   bool has_noisy_guides = false;
-  bool has_development = false;  // --exposure, --tonemap or --transfer
   std::string device;
-  Development development{0, ToneMap::none, Transfer::srgb};
+  Development development = usual_development;
 };
 
 Denoising parse_denoiser(std::string_view text) {
@@ -50,26 +51,17 @@ bool parse_denoise(Arguments const& arguments, DenoiseOptions& options, Console&
   auto const path = [](std::string const& text) { return std::filesystem::path(parse_name(text)); };
   add_value(*parser, "-o,--output", options.output, path, "FILE",
             "Write to FILE: an .exr keeps all layers, others are\npictures (default: <name>-denoised.exr)", "Output");
-  auto const exposure = [&options](std::string const& text) {
-    options.has_development = true;
-    return parse_exposure(text);
-  };
-  auto const tone_map = [&options](std::string const& text) {
-    options.has_development = true;
+  auto const tone_map = [](std::string const& text) {
     ToneMap const parsed = parse_tone_map(text);
     return parsed == ToneMap::automatic ? ToneMap::none : parsed;
   };
-  auto const transfer = [&options](std::string const& text) {
-    options.has_development = true;
-    return parse_transfer(text);
-  };
-  add_value(*parser, "--exposure", options.development.exposure_ev, exposure, "EV",
+  add_value(*parser, "--exposure", options.development.exposure_ev, parse_exposure, "EV",
             "Of a picture: stops brighter, or darker (default: 0)", "Output");
   add_value(*parser, "--tonemap", options.development.tone_map, tone_map, "NAME",
             "Of a picture: none (default; a film does not tell\nwhat its scene needs), neutral (as 'lichtraum\nrender' "
             "develops models), agx, aces or reinhard",
             "Output");
-  add_value(*parser, "--transfer", options.development.transfer, transfer, "NAME",
+  add_value(*parser, "--transfer", options.development.transfer, parse_transfer, "NAME",
             "Of a picture: srgb (default) or linear (as\n'lichtraum render' stores scenes)", "Output");
   add_value(*parser, "--denoise", options.denoising, parse_denoiser, "NAME",
             "on (default): by Open Image Denoise where it is found;\nbuiltin: by lichtraum's own filter", "Denoising");
@@ -89,10 +81,14 @@ std::vector<Diagnostic> options_without_effect(DenoiseOptions const& options, st
   auto const add = [&](std::string message) {
     found.push_back({Severity::warning, DiagnosticCode::option_without_effect, {}, 1, std::move(message), {}, {}});
   };
-  if (options.has_development && !format.encode) {
-    add(fmt::format("--exposure, --tonemap or --transfer has no effect on '{}': it stores radiance as it is",
-                    output.string()));
-  }
+  auto const has_no_effect = [&](bool given, char const* option) {
+    if (!given || format.encode) return;
+    add(fmt::format("{} has no effect on '{}': it stores radiance as it is", option, output.string()));
+  };
+  Development const& development = options.development;
+  has_no_effect(development.exposure_ev != usual_development.exposure_ev, "--exposure");
+  has_no_effect(development.tone_map != usual_development.tone_map, "--tonemap");
+  has_no_effect(development.transfer != usual_development.transfer, "--transfer");
   if (options.has_noisy_guides && options.denoising == Denoising::builtin) {
     add("--prefilter has no effect with --denoise builtin: it is for Open Image Denoise");
   }

@@ -97,23 +97,11 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
             group);
   add_flag_or_value(parser, "--ground", options.job.ground, parse_ground,
                     "Stand the scene on a ground that shows its\nshadows; --ground=glossy mirrors it, too", group);
-  auto const exposure = [&options](std::string const& text) {
-    options.has_development = true;
-    return parse_exposure(text);
-  };
-  add_value(parser, "--exposure", options.job.exposure_ev, exposure, "EV", "Stops brighter, or darker (default: 0)",
-            group);
-  auto const tone_map = [&options](std::string const& text) {
-    options.has_development = true;
-    return parse_tone_map(text);
-  };
-  auto const transfer = [&options](std::string const& text) {
-    options.has_development = true;
-    return parse_transfer(text);
-  };
-  add_value(parser, "--tonemap", options.job.tone_map, tone_map, "NAME",
+  add_value(parser, "--exposure", options.job.exposure_ev, parse_exposure, "EV",
+            "Stops brighter, or darker (default: 0)", group);
+  add_value(parser, "--tonemap", options.job.tone_map, parse_tone_map, "NAME",
             "auto (default: what the scene's lights need),\nneutral, agx, aces, reinhard or none", group);
-  add_value(parser, "--transfer", options.job.transfer, transfer, "NAME",
+  add_value(parser, "--transfer", options.job.transfer, parse_transfer, "NAME",
             "linear (default for scenes) or srgb (for models)", group);
   add_device_option(parser, options, group);
   add_value(parser, "--traversal", options.traversal, parse_traversal, "NAME",

@@ -22,7 +22,6 @@ struct RenderOptions {
   OutputOptions output;
   bool has_bits = false;  // given on the command line, not the default
   bool has_quality = false;
-  bool has_development = false;  // --exposure, --tonemap or --transfer
 
   std::string device;
   std::optional<Traversal> traversal;

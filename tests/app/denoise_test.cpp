@@ -188,7 +188,8 @@ TEST_CASE("options of denoise without effect are told", "[app][denoise]") {
     return result.err;
   };
   for (char const* const option : {"--exposure 1", "--tonemap agx", "--transfer linear"}) {
-    CHECK_THAT(said(option), contains_text("--exposure, --tonemap or --transfer has no effect on 'film-denoised.exr'"));
+    std::string const name = std::string(option).substr(0, std::string(option).find(' '));
+    CHECK_THAT(said(option), contains_text("warning: " + name + " has no effect on 'film-denoised.exr'"));
     CHECK_THAT(said(std::string(option) + " -o picture.pfm"), contains_text("has no effect on 'picture.pfm'"));
     CHECK_THAT(said(std::string(option) + " -o picture.png"), !contains_text("no effect"));
   }

@@ -43,7 +43,8 @@ TEST_CASE("bits, ascii and quality change the file", "[app][render]") {
   CHECK(decode(ascii).values == draw(lichtraum, "").values);
   CHECK(words("jpg --size 200x150 --quality 5").out.size() < words("jpg --size 200x150").out.size());
   CHECK_THAT(words("png --quality 5").err, contains_text("--quality has no effect"));
-  CHECK_THAT(words("exr --transfer srgb").err, contains_text("no effect"));
+  CHECK_THAT(words("exr --transfer srgb").err, contains_text("warning: --transfer has no effect"));
+  CHECK_THAT(words("exr --exposure 3").err, contains_text("warning: --exposure has no effect"));
 }
 
 TEST_CASE("size: command line over render statement over camera over default", "[app][render]") {

@@ -2,16 +2,48 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/option_effects.hpp"
 
 namespace lichtraum::app {
+namespace {
+
+Diagnostic warning(DiagnosticCode code, SourceLocation const& location, std::string message, std::string hint = {}) {
+  return {Severity::warning, code, location, 1, std::move(message), {}, std::move(hint)};
+}
+
+}  // namespace
+
+std::optional<Diagnostic> PlanFindings::outside_animation(SceneOpened const& scene) const {
+  if (!scene.animation) return std::nullopt;
+  double const end = scene.animation->seconds;
+  auto const is_outside = [&](PicturePlan const& plan) {
+    auto const& time = plan.job.reading.model.time_seconds;
+    return time && (*time < 0 || *time > end);
+  };
+  auto const first = std::ranges::find_if(scene.plans, is_outside);
+  if (first == scene.plans.end()) return std::nullopt;
+  SourceLocation const location{scene.source->name(), 0, 0};
+  if (!options_.frames) {
+    return warning(DiagnosticCode::outside_animation, location,
+                   fmt::format("the animation is {:.6g} s long: at {:.6g} s it stands still", end,
+                               *first->job.reading.model.time_seconds));
+  }
+  return warning(DiagnosticCode::outside_animation, location,
+                 fmt::format("the animation is {:.6g} s long: in {} of the {} frames it stands still", end,
+                             std::ranges::count_if(scene.plans, is_outside), scene.plans.size()),
+                 fmt::format("--frames 0..{:.0f} shows all of it", std::floor(end * options_.frame_rate())));
+}
 
 std::vector<Diagnostic> PlanFindings::next(SceneOpened const& scene) {
   std::vector<Diagnostic> found;
   auto const warn = [&](DiagnosticCode code, SourceLocation const& location, std::string message,
                         std::string hint = {}) {
-    found.push_back({Severity::warning, code, location, 1, std::move(message), {}, std::move(hint)});
+    found.push_back(warning(code, location, std::move(message), std::move(hint)));
   };
+  if (auto const finding = outside_animation(scene)) found.push_back(*finding);
   for (PicturePlan const& plan : scene.plans) {
     ImageFormat const& format = *plan.output.format;
     bool const is_own_file = !plan.output.is_standard_output() && !plan.output.is_film;

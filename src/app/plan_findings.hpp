@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -20,6 +21,8 @@ class PlanFindings {
   std::vector<Diagnostic> next(SceneOpened const& scene);
 
  private:
+  std::optional<Diagnostic> outside_animation(SceneOpened const& scene) const;
+
   RenderOptions const& options_;
   std::map<std::filesystem::path, int> uses_;             // pictures of that name
   std::set<std::pair<std::string, std::string>> warned_;  // option and extension

@@ -124,6 +124,9 @@ void SceneLoader::load(std::string const& input) {
   LoadedScene script = read(*opened.source);
   opened.load_ms = stopwatch.milliseconds();
   opened.is_model = script.is_model();
+  if (ModelContents const* const contents = script.contents(); contents && contents->animation) {
+    opened.animation = contents->animations.at(*contents->animation);
+  }
   opened.has_environment = script.scene().environment.has_value();
   opened.diagnostics = script.diagnostics();
   std::exception_ptr faulty_plan;

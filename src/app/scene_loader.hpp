@@ -19,6 +19,7 @@ struct SceneOpened {
   std::shared_ptr<SceneSource const> source;
   bool is_model = false;
   bool has_environment = false;
+  std::optional<ModelContents::Animation> animation;  ///< that the model is posed by
   double load_ms = 0;
   std::vector<Diagnostic> diagnostics;
   std::vector<PicturePlan> plans;

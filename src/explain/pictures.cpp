@@ -228,6 +228,13 @@ message says which, and what to do. For example, --camera left, where the scene
 defines only right.
 )",
      "", ""},
+    {DiagnosticCode::outside_animation,
+     R"(A model is to be drawn at a time before its animation begins or after it ends,
+where it stands still, as at its beginning or end. The message says how long the
+animation is, as lichtraum info does. For example, --time 99 of an animation
+that is over after 1.25 seconds.
+)",
+     "", ""},
 };
 static_assert(explains_all(picture_table, "08"));
 

@@ -85,6 +85,25 @@ TEST_CASE("the camera that a model is given stands still from frame to frame", "
   CHECK(columns("pose.png").second > columns("0.png").second);
 }
 
+TEST_CASE("times outside of an animation are warned about", "[app][sequence][gltf]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("model.glb", moving_square().glb());
+  auto const warning = [&](std::string const& words) {
+    auto const result = lichtraum("check model.glb --device reference --size 16x16 -o %d.png " + words);
+    CHECK(result.exit_code == 0);
+    return result.err;
+  };
+  CHECK_THAT(warning("--time 99"), contains_text("the animation is 2 s long: at 99 s it stands still [W0822]"));
+  CHECK_THAT(warning("--time -5"), contains_text("at -5 s it stands still"));
+  CHECK_THAT(warning("--frames 1000..1001"), contains_text("in 2 of the 2 frames it stands still"));
+  CHECK_THAT(warning("--frames 45..52"),
+             contains_text("in 2 of the 8 frames") && contains_text("--frames 0..50 shows"));
+  for (char const* const inside : {"--time 0", "--time 2", "--frames 0..50", "--animation 0 --time 1", ""}) {
+    INFO(inside);
+    CHECK(warning(inside).find("warning") == std::string::npos);
+  }
+}
+
 TEST_CASE("an animation that no time shows is said to have no effect", "[app][sequence][gltf]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("model.glb", moving_square().glb());

@@ -95,6 +95,7 @@ namespace LICHTRAUM_API lichtraum {
   CODE(W, 0818, samples_left_out, "samples that are not finite")                                        \
   CODE(W, 0819, other_denoiser, "noise that is taken out in another way")                               \
   CODE(E, 0820, undrawable_scene, "a scene that cannot be drawn as asked")                              \
+  CODE(W, 0821, film_of_one_picture, "a film of one picture")                                           \
   CODE(W, 0822, outside_animation, "a time outside of an animation")                                    \
   CODE(E, 0901, nothing_to_draw, "a model with nothing to draw")                                        \
   CODE(W, 0902, geometry_left_out, "parts of a model that cannot be drawn")                             \

@@ -31,26 +31,38 @@ std::size_t count_of(std::vector<Diagnostic> const& diagnostics, Severity severi
                                                 [&](Diagnostic const& d) { return d.severity == severity; }));
 }
 
-std::string picture_line(PicturePlan const& plan) {
+/// "would write a.png, 64x48, camera 'eye'"
+std::string picture_text(PicturePlan const& plan) {
   Region const& region = *plan.job.region;
   std::string const camera = plan.job.camera.empty() ? "" : fmt::format(", camera '{}'", plan.job.camera);
-  return fmt::format("  would write {}, {}x{}{}\n", plan.output.shown, region.width, region.height, camera);
+  return fmt::format("would write {}, {}x{}{}", plan.output.shown, region.width, region.height, camera);
 }
 
-std::string summary(Prediction const& prediction) {
+std::string film_line(std::vector<PicturePlan> const& plans, double rate) {
+  return fmt::format("  {}: {}, {:.2f} s at {:g} a second\n", picture_text(plans.front()),
+                     counted(plans.size(), "picture"), double(plans.size()) / rate, rate);
+}
+
+std::string picture_lines(std::vector<PicturePlan> const& plans) {
+  std::string text;
+  constexpr std::size_t most_pictures = 4;
+  std::size_t const shown = std::min(plans.size(), most_pictures);
+  for (std::size_t i = 0; i < shown; ++i) text += fmt::format("  {}\n", picture_text(plans[i]));
+  if (std::size_t const more = plans.size() - shown; more > 0) {
+    text += fmt::format("  and {}, the last is {}\n", counted(more, "more picture"), plans.back().output.shown);
+  }
+  return text;
+}
+
+std::string summary(Prediction const& prediction, double frame_rate) {
   std::size_t const errors = count_of(prediction.diagnostics, Severity::error);
   std::size_t const warnings = count_of(prediction.diagnostics, Severity::warning);
   std::string text = fmt::format("{}: {}", prediction.file, errors == 0 ? "good" : counted(errors, "error"));
   if (errors + warnings > 0) text += ", " + counted(warnings, "warning");
   text += "\n";
-  constexpr std::size_t most_pictures = 4;
-  std::size_t const shown = std::min(prediction.pictures.size(), most_pictures);
-  for (std::size_t i = 0; i < shown; ++i) text += picture_line(prediction.pictures[i]);
-  if (std::size_t const more = prediction.pictures.size() - shown; more > 0) {
-    text += fmt::format("  and {}, the last is {}\n", counted(more, "more picture"),
-                        prediction.pictures.back().output.shown);
-  }
-  return text;
+  auto const& plans = prediction.pictures;
+  bool const is_film = !plans.empty() && plans.front().output.is_film;
+  return text + (is_film ? film_line(plans, frame_rate) : picture_lines(plans));
 }
 
 /// False when only the help was asked for.
@@ -84,7 +96,7 @@ int check_command(Arguments const& arguments, Console& console) {
   std::vector<Prediction> predictions;
   predict(inputs, options, names, *renderer, [&](Prediction const& prediction) {
     console.show(prediction.diagnostics);
-    if (!console.is_quiet() && !options.json) write_standard_output(summary(prediction));
+    if (!console.is_quiet() && !options.json) write_standard_output(summary(prediction, options.frame_rate()));
     if (options.json) predictions.push_back(prediction);
     if (code == 0) code = prediction.exit_code;
   });

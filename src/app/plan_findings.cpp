@@ -16,6 +16,15 @@ Diagnostic warning(DiagnosticCode code, SourceLocation const& location, std::str
 
 }  // namespace
 
+std::optional<Diagnostic> PlanFindings::film_of_one_picture(SceneOpened const& scene) const {
+  if (inputs_ > 1 || scene.plans.size() != 1 || !scene.plans.front().output.is_film) return std::nullopt;
+  bool const lacks_animation = scene.is_model && !scene.animation;
+  return warning(DiagnosticCode::film_of_one_picture, {scene.source->name(), 0, 0},
+                 fmt::format("the film '{}' is one picture, shown for {:.2g} s{}", scene.plans.front().output.shown,
+                             1 / options_.frame_rate(), lacks_animation ? ": the model has no animation" : ""),
+                 "--turntable 90 circles what is in view");
+}
+
 std::optional<Diagnostic> PlanFindings::outside_animation(SceneOpened const& scene) const {
   if (!scene.animation) return std::nullopt;
   double const end = scene.animation->seconds;
@@ -43,7 +52,9 @@ std::vector<Diagnostic> PlanFindings::next(SceneOpened const& scene) {
                         std::string hint = {}) {
     found.push_back(warning(code, location, std::move(message), std::move(hint)));
   };
-  if (auto const finding = outside_animation(scene)) found.push_back(*finding);
+  for (auto const& finding : {film_of_one_picture(scene), outside_animation(scene)}) {
+    if (finding) found.push_back(*finding);
+  }
   for (PicturePlan const& plan : scene.plans) {
     ImageFormat const& format = *plan.output.format;
     bool const is_own_file = !plan.output.is_standard_output() && !plan.output.is_film;

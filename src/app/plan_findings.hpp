@@ -15,15 +15,18 @@ namespace lichtraum::app {
 /// What the user may not have meant by the pictures that are planned: a name in use, an option without effect.
 class PlanFindings {
  public:
-  explicit PlanFindings(RenderOptions const& options) : options_(options) {}
+  /// `inputs`: how many scenes there are.
+  PlanFindings(RenderOptions const& options, std::size_t inputs) : options_(options), inputs_(inputs) {}
 
   /// Warnings about the pictures of the next scene.
   std::vector<Diagnostic> next(SceneOpened const& scene);
 
  private:
+  std::optional<Diagnostic> film_of_one_picture(SceneOpened const& scene) const;
   std::optional<Diagnostic> outside_animation(SceneOpened const& scene) const;
 
   RenderOptions const& options_;
+  std::size_t inputs_;
   std::map<std::filesystem::path, int> uses_;             // pictures of that name
   std::set<std::pair<std::string, std::string>> warned_;  // option and extension
 };

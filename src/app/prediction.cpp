@@ -24,7 +24,7 @@ void fail(Prediction& prediction, Error const& error) {
 void predict(std::vector<std::string> const& inputs, RenderOptions const& options, OutputNames& names,
              Renderer& renderer, std::function<void(Prediction const&)> const& tell) {
   Denoiser denoiser([&renderer](NoisyPicture const& picture) { return renderer.filter_noise(picture); });
-  PlanFindings plan_findings(options);
+  PlanFindings plan_findings(options, inputs.size());
   PictureFindings picture_findings(renderer, options);
   SceneLoader loader(inputs, options, names, renderer, denoiser);
   for (std::string const& input : inputs) {

@@ -39,7 +39,7 @@ class Sequence {
         bar_(console),
         writer_(options.frame_rate()),
         denoiser_([&renderer](NoisyPicture const& picture) { return renderer.filter_noise(picture); }),
-        plan_findings_(options),
+        plan_findings_(options, inputs.size()),
         picture_findings_(renderer, options),
         loader_(inputs, options, names, renderer, denoiser_) {}
 

@@ -228,6 +228,13 @@ message says which, and what to do. For example, --camera left, where the scene
 defines only right.
 )",
      "", ""},
+    {DiagnosticCode::film_of_one_picture,
+     R"(A film was asked for, and there is one picture to show in it: the model has no
+animation, or the scene has one render. --turntable circles what is in view;
+several scenes, or a scene that draws several pictures, make a film as well. For
+example, lichtraum render teapot.obj -o film.mp4, which lacks --turntable 90.
+)",
+     "", ""},
     {DiagnosticCode::outside_animation,
      R"(A model is to be drawn at a time before its animation begins or after it ends,
 where it stands still, as at its beginning or end. The message says how long the

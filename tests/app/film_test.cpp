@@ -127,6 +127,30 @@ TEST_CASE("a model's film is its whole animation, or a turntable", "[app][film][
   CHECK(frames("--time 1") == 1);
 }
 
+TEST_CASE("a film of one picture is warned about, and check tells of a film in one line", "[app][film][check]") {
+  Lichtraum const lichtraum;
+  lichtraum::testing::GltfWriter writer;
+  writer.add_mesh({-1, -1, 0, 1, -1, 0, 1, 1, 0});
+  lichtraum.folder.write("a.glb", writer.glb());
+  lichtraum.folder.write("b.glb", writer.glb());
+  auto const check = [&](std::string const& words) {
+    auto const result = lichtraum("check --device reference --size 16x16 -o film.gif " + words);
+    CHECK(result.exit_code == 0);
+    return result;
+  };
+  auto const still = check("a.glb");
+  CHECK_THAT(still.err, contains_text("W0821") && contains_text("shown for 0.04 s: the model has no animation") &&
+                            contains_text("--turntable 90"));
+  CHECK_THAT(still.out, contains_text(": 1 picture, 0.04 s at 25 a second\n"));
+  CHECK(check("a.glb b.glb").err.find("W0821") == std::string::npos);
+  auto const turning = check("a.glb --turntable 90 --fps 30");
+  CHECK(turning.err.find("W0821") == std::string::npos);
+  CHECK_THAT(turning.out,
+             contains_text("\n  would write film.gif, 16x16, camera 'default': 90 pictures, 3.00 s at 30 a "
+                           "second\n") &&
+                 !contains_text("more picture"));
+}
+
 TEST_CASE("what cannot become a film is refused before anything is drawn", "[app][film]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("balls.sdf", moving_balls());

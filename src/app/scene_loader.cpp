@@ -41,12 +41,7 @@ class Pictures {
 
   void send_all_of(Scene const& scene, std::size_t scene_number) {
     double const load_ms = stopwatch_.milliseconds();
-    std::string const& root = options_.job.root;
-    if (!root.empty() && !scene.shapes.contains(root)) {  // said here, where the scene has a name
-      throw Error(ErrorKind::usage, fmt::format("{}: the scene has no shape called '{}', which --root names",
-                                                opened_.source->name(), root));
-    }
-    auto const prepared = previous_ = renderer_.prepare(scene, root, previous_);
+    auto const prepared = previous_ = prepare(scene);
     std::optional<Vec3> turn_center;
     for (; next_ < opened_.plans.size() && opened_.plans[next_].scene_number == scene_number; ++next_) {
       PicturePlan const& plan = opened_.plans[next_];
@@ -71,6 +66,16 @@ class Pictures {
   }
 
  private:
+  std::shared_ptr<PreparedScene const> prepare(Scene const& scene) const {
+    std::string const& root = options_.job.root;
+    try {
+      return renderer_.prepare(scene, root, previous_);
+    } catch (Error const& error) {
+      if (root.empty() || scene.shapes.contains(root)) throw;
+      throw Error(error.kind(), fmt::format("{}: --root: {}", opened_.source->name(), error.what()));
+    }
+  }
+
   SceneOpened const& opened_;
   RenderOptions const& options_;
   Renderer const& renderer_;

@@ -92,7 +92,9 @@ TEST_CASE("64: what makes no sense is refused in one line that says what to do",
   refused("render a.sdf two.sdf -o a.png", "-o picture-%04d.png");
   refused("render - - -o -", "more than once");
   refused("render a.sdf --camera nose --device reference", "there are: eye");
-  refused("render a.sdf --root nose --device reference", "a.sdf: the scene has no shape called 'nose'");
+  refused("render a.sdf --root nose --device reference",
+          "a.sdf: --root: the scene has no shape called 'nose'; there is ball");
+  refused("render a.sdf --root bal --device reference", "did you mean 'ball'?");
   refused("render a.sdf --ground glossy", "there is no scene 'glossy': a ground is chosen by --ground=glossy");
   refused("info a.sdf two.sdf", "unexpected argument");
   Process nowhere = lichtraum.process("render a.sdf --allow-path");

@@ -86,7 +86,7 @@ Model import_model_bytes(std::string bytes, std::string const& name, ModelOption
 /// The formats of models, each by how its files end, without the dot: "gltf", "glb", "obj" ...
 std::vector<std::string_view> model_formats();
 
-/// One of those that bytes tell: "glb", "ply" or "stl"; empty where they may be anything else.
+/// One of those that bytes tell: "glb", "obj", "ply" or "stl"; empty where they may be anything else.
 std::string_view model_format_of(std::string_view bytes);
 
 /// The scene alone.

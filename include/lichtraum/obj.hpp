@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "lichtraum/api.hpp"
 #include "lichtraum/model.hpp"
 
@@ -13,5 +15,8 @@ Model import_obj(std::filesystem::path const& path, ModelOptions const& options 
 /// left out where there is none.
 Model import_obj_text(std::string text, std::string const& name, std::optional<std::filesystem::path> const& folder,
                       ModelOptions const& options = {});
+
+/// Whether bytes are certainly OBJ: they begin with lines of its keywords alone, of which one is a vertex or a library.
+bool is_obj(std::string_view bytes);
 
 }  // namespace lichtraum

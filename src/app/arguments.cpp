@@ -170,7 +170,7 @@ void add_model_options(CLI::App& parser, ModelChoice& choice) {
 
 void add_input_format_option(CLI::App& parser, std::string& format) {
   add_value(parser, "--format-in", format, parse_input_format, "NAME",
-            "What standard input is: sdf, gltf, glb, obj, ply\nor stl (default: glb, ply and stl are recognised,\n"
+            "What standard input is: sdf, gltf, glb, obj, ply\nor stl (default: glb, obj, ply and stl are\nrecognised, "
             "anything else is sdf)",
             "Models");
 }

@@ -39,7 +39,7 @@ MeshFormat const& format_of(std::filesystem::path const& path) {
 std::span<MeshFormat const> mesh_formats() {
   static MeshFormat const table[] = {
       {"glTF", {".gltf", ".glb"}, import_gltf, import_gltf_bytes, is_glb},
-      {"Wavefront OBJ", {".obj"}, import_obj, import_obj_alone, nullptr},
+      {"Wavefront OBJ", {".obj"}, import_obj, import_obj_alone, is_obj},
       {"PLY", {".ply"}, import_ply, import_ply_alone, is_ply},
       {"STL", {".stl"}, import_stl, import_stl_alone, is_stl},
   };

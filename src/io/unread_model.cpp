@@ -14,7 +14,8 @@ struct UnreadFormat {
   std::string_view what;
   std::vector<std::string_view> extensions;
   std::vector<std::string_view> starts;  ///< of its bytes; none where others begin like that, too
-  std::string_view hint;
+  std::string_view converter;
+  std::string_view becomes = "a .glb";
 };
 
 UnreadFormat const formats[] = {
@@ -26,6 +27,13 @@ UnreadFormat const formats[] = {
      {".blend"},
      {"BLENDER"},
      "blender -b in.blend --python-expr \"import bpy; bpy.ops.export_scene.gltf(filepath='out.glb')\""},
+    {"an OFF model", {".off"}, {"OFF\n", "OFF "}, "assimp export in.off out.glb -fglb2"},
+    {"a STEP model", {".step", ".stp"}, {"ISO-10303-21;"}, "gmsh -2 in.step -o out.stl", "an .stl"},
+    {"a VTK data set",
+     {".vtk", ".vtp", ".vtu"},
+     {"# vtk DataFile", "<VTKFile"},
+     "python3 -c \"import pyvista; pyvista.read('in.vtk').extract_surface().triangulate().save('out.ply')\"",
+     "a .ply"},
 };
 
 /// Without an XML declaration, which says nothing about what follows.
@@ -54,7 +62,7 @@ std::optional<UnreadModel> recognise_unread_model(std::filesystem::path const& p
   }
   if (found == std::end(formats)) return std::nullopt;
   return UnreadModel{fmt::format("{}, which lichtraum does not read", found->what),
-                     fmt::format("make a .glb of it: {}", found->hint)};
+                     fmt::format("make {} of it: {}", found->becomes, found->converter)};
 }
 
 }  // namespace lichtraum

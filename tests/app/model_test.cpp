@@ -394,7 +394,7 @@ TEST_CASE("models come through standard input, as files do", "[app][stdin]") {
   };
   for (Input const& input : {Input{"glb", square().glb(), true},
                              {"gltf", square().text(), false},
-                             {"obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", false},
+                             {"obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", true},
                              {"ply", ply, true},
                              {"stl", stl, true},
                              {"sdf", std::string(ball_scene), true}}) {

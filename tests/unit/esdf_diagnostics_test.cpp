@@ -143,6 +143,9 @@ TEST_CASE("foreign files are recognised", "[unit][esdf]") {
                                  {"P6\n4 4\n255\n", "a PPM picture"},
                                  {"%PDF-1.4", "a PDF document"},
                                  {"{\"asset\": {}}", "a JSON document (a glTF model?)", "the extension .gltf"},
+                                 {"# a box\n\nmtllib box.mtl\no box\nv 0 0 0\n", "a model (.obj)", "extension .obj"},
+                                 {"ply\nformat ascii 1.0\n", "a model (.ply)", "--format-in ply"},
+                                 {"solid box\n facet normal 0 0 1\n", "a model (.stl)", "extension .stl"},
                                  {"glTF\x02", "a binary glTF model", "the extension .glb"},
                                  {std::string("\x7F"
                                               "ELF\0\0",
@@ -181,6 +184,9 @@ TEST_CASE("models in formats that are not read are recognised, by their bytes or
         {"<stdin>", "#usda 1.0\n(\n)\n", "a USD scene", "usd2gltf"},
         {"a.sdf", "PXR-USDC", "a USD scene", "usd2gltf"},
         {"a.3mf", "PK\x03\x04", "a 3MF model", "assimp export"},
+        {"a.txt", "OFF\n4 4 0\n", "an OFF model", "assimp export"},
+        {"a.txt", "ISO-10303-21;\nHEADER;\n", "a STEP model", "gmsh"},
+        {"a.txt", "# vtk DataFile Version 3.0\n", "a VTK data set", "python3"},
         {"a.dae", "<?xml version=\"1.0\"?>", "a COLLADA model", "assimp export"},
         {"a.xml", "<?xml version=\"1.0\"?>\r\n<COLLADA xmlns=\"\">", "a COLLADA model", "assimp export"},
         {"a.blend", "\x28\xB5\x2F\xFD", "a Blender file", "blender -b"},
@@ -193,7 +199,7 @@ TEST_CASE("models in formats that are not read are recognised, by their bytes or
       REQUIRE(error.diagnostics().size() == 1);
       CHECK(error.diagnostics()[0].message == "this is " + unread.what + ", which lichtraum does not read");
       CHECK(error.diagnostics()[0].code == DiagnosticCode::unread_format);
-      CHECK_THAT(error.diagnostics()[0].hint, contains_text("make a .glb of it: " + unread.converter));
+      CHECK_THAT(error.diagnostics()[0].hint, contains_text(" of it: " + unread.converter));
     }
   }
   CHECK(shown("#usd 1.0\n# BLENDER\n").empty());

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <new>
 #include <set>
@@ -211,6 +212,23 @@ Model import_obj_text(std::string text, std::string const& name, std::optional<s
   } catch (std::bad_alloc const&) {
     throw Error(ErrorKind::scene, fmt::format("{}: the model needs more memory than there is", name));
   }
+}
+
+bool is_obj(std::string_view bytes) {
+  constexpr std::size_t examined_bytes = 4096;
+  constexpr std::array keywords{"v", "vn", "vt", "vp", "f", "l", "p", "o", "g", "s", "mtllib", "usemtl"};
+  std::string_view const head = bytes.substr(0, examined_bytes);
+  bool const is_cut = head.size() < bytes.size();
+  bool has_content = false;
+  Line line;
+  for (LineReader lines(is_cut ? head.substr(0, head.rfind('\n') + 1) : head); lines.next(line);) {
+    std::string_view rest = line.text;
+    Token const word = next_token(rest);
+    if (word.empty() || word.starts_with('#')) continue;
+    if (std::ranges::find(keywords, word) == keywords.end()) return false;
+    has_content = has_content || word == "v" || word == "mtllib";
+  }
+  return has_content;
 }
 
 Model import_obj(std::filesystem::path const& path, ModelOptions const& options) {

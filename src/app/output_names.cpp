@@ -26,6 +26,18 @@ bool is_stream(fs::path const& path) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
+/// Throws Error{usage} for one that names neither a picture nor a film, and lists those that do.
+void check_extension(fs::path const& file) {
+  try {
+    image_format_for(file);
+  } catch (Error const& error) {
+    std::string films;
+    for (FilmFormat const& format : film_formats())
+      films += fmt::format("{}{}", films.empty() ? "" : ", ", format.extension);
+    throw Error(error.kind(), fmt::format("{}; of films: {}", error.what(), films));
+  }
+}
+
 }  // namespace
 
 fs::path Output::partial_path() const {
@@ -74,7 +86,7 @@ OutputNames::OutputNames(OutputOptions options) : options_(std::move(options)) {
   if (!by_extension && !options_.format && number_format_.empty() && is_stream(path_of(""))) {
     options_.format = &image_format_named("png");
   }
-  if (!options_.format) image_format_for(options_.file);  // throws for an unknown one
+  if (!options_.format) check_extension(options_.file);
   if (options_.format && by_extension && by_extension != options_.format) {
     throw Error(ErrorKind::usage, fmt::format("--format {} contradicts the name '{}': leave one of them out",
                                               options_.format->name, options_.file));

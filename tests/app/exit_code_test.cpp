@@ -82,6 +82,7 @@ TEST_CASE("64: what makes no sense is refused in one line that says what to do",
   refused("render a.sdf -o a.bmp", ".png, .ppm, .jpg");
   refused("render a.sdf -o a", "no extension");
   refused("render a.sdf -o .", "--output-dir . writes there");
+  refused("render a.sdf -o a.mov", "known ones: .png, .ppm, .jpg, .jpeg, .exr, .pfm; of films: .mp4, .webm, .gif");
   refused("render a.sdf -o a.png --format exr", "contradicts");
   refused("render a.sdf -o a.jpg --bits 16 --device reference", ".png and .ppm have 16");
   refused("render a.sdf -o a.jpg --size 70000x1 --device reference", "at most 65500");

@@ -31,9 +31,21 @@ std::vector<OptionWithoutEffect> options_without_effect(Job const& asked, Job co
                 is_model ? ": without --time, --frames or a film the model stands as in its file" : as_in_files);
   has_no_effect(!model.variant.empty(), is_model, "--variant", as_in_files);
   has_no_effect(!model.scene.empty(), is_model, "--scene", as_in_files);
-  has_no_effect(model.both_sides, is_model, "--both-sides", as_in_files);
+  has_no_effect(model.both_sides, is_model && is_by_paths, "--both-sides",
+                is_model ? ": whitted shows both sides anyway" : as_in_files);
   has_no_effect(model.max_texture != ModelChoice().max_texture, is_model, "--max-texture", as_in_files);
   has_no_effect(model.point_size.has_value(), is_model, "--point-size", as_in_files);
+  EsdfDialect const& dialect = asked.reading.dialect;
+  EsdfDialect const standard;
+  constexpr char const* of_scenes = ": it is for scenes in eSDF";
+  has_no_effect(dialect.strict, !is_model, "--strict", of_scenes);
+  has_no_effect(dialect.keep_going, !is_model, "--keep-going", of_scenes);
+  has_no_effect(dialect.transform_order != standard.transform_order, !is_model, "--transform-order", of_scenes);
+  has_no_effect(dialect.rotation != standard.rotation, !is_model, "--rotation", of_scenes);
+  has_no_effect(!dialect.material_extras.empty(), !is_model, "--material-extras", of_scenes);
+  bool const may_have_lens = !is_model || asked.view.aperture;
+  has_no_effect(asked.seed != 0, is_by_paths || may_have_lens || decided.sampling->pattern == Sampling::Pattern::seeded,
+                "--seed", ": nothing is random here");
   EnvironmentChoice const& environment = asked.reading.environment;
   bool const is_none = environment.source == "none";
   bool const is_shown = is_lit && is_by_paths && has_environment;

@@ -379,6 +379,27 @@ TEST_CASE("models in formats that are not read are refused with what converts th
   CHECK(lichtraum("check missing.fbx").exit_code == 66);
 }
 
+TEST_CASE("what only scenes have, or chance, is said to have no effect on models", "[app][gltf]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("square.glb", square().glb());
+  auto const said = [&](std::string const& words) {
+    auto const result = lichtraum("check square.glb --device reference --camera far " + words);
+    INFO(result.err);
+    CHECK(result.exit_code == 0);
+    return result.err;
+  };
+  for (std::string const option : {"--strict", "--keep-going", "--rotation left", "--transform-order local",
+                                   "--material-extras ior", "--both-sides", "--seed 7"}) {
+    std::string const name = option.substr(0, option.find(' '));
+    CHECK_THAT(said(option), contains_text("warning: " + name + " has no effect on 'square.png'"));
+  }
+  for (char const* const words : {"--rotation right", "--seed 7 --samples 16", "--seed 7 --aperture 1 --samples 1",
+                                  "--seed 7 --integrator path", "--both-sides --integrator path"}) {
+    INFO(words);
+    CHECK(said(words).find("no effect") == std::string::npos);
+  }
+}
+
 TEST_CASE("models come through standard input, as files do", "[app][stdin]") {
   Lichtraum const lichtraum;
   std::string const obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n";

@@ -180,7 +180,7 @@ Image develop(Film film, Development const& development);
 
 /// Planes other than radiance as something to look at, 0..1: depth from white (the nearest in the picture) to dark (the
 /// farthest), coordinates of normals from -1..1 as red, green and blue, positions within their box, a colour of its own
-/// for each number, alpha and albedo as they are. Black where nothing is.
-Image show_plane(Film const& film, FilmPlane plane);
+/// for each number, alpha as it is, and albedo, a colour, as `transfer` stores it. Black where nothing is.
+Image show_plane(Film const& film, FilmPlane plane, Transfer transfer = Transfer::linear);
 
 }  // namespace lichtraum

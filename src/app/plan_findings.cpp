@@ -79,9 +79,10 @@ std::vector<Diagnostic> PlanFindings::next(SceneOpened const& scene) {
     has_no_effect(options_.has_quality, format.name == "jpg", "--quality");
     has_no_effect(options_.job.encoding.ppm_ascii, format.name == "ppm" && !is_film, "--ppm-ascii");
     bool const has_radiance = traced_planes(plan.job).has(FilmPlane::radiance);
+    bool const has_color = has_radiance || traced_planes(plan.job).has(FilmPlane::albedo);
     has_no_effect(options_.job.exposure_ev != 0, format.encode && has_radiance, "--exposure");
     has_no_effect(options_.job.tone_map != ToneMap::automatic, format.encode && has_radiance, "--tonemap");
-    has_no_effect(options_.job.transfer.has_value(), format.encode && has_radiance, "--transfer");
+    has_no_effect(options_.job.transfer.has_value(), format.encode && has_color, "--transfer");
     Denoising const denoising = options_.job.denoising;
     has_no_effect(denoising == Denoising::on || denoising == Denoising::builtin, format.encode && has_radiance,
                   "--denoise",

@@ -19,7 +19,7 @@ Film without_noise(Denoiser& denoiser, Film const& film, Denoising denoising, Re
 
 Image shown_picture(Renderer& renderer, Film film, Development const& development) {
   if (film.planes().has(FilmPlane::radiance)) return renderer.develop(std::move(film), development);
-  return show_plane(film, film.planes().list().front());
+  return show_plane(film, film.planes().list().front(), development.transfer);
 }
 
 std::string noise_left(Film const& film, std::optional<double> limit, std::optional<double> noise) {

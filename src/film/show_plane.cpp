@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/elementary.hpp"
+#include "core/srgb.hpp"
 #include "lichtraum/film.hpp"
 
 namespace lichtraum {
@@ -18,6 +19,13 @@ Image values_of(Film const& film, FilmPlane plane) {
     for (int x = 0; x < image.width(); ++x) {
       for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = film.value(plane, x, y, c % channels);
     }
+  }
+  return image;
+}
+
+Image show_colors(Image image, Transfer transfer) {
+  if (transfer == Transfer::srgb) {
+    for (float& value : image.data()) value = float(srgb_from_linear(double(value)));
   }
   return image;
 }
@@ -91,12 +99,13 @@ Image show_numbers(Film const& film, FilmPlane plane) {
 
 }  // namespace
 
-Image show_plane(Film const& film, FilmPlane plane) {
+Image show_plane(Film const& film, FilmPlane plane, Transfer transfer) {
   switch (plane) {
     case FilmPlane::radiance:
     case FilmPlane::alpha:
-    case FilmPlane::albedo:
       return values_of(film, plane);
+    case FilmPlane::albedo:
+      return show_colors(values_of(film, plane), transfer);
     case FilmPlane::normal:
       return show_normals(values_of(film, plane));
     case FilmPlane::depth:

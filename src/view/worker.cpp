@@ -231,14 +231,14 @@ void Worker::develop_again(Renderer& renderer) {
     if (!new_development_) return;
     development_ = *std::exchange(new_development_, std::nullopt);
   }
-  if (shown_.is_empty() || shown_plane_ != FilmPlane::radiance) return;
+  if (shown_.is_empty() || (shown_plane_ != FilmPlane::radiance && shown_plane_ != FilmPlane::albedo)) return;
   Frame frame = frame_;
   frame.image = developed(renderer);
   send(std::move(frame));
 }
 
 Image Worker::developed(Renderer& renderer) const {
-  if (shown_plane_ != FilmPlane::radiance) return show_plane(shown_, shown_plane_);
+  if (shown_plane_ != FilmPlane::radiance) return show_plane(shown_, shown_plane_, development_.transfer);
   return renderer.develop(shown_, development_);
 }
 

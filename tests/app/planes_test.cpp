@@ -121,6 +121,16 @@ TEST_CASE("a picture without background is transparent", "[app][planes]") {
   CHECK_THAT(nowhere.err, contains_text("error: --background environment: it can be seen only with an environment"));
 }
 
+TEST_CASE("a picture of albedo is stored as colours are", "[app][planes]") {
+  Lichtraum const lichtraum;
+  // 0.5 is 188 of 255 in sRGB (IEC 61966-2-1).
+  CHECK(draw(lichtraum, "--planes albedo", scene).at(32, 24, 1) == 128);
+  CHECK(draw(lichtraum, "--planes albedo --transfer srgb", scene).at(32, 24, 1) == 188);
+  CHECK(draw(lichtraum, "--planes alpha --transfer srgb --samples 4x4", scene).values ==
+        draw(lichtraum, "--planes alpha --samples 4x4", scene).values);
+  CHECK_THAT(lichtraum.render("- --planes albedo --transfer srgb -o a.png", scene).err, !contains_text("no effect"));
+}
+
 TEST_CASE("exposure is in stops", "[app][planes]") {
   Lichtraum const lichtraum;
   CHECK(draw(lichtraum, "--exposure 1", scene).at(32, 2, 1) == 128);

@@ -193,8 +193,10 @@ Job resolved(Job job, Scene const& scene) {
   if (!job.sampling) job.sampling = sampling_of(samples);
   if (job.noise && job.samples) throw Error(ErrorKind::usage, "--noise: it takes all samples, not a range of them");
   if (job.noise && (job.sampling->pattern == Sampling::Pattern::grid || job.sampling->count <= Film::block_size)) {
-    throw Error(ErrorKind::usage, fmt::format("--noise needs random samples, more than {}: --samples {}",
-                                              Film::block_size, most_samples));
+    throw Error(ErrorKind::usage,
+                fmt::format("--noise: --samples is the most to take, and must be above {} and no grid, "
+                            "such as --samples {}",
+                            Film::block_size, most_samples));
   }
   if (!job.max_depth) job.max_depth = command.depth.value_or(usual.max_depth);
   job.denoising = decided(job.denoising, *job.integrator);

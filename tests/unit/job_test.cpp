@@ -128,7 +128,8 @@ TEST_CASE("a limit of noise takes up to 4096 random samples", "[unit][job]") {
   job.noise = 0.05;
   CHECK(resolved(job, two_pictures()).sampling == Sampling{Sampling::Pattern::seeded, 4096});
   job.picture = 1;
-  std::string const too_few = "--noise needs random samples, more than 16: --samples 4096";
+  std::string const too_few =
+      "--noise: --samples is the most to take, and must be above 16 and no grid, such as --samples 4096";
   CHECK(refusal(job, two_pictures()).second == too_few);  // the render's 9
   job.sampling = Sampling{Sampling::Pattern::grid, 64};
   CHECK(refusal(job, two_pictures()).second == too_few);

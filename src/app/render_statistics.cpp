@@ -27,7 +27,7 @@ Json picture_json(PictureReport const& report) {
           {"skipped", report.is_skipped},
           {"format", report.plan.output.is_film ? "film" : report.plan.output.format->name},
           {"time_seconds", job.reading.model.time_seconds ? Json(*job.reading.model.time_seconds) : Json()},
-          {"turn_degrees", job.turn_degrees.value_or(0)},
+          {"turn_degrees", job.turn_degrees ? Json(*job.turn_degrees) : Json()},
           {"camera", job.camera},
           {"width", job.size->width},
           {"height", job.size->height},
@@ -99,16 +99,17 @@ std::string details(PictureReport const& report) {
   RayCounts const& rays = report.render.rays;
   std::string const noise =
       report.noise ? fmt::format("\n  noise {:.2g} after {} samples", *report.noise, report.samples) : "";
+  char const* const secondary = report.plan.job.integrator == Integrator::path ? "scattered" : "mirror and glass";
   std::string const denoiser = report.denoiser.empty() ? "" : fmt::format("\n  denoised by {}", report.denoiser);
   return fmt::format(
       "  drawn by {}, as {}\n"
       "  scene: {} triangles, {} spheres, {} boxes, {} instances, {} nodes, {} bytes on the device\n"
       "  flatten {:.1f} ms, build {:.1f} ms, upload {:.1f} ms, program {:.1f} ms, trace {:.1f} ms, write {:.1f} ms\n"
-      "  rays: {} camera ({} hit something), {} shadow, {} mirror and glass{}{}",
+      "  rays: {} camera ({} hit something), {} shadow, {} {}{}{}",
       find_word<Integrator>(integrator_words, *report.plan.job.integrator), report.plan.integrator_reason, s.triangles,
       s.spheres, s.boxes, s.instances, s.bvh_nodes, s.device_bytes, s.flatten_ms, s.build_ms, s.upload_ms,
       report.render.program_ms, report.render.trace_ms, report.write_ms, rays.camera, rays.camera_hits, rays.shadow,
-      rays.secondary, noise, denoiser);
+      rays.secondary, secondary, noise, denoiser);
 }
 
 }  // namespace lichtraum::app

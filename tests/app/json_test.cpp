@@ -63,6 +63,16 @@ TEST_CASE("docs/JSON.md has every key that is printed", "[app][json]") {
   }
 }
 
+TEST_CASE("only pictures of a turntable tell of degrees", "[app][json]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene);
+  auto const degrees = [&](std::string const& words) {
+    return Json::parse(lichtraum.render("a.sdf -q --json " + words).out)["scenes"][0]["pictures"][0]["turn_degrees"];
+  };
+  CHECK(degrees("").is_null());
+  CHECK(degrees("--turntable 2") == 0);
+}
+
 TEST_CASE("check and render give each diagnostic as an object, the same ones", "[app][json]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("bad.sdf", faulty + "define light l 1 2\n");

@@ -300,6 +300,8 @@ TEST_CASE("quiet says nothing, verbose says more", "[app][render]") {
   CHECK(lichtraum.render("a.sdf -q").err.empty());
   CHECK_THAT(lichtraum.render("a.sdf").err, !contains_text("note:"));
   CHECK_THAT(lichtraum.render("a.sdf -v").err, contains_text("note:") && contains_text("rays: 768 camera"));
+  CHECK_THAT(lichtraum.render("a.sdf -v").err, contains_text(" mirror and glass\n"));
+  CHECK_THAT(lichtraum.render("a.sdf -v --integrator path --samples 1").err, contains_text(" scattered\n"));
 }
 
 TEST_CASE("colours and a progress bar are for terminals only", "[app][render]") {

@@ -26,6 +26,8 @@ constexpr std::array signatures = {
     FileSignature{"\x1F\x8B"sv, "a gzip archive", "unpack it first"},
     FileSignature{"\x89PNG"sv, "a PNG picture", ""},
     FileSignature{"\xFF\xD8\xFF"sv, "a JPEG picture", ""},
+    FileSignature{"#?RADIANCE"sv, "a Radiance picture (.hdr)", ""},
+    FileSignature{"#?RGBE"sv, "a Radiance picture (.hdr)", ""},
     FileSignature{"P3\n"sv, "a PPM picture", ""},
     FileSignature{"P6\n"sv, "a PPM picture", ""},
 };

@@ -216,6 +216,10 @@ TEST_CASE("what cannot be denoised is said", "[app][denoise]") {
         "'depth.exr' has no radiance, which is in the channels R, G and B; it has: N.X, N.Y, N.Z, Z. lichtraum render "
         "--planes radiance,albedo,normal -o film.exr stores what is needed");
   fails("picture.png", 65, "'picture.png' is a PNG picture, not an OpenEXR file");
+  lichtraum.folder.write("garden.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n");
+  fails("garden.hdr", 65, "'garden.hdr' is a Radiance picture (.hdr), not an OpenEXR file");
+  lichtraum.folder.write("noise.exr", "anything but an OpenEXR file");
+  fails("noise.exr", 65, "'noise.exr' cannot be read as an OpenEXR file: it does not begin as OpenEXR files do");
   fails("colors.exr -o smooth.gif", 64, "no picture format has the extension '.gif'");
   fails("colors.exr -o nowhere/smooth.png", 73, "nowhere");
   fails("colors.exr --denoise off", 64, "--denoise: expected on or builtin, not 'off'");

@@ -13,6 +13,7 @@
 namespace lichtraum {
 namespace {
 
+constexpr std::int32_t magic_number = 20000630;
 constexpr std::uint32_t several_parts = 0x1000;  // of the version's flags
 constexpr double entry_bytes = 8;                // of the table of where blocks of pixels begin
 /// Of a block's pixels, which OpenEXR takes some three times before it reads any. Room for 32,768 pixels a line in
@@ -134,7 +135,7 @@ bool check_part(Reader& reader, std::uint64_t file_bytes) {
 
 void check_exr_header(std::string_view beginning, std::uint64_t file_bytes) {
   Reader reader(beginning, file_bytes);
-  reader.number();  // which OpenEXR looks at
+  if (reader.number() != magic_number) throw std::runtime_error("it does not begin as OpenEXR files do");
   bool const has_parts = (std::uint32_t(reader.number()) & several_parts) != 0;
   while (check_part(reader, file_bytes) && has_parts) {
   }

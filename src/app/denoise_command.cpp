@@ -126,6 +126,16 @@ NoisyPicture picture_of(ExrLayers const& layers, std::string const& name, Consol
           values(FilmPlane::depth)};
 }
 
+/// Throws Error{usage} where `output` would show what is transparent as black.
+void check_transparency(ExrLayers const& layers, std::string const& name, std::filesystem::path const& output,
+                        ImageFormat const& format) {
+  auto const& alpha = info_of(FilmPlane::alpha).channels;
+  if (!format.encode || format.has_alpha || !layers.has(alpha)) return;
+  if (std::ranges::all_of(layers.values(alpha), [](float value) { return value >= 1; })) return;
+  throw Error(ErrorKind::usage,
+              fmt::format("'{}' cannot be transparent, as '{}' is: .png and .exr pictures can", output.string(), name));
+}
+
 /// What a picture of another format is made of.
 Film film_of(ExrLayers const& layers, std::vector<float> const& radiance) {
   PlaneSet planes{FilmPlane::radiance};
@@ -172,6 +182,7 @@ int denoise_command(Arguments const& arguments, Console& console) {
     throw Error(ErrorKind::usage, fmt::format("'{}': a {} has at most {} pixels per side, not {}x{}", output.string(),
                                               format.name, format.max_side, width, height));
   }
+  check_transparency(layers, options.input, output, format);
   NoisyPicture picture = picture_of(layers, options.input, console);
   picture.has_noisy_guides = options.has_noisy_guides;
   Denoiser denoiser([&](NoisyPicture const& noisy) {

@@ -220,6 +220,9 @@ TEST_CASE("what cannot be denoised is said", "[app][denoise]") {
   fails("garden.hdr", 65, "'garden.hdr' is a Radiance picture (.hdr), not an OpenEXR file");
   lichtraum.folder.write("noise.exr", "anything but an OpenEXR file");
   fails("noise.exr", 65, "'noise.exr' cannot be read as an OpenEXR file: it does not begin as OpenEXR files do");
+  REQUIRE(run(render + "--background none --planes radiance,albedo,normal -o cut_out.exr", scene).exit_code == 0);
+  fails("cut_out.exr -o cut_out.jpg", 64, "'cut_out.jpg' cannot be transparent, as 'cut_out.exr' is: .png and .exr");
+  fails("cut_out.exr -o cut_out.png", 0, "");
   fails("colors.exr -o smooth.gif", 64, "no picture format has the extension '.gif'");
   fails("colors.exr -o nowhere/smooth.png", 73, "nowhere");
   fails("colors.exr --denoise off", 64, "--denoise: expected on or builtin, not 'off'");

@@ -30,6 +30,10 @@ SceneSummary summarise(Scene const& scene, Job job) {
   summary.bounds = drawn.bounds;
   summary.textures = textures_of(scene);
   summary.scene = &scene;
+  summary.background = scene.background;
+  if (is_model_file(job.scene)) {
+    if (auto const usual = resolved(job, scene).background) summary.background = usual->shown.value_or(Rgb(0));
+  }
   std::size_t const pictures = std::max<std::size_t>(1, scene.renders.size());
   for (job.picture = 0; std::size_t(job.picture) < pictures; ++job.picture) {
     summary.integrators.push_back(chosen_integrator(job, scene));

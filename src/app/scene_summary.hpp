@@ -18,6 +18,7 @@ struct SceneSummary {
   std::vector<TextureImage const*> textures;  ///< of all materials, each once, as they are in memory
   /// Of the pictures that the scene asks for; of one where it asks for none.
   std::vector<IntegratorChoice> integrators;
+  Background background;  ///< of pictures of a model, unless asked otherwise; else the scene's
   Scene const* scene = nullptr;
   ModelContents const* contents = nullptr;  ///< null: it is not a model
 };

@@ -62,12 +62,22 @@ Json integrator_json(IntegratorChoice const& choice) {
 
 double megabytes(TextureImage const& image) { return double(image.rgba.size()) / 1e6; }
 
+/// By what number and name an option takes it.
+std::string selector(std::size_t number, std::string const& name) {
+  return fmt::format("{}{}{}", number, name.empty() ? "" : ", ", name);
+}
+
 std::string contents_text(ModelContents const& contents) {
   std::string text;
-  for (std::string const& scene : contents.scenes) text += fmt::format("  scene           {}\n", scene);
-  for (std::string const& variant : contents.variants) text += fmt::format("  variant         {}\n", variant);
-  for (auto const& animation : contents.animations) {
-    text += fmt::format("  animation       {}, {:.6g} s\n", animation.name, animation.seconds);
+  for (std::size_t i = 0; i < contents.scenes.size(); ++i) {
+    text += fmt::format("  scene           {}\n", selector(i, contents.scenes[i]));
+  }
+  for (std::size_t i = 0; i < contents.variants.size(); ++i) {
+    text += fmt::format("  variant         {}\n", selector(i, contents.variants[i]));
+  }
+  for (std::size_t i = 0; i < contents.animations.size(); ++i) {
+    auto const& animation = contents.animations[i];
+    text += fmt::format("  animation       {}, {:.6g} s\n", selector(i, animation.name), animation.seconds);
   }
   for (auto const& extension : contents.extensions) {
     text += fmt::format("  extension       {}{}: {}\n", extension.name, extension.is_required ? " (required)" : "",
@@ -160,7 +170,10 @@ std::string to_text(SceneSummary const& summary, std::string const& file) {
   if (scene.renders.empty()) text += fmt::format("  drawn           {}\n", integrator_text(summary.integrators[0]));
   if (summary.contents) text += contents_text(*summary.contents);
   text += fmt::format("  ambient light   {}\n", triple(scene.ambient()));
-  text += fmt::format("  background      {}\n", triple(scene.background));
+  Background const& background = summary.background;
+  text += background.top == background.bottom ? fmt::format("  background      {}\n", triple(background.top))
+                                              : fmt::format("  background      from {} above to {}\n",
+                                                            triple(background.top), triple(background.bottom));
   text += summary.bounds.is_empty()
               ? fmt::format("  bounds          none: nothing {}is drawn\n",
                             summary.drawn.primitives() > 0 ? "but planes " : "")
@@ -212,7 +225,8 @@ std::string to_json(SceneSummary const& summary, std::string const& file) {
                   {"renders", renders},
                   {"integrator", integrator_json(summary.integrators[0])},
                   {"ambient", triple_json(scene.ambient())},
-                  {"background", triple_json(scene.background)},
+                  {"background", triple_json(summary.background.top)},
+                  {"background_below", triple_json(summary.background.bottom)},
                   {"bounds", bounds},
                   {"model", summary.contents ? contents_json(*summary.contents) : Json()}};
   return printed(json);

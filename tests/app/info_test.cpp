@@ -2,6 +2,7 @@
 
 #include "lichtraum.hpp"
 #include "support/catch.hpp"
+#include "support/gltf_writer.hpp"
 #include "support/skip.hpp"
 
 using Json = nlohmann::json;
@@ -67,6 +68,27 @@ TEST_CASE("info tells of the environment", "[app][info]") {
   CHECK_THAT(lichtraum("info -", scene).out,
              contains_text("environment     1 2 3, 1x1, turned by 30 degrees, brightness 1\n"));
   CHECK(Json::parse(lichtraum("info - --json", "define camera eye 60\n").out)["environment"].is_null());
+}
+
+TEST_CASE("info says by what numbers a model's scenes and animations are chosen, and what is behind it",
+          "[app][info][gltf]") {
+  Lichtraum const lichtraum;
+  lichtraum::testing::GltfWriter writer;
+  writer.add_mesh({-1, -1, 0, 1, -1, 0, 1, 1, 0});
+  int const times = writer.add_accessor("SCALAR", 1, std::vector<float>{0, 2});
+  int const places = writer.add_vec3({0, 0, 0, 2, 0, 0});
+  Json const animation = {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
+                          {"samplers", {{{"input", times}, {"output", places}}}}};
+  Json named = animation;
+  named["name"] = "walk";
+  writer.json["animations"] = {animation, named};
+  lichtraum.folder.write("model.glb", writer.glb());
+  std::string const text = lichtraum("info model.glb").out;
+  CHECK_THAT(text, contains_text("  animation       0, 2 s\n") && contains_text("  animation       1, walk, 2 s\n") &&
+                       contains_text("  background      from 0.45 0.45 0.45 above to 0.18 0.18 0.18\n"));
+  Json const json = Json::parse(lichtraum("info model.glb --json").out);
+  CHECK(json["background"] == Json({0.45, 0.45, 0.45}));
+  CHECK(json["background_below"] == Json({0.18, 0.18, 0.18}));
 }
 
 TEST_CASE("info does not unfold a graph of 2^200 spheres, nor recurse down 100,000 composites", "[app][info]") {

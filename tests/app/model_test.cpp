@@ -181,8 +181,9 @@ TEST_CASE("info tells textures, animations, extensions and scenes of a model", "
   lichtraum.folder.write("all.gltf", writer.text());
   auto const text = lichtraum("info all.gltf").out;
   CHECK_THAT(text, contains_text("  texture         dot, 4x2, 3.2e-05 MB\n") &&
-                       contains_text("  animation       spin, 1.5 s\n") && contains_text("  scene           all\n") &&
-                       contains_text("  variant         beach\n  variant         street\n") &&
+                       contains_text("  animation       0, spin, 1.5 s\n") &&
+                       contains_text("  scene           0, all\n") &&
+                       contains_text("  variant         0, beach\n  variant         1, street\n") &&
                        contains_text("  extension       KHR_materials_unlit: shown in its own colour\n") &&
                        contains_text("  extension       VENDOR_magic: not supported\n"));
   auto const json = nlohmann::json::parse(lichtraum("info all.gltf --json").out);

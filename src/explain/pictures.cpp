@@ -220,12 +220,13 @@ says what was missing. docs/DENOISING.md says how to install it. For example,
 )",
      "", ""},
     {DiagnosticCode::undrawable_scene,
-     R"(The scene was read, but a picture cannot be drawn as it or the command line
-asks: the camera does not exist, the picture or the scene needs more memory than
-there is, or the picture lies outside of the folders that may be written to. It
-is also said of a picture or a film that is to be read and is damaged. The
-message says which, and what to do. For example, --camera left, where the scene
-defines only right.
+     R"(The scene was read, but a picture cannot be drawn as the scene asks: there is no
+camera, the picture or the scene needs more memory than there is, or the picture
+lies outside of the folders that may be written to. It is also said of a picture
+or a film that is to be read and is damaged. The message says which, and what to
+do. What only the command line asks, such as --camera left where there is only a
+camera called right, is refused without a code. For example, render eye
+picture.png 100000 100000, which needs 240 GB.
 )",
      "", ""},
     {DiagnosticCode::film_of_one_picture,

@@ -46,13 +46,25 @@ std::optional<Diagnostic> PlanFindings::outside_animation(SceneOpened const& sce
                  fmt::format("--frames 0..{:.0f} shows all of it", std::floor(end * options_.frame_rate())));
 }
 
+/// Colours of eight bits, as most programs give them.
+std::optional<Diagnostic> PlanFindings::background_of_bytes() {
+  constexpr double brightest = 16;  // of what is likely meant
+  auto const& asked = options_.job.background;
+  if (!asked || !asked->shown || has_told_of_background_) return std::nullopt;
+  Rgb const largest = glm::max(asked->shown->top, asked->shown->bottom);
+  if (std::max({largest.r, largest.g, largest.b}) <= brightest) return std::nullopt;
+  has_told_of_background_ = true;
+  return warning(DiagnosticCode::color_out_of_range, {}, "--background: its colours are linear, and 1 is white",
+                 "divide numbers from 0 to 255 by 255");
+}
+
 std::vector<Diagnostic> PlanFindings::next(SceneOpened const& scene) {
   std::vector<Diagnostic> found;
   auto const warn = [&](DiagnosticCode code, SourceLocation const& location, std::string message,
                         std::string hint = {}) {
     found.push_back(warning(code, location, std::move(message), std::move(hint)));
   };
-  for (auto const& finding : {film_of_one_picture(scene), outside_animation(scene)}) {
+  for (auto const& finding : {film_of_one_picture(scene), outside_animation(scene), background_of_bytes()}) {
     if (finding) found.push_back(*finding);
   }
   for (PicturePlan const& plan : scene.plans) {

@@ -24,9 +24,11 @@ class PlanFindings {
  private:
   std::optional<Diagnostic> film_of_one_picture(SceneOpened const& scene) const;
   std::optional<Diagnostic> outside_animation(SceneOpened const& scene) const;
+  std::optional<Diagnostic> background_of_bytes();
 
   RenderOptions const& options_;
   std::size_t inputs_;
+  bool has_told_of_background_ = false;
   std::map<std::filesystem::path, int> uses_;             // pictures of that name
   std::set<std::pair<std::string, std::string>> warned_;  // option and extension
 };

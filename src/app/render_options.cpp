@@ -92,8 +92,8 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
             group);
   add_value(parser, "--seed", options.job.seed, parse_seed, "N", "Seed of the random samples (default: 0)", group);
   add_value(parser, "--background", options.job.background, parse_background, "COLOR",
-            "Radiance where nothing is hit: R,G,B, or two of\nthese (top,bottom), environment, or none "
-            "for\ntransparent (default: the scene's)",
+            "Radiance where nothing is hit: R,G,B (linear; the\ntone map applies), two of these (top,bottom),\n"
+            "environment, or none for transparent (default: the\nscene's)",
             group);
   add_flag_or_value(parser, "--ground", options.job.ground, parse_ground,
                     "Stand the scene on a ground that shows its\nshadows; --ground=glossy mirrors it, too", group);

@@ -116,6 +116,11 @@ TEST_CASE("a picture without background is transparent", "[app][planes]") {
   auto const dusk = draw(lichtraum, "--background 0,0,1,1,0,0", scene);
   CHECK((dusk.at(0, 0, 0) == 3 && dusk.at(0, 0, 2) == 252));  // half a row of 48
   CHECK((dusk.at(0, 8, 0) == 45 && dusk.at(0, 8, 2) == 210));
+  auto const bytes = lichtraum.render("- --background 255,255,255 -o x.png", scene);
+  CHECK(bytes.exit_code == 0);
+  CHECK_THAT(bytes.err, contains_text("--background: its colours are linear, and 1 is white [W0506]") &&
+                            contains_text("divide numbers from 0 to 255 by 255"));
+  CHECK(lichtraum.render("- --background 5,5,5 -o x.png", scene).err.find("W0506") == std::string::npos);
   auto const nowhere = lichtraum.render("- --background environment -o x.png", scene);
   CHECK(nowhere.exit_code == 64);
   CHECK_THAT(nowhere.err, contains_text("error: --background environment: it can be seen only with an environment"));

@@ -34,7 +34,8 @@ void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string
   add_value(parser, "--look-at", view.look_at, parse_point, "X,Y,Z",
             "Turn it to that point (default, where it is moved:\nthe middle of what is in view)", group);
   add_value(parser, "--up", view.up, parse_point, "X,Y,Z",
-            "What is up for it, for --orbit, and for a model's\nenvironment and --ground (default: 0,1,0)", group);
+            "Which way is up: of the camera, of --orbit, and of\na model's environment and --ground\n(default: 0,1,0)",
+            group);
   add_value(parser, "--orbit", view.orbit, parse_orbit, "A,E[,D]",
             "Put it at azimuth A to the right of the front\n(+z), elevation E, in degrees; at distance D, or\nwhere it "
             "sees everything",
@@ -122,7 +123,7 @@ void add_picture_options(CLI::App& parser, RenderOptions& options) {
 
 void add_drawing_options(CLI::App& parser, RenderOptions& options) {
   add_environment_options(parser, options.job.reading.environment);
-  add_quality_options(parser, options, "1, with a lens 64;\npath: 64, of models 16");
+  add_quality_options(parser, options, "1, with a lens 64;\nby path 64, and 16 for models");
   add_value(parser, "--noise", options.job.noise, parse_noise, "X",
             "Stop once the noise is below this share of the\nbrightness, such as 0.05; then --samples is the\nmost "
             "(default: 4096)",

@@ -316,7 +316,7 @@ TEST_CASE("values that are no light are counted, and the first is named", "[unit
 
 TEST_CASE("what is no environment says what one would be", "[unit][environment]") {
   CHECK(contains(refusal(""), "the file is empty"));
-  CHECK(contains(refusal("\x89PNG\r\n"), "it is no Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) file"));
+  CHECK(contains(refusal("\x89PNG\r\n"), "it is not a Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) file"));
   CHECK(contains(refusal("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n1234"), "32-bit_rle_xyze"));
   CHECK(contains(refusal("#?RADIANCE\n\n+X 1 -Y 1\n1234"), "'+X 1 -Y 1'"));
   CHECK(contains(refusal("#?RADIANCE\n\n-Y 1 +X 1 1\n1234"), "'-Y 1 +X 1 1'"));

@@ -73,8 +73,9 @@ EnvironmentMap decode_environment(EnvironmentFile const& file) {
   }
   file.fail(file.bytes.empty() ? "the file is empty; an environment is a Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) "
                                  "file"
-                               : "it is no Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) file, which environments "
-                                 "must be, as other pictures cannot hold bright light. Convert it");
+                               : "it is not a Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) file, as environments "
+                                 "must be: other pictures cannot hold bright light. 'convert sky.jpg sky.hdr' "
+                                 "(ImageMagick) makes one of them, without bright light");
 }
 
 EnvironmentMap read_environment(std::filesystem::path const& path) {

@@ -42,6 +42,8 @@ std::string hint_of_order(std::string_view what, std::string const& name) {
 void Sight::add(RayCounts const& rays, Film& film) {
   camera_rays_ += rays.camera;
   camera_hits_ += rays.camera_hits;
+  has_normals_ = has_normals_ || !film.planes().has(FilmPlane::normal) ||
+                 std::ranges::any_of(film.floats(FilmPlane::normal), [](float value) { return value != 0; });
   is_black_ = is_black_ && film.planes().has(FilmPlane::radiance) &&
               std::ranges::all_of(film.floats(FilmPlane::radiance), [](float value) { return value == 0; });
 }
@@ -73,13 +75,21 @@ std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, P
   if (sight.is_empty() && is_whole && !std::exchange(has_explained_view_, true)) {
     found.push_back(explain_empty_view(ready, plan));
   }
+  if (sight.shows_no_surface() && is_model_ && is_whole && !std::exchange(has_explained_view_, true)) {
+    found.push_back(warning(
+        DiagnosticCode::empty_view,
+        fmt::format("the camera '{}' meets the backs of surfaces only, which glTF hides", ready.request.camera.name()),
+        "--both-sides shows them"));
+  }
   return found;
 }
 
 std::vector<Diagnostic> PictureFindings::predicted(PictureReady const& ready, PicturePlan const& plan) {
   renderer_.set_scene(ready.scene);
   std::vector<Diagnostic> found = of_scene(ready);
-  auto const shows_nothing = [](Sight const& sight) { return sight.is_empty() || sight.is_black(); };
+  auto const shows_nothing = [](Sight const& sight) {
+    return sight.is_empty() || sight.is_black() || sight.shows_no_surface();
+  };
   auto const look = [&](RenderRequest const& request, Sight& sight) {
     Film film;
     RenderResult const result = renderer_.render(request, film);

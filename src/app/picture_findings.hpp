@@ -17,11 +17,14 @@ class Sight {
   bool is_empty() const { return camera_rays_ > 0 && camera_hits_ == 0; }
   /// All of it, though the camera sees something.
   bool is_black() const { return camera_hits_ > 0 && is_black_; }
+  /// Rays meet surfaces, and show none of them. Known where normals were traced.
+  bool shows_no_surface() const { return camera_hits_ > 0 && !has_normals_; }
 
  private:
   std::uint64_t camera_rays_ = 0;
   std::uint64_t camera_hits_ = 0;
   bool is_black_ = true;
+  bool has_normals_ = false;  // or nobody knows
 };
 
 /// What pictures fail to show, and why. Each finding once a scene.

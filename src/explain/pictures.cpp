@@ -183,7 +183,9 @@ render eye picture.png 32 24
      R"(No ray of the camera meets anything: it looks the wrong way, stands too far
 away, or the scene has no shapes, or defines them below the render. The message
 says where the scene lies, as the camera sees it, and whether another reading of
-rotations or transforms (--rotation, --transform-order) would show it.
+rotations or transforms (--rotation, --transform-order) would show it. Or all
+that the camera meets are the hidden backs of a model's surfaces: --both-sides
+shows them.
 )",
      R"(define material red  1 0 0  1 0 0  0 0 0  10
 define shape sphere ball  0 0 5  1  red

@@ -71,6 +71,22 @@ TEST_CASE("an up vector of no direction is refused before the model is lit from 
   CHECK(picture("1e-300,0,0") == sideways);
 }
 
+TEST_CASE("a picture of nothing but hidden backs is warned about", "[app][gltf]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("square.glb", square().glb());
+  for (std::string const command : {"check", "render"}) {
+    auto const said = [&](std::string const& words) {
+      return lichtraum(command + " square.glb --device reference --integrator path --samples 1 --denoise builtin " +
+                       "--size 16x16 " + words)
+          .err;
+    };
+    CHECK_THAT(said("--orbit 180,0"), contains_text("meets the backs of surfaces only, which glTF hides [W0816]") &&
+                                          contains_text("--both-sides shows them"));
+    CHECK(said("--orbit 180,0 --both-sides").find("W0816") == std::string::npos);
+    CHECK(said("--orbit 0,0").find("W0816") == std::string::npos);
+  }
+}
+
 TEST_CASE("models are drawn by paths unless asked otherwise, or by the reference tracer", "[app][gltf]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("square.glb", square().glb());

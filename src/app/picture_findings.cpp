@@ -77,8 +77,8 @@ std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, P
   }
   if (sight.shows_no_surface() && is_model_ && is_whole && !std::exchange(has_explained_view_, true)) {
     found.push_back(warning(
-        DiagnosticCode::empty_view,
-        fmt::format("the camera '{}' meets the backs of surfaces only, which glTF hides", ready.request.camera.name()),
+        plan.location, DiagnosticCode::empty_view,
+        fmt::format("{} meets the backs of surfaces only, which glTF hides", name_in_text(ready.request.camera)),
         "--both-sides shows them"));
   }
   return found;

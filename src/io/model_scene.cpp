@@ -32,7 +32,7 @@ PbrModel matt_pbr(Rgb const& color) {
 
 std::shared_ptr<Material> default_material(bool has_colors) {
   if (has_colors) return std::make_shared<Material>("default", matt_pbr(Rgb(1)));
-  return std::make_shared<Material>("default", PhongModel());
+  return std::make_shared<Material>("default", PhongModel{.ka = default_grey, .kd = default_grey});
 }
 
 void check_static(ModelOptions const& options, std::string const& file, std::vector<Diagnostic>& diagnostics) {

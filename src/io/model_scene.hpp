@@ -24,7 +24,10 @@ void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& sce
 /// A matt material that vertices' colours and textures may change.
 PbrModel matt_pbr(Rgb const& color);
 
-/// A light grey, matt material; white where the vertices bring their own colours.
+/// Of what has no colour of its own: anything lighter shows no form where the studio shines on it.
+inline constexpr Rgb default_grey(0.5);
+
+/// A grey, matt material; white where the vertices bring their own colours.
 std::shared_ptr<Material> default_material(bool has_colors);
 
 /// Warns when the options ask for what only glTF has.

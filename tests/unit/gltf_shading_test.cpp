@@ -119,15 +119,18 @@ TEST_CASE("a spot light without a cone is named, and shines all around", "[unit]
   CHECK(model.scene.lights.find("lamp")->kind() == "point");
 }
 
-TEST_CASE("a primitive without a material is light grey, and takes its vertices' colours", "[unit][gltf]") {
-  GltfWriter writer;
-  writer.add_mesh(triangle_positions);
-  Model const model = import_model(writer);
-  Material const& material = **model.scene.materials.find("default");
-  CHECK(glm::distance(material.kd(), Rgb(0.8)) < 1e-6);
-  CHECK(material.ks() == Rgb(0));
-  REQUIRE(material.pbr());  // which colours multiply
-  CHECK(material.pbr()->metallic == 0);
+TEST_CASE("a primitive without a material is grey, or has its vertices' colours", "[unit][gltf]") {
+  for (bool const has_colors : {false, true}) {
+    GltfWriter writer;
+    auto& primitive = writer.add_mesh(triangle_positions);
+    if (has_colors) primitive["attributes"]["COLOR_0"] = primitive["attributes"]["POSITION"];
+    Model const model = import_model(writer);
+    Material const& material = **model.scene.materials.find("default");
+    CHECK(glm::distance(material.kd(), Rgb(has_colors ? 1 : 0.5)) < 1e-6);
+    CHECK(material.ks() == Rgb(0));
+    REQUIRE(material.pbr());  // which colours multiply
+    CHECK(material.pbr()->metallic == 0);
+  }
 }
 
 TEST_CASE("materials are kept whole and mapped to Phong", "[unit][gltf]") {

@@ -210,6 +210,15 @@ class Reader {
   Findings* findings_;
 };
 
+/// Whether something has colours of its vertices, but no material.
+bool has_colors_alone(tinygltf::Model const& model) {
+  return std::ranges::any_of(model.meshes, [](tinygltf::Mesh const& mesh) {
+    return std::ranges::any_of(mesh.primitives, [](tinygltf::Primitive const& primitive) {
+      return primitive.material < 0 && primitive.attributes.contains("COLOR_0");
+    });
+  });
+}
+
 }  // namespace
 
 std::vector<std::shared_ptr<Material>> read_materials(Document const& document, ModelChoice const& choice,
@@ -236,9 +245,8 @@ std::vector<std::shared_ptr<Material>> read_materials(Document const& document, 
     read.double_sided = read.double_sided || choice.both_sides;
     materials.push_back(std::make_shared<Material>(std::move(name), std::move(read)));
   }
-  // The specification's default is a rough white metal, which is for image-based light; this is what it looks like
-  // there.
-  PbrModel unnamed = matt_pbr(Rgb(0.8));
+  // The specification's default is a rough white metal, whose form hardly shows; with colours it is what they say.
+  PbrModel unnamed = matt_pbr(has_colors_alone(model) ? Rgb(1) : default_grey);
   unnamed.double_sided = choice.both_sides;
   materials.push_back(std::make_shared<Material>(names.unique("default"), std::move(unnamed)));
   return materials;

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <ranges>
-
 #include "core/edit_distance.hpp"
 
 namespace lichtraum {
@@ -31,7 +29,9 @@ std::string lacks_shape(Scene const& scene, std::string_view name) {
   }
   constexpr std::size_t most_names = 10;
   std::string names;
-  for (auto const& shape : scene.shapes | std::views::take(most_names)) {
+  std::size_t listed = 0;
+  for (auto const& shape : scene.shapes) {
+    if (listed++ == most_names) break;
     names += fmt::format("{}{}", names.empty() ? "" : ", ", shape->name());
   }
   std::size_t const count = scene.shapes.size();

@@ -159,8 +159,7 @@ Output OutputNames::from_scene(std::string const& name, SourceLocation const& lo
     outside.message = fmt::format("cannot write '{}': {}", name, place.reason);
     outside.hint =
         "pictures go to the folder of --output-dir, or else the current one, and below it: -o FILE names another "
-        "place, "
-        "--allow-path FOLDER permits one";
+        "place, --allow-path FOLDER permits one";
     throw SceneError({outside});
   }
   output.path = place.path;

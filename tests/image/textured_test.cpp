@@ -9,6 +9,7 @@
 #include "reference/thin_film.hpp"
 #include "support/catch.hpp"
 #include "support/encode_png.hpp"
+#include "support/gltf_import.hpp"
 #include "support/gltf_writer.hpp"
 #include "support/picture_check.hpp"
 #include "support/skip.hpp"
@@ -185,4 +186,39 @@ TEST_CASE("a thin film's share is in the red of its texture, its thickness in th
       }
     }
   }
+}
+
+TEST_CASE("what diffuse transmission lets through has the colour and the share of its textures", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  testing::GltfWriter writer = square_model({Rgba{255, 128, 64, 255}, Rgba{64, 255, 128, 128}, red, half_white});
+  json const texture = {{"index", 0}};
+  writer.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorFactor", {0, 0, 0, 1}}, {"metallicFactor", 0}}},
+                               {"doubleSided", true},
+                               {"extensions",
+                                {{"KHR_materials_specular", {{"specularFactor", 0}}},
+                                 {"KHR_materials_diffuse_transmission",
+                                  {{"diffuseTransmissionFactor", 1},
+                                   {"diffuseTransmissionTexture", texture},
+                                   {"diffuseTransmissionColorFactor", {0.5, 0.9, 0.7}},
+                                   {"diffuseTransmissionColorTexture", texture}}}}}}};
+  Model model = testing::import_model(writer);
+  model.scene.environment = EnvironmentLight{"made here", uniform_environment(1, 1, 1), 0, 1};
+  RenderRequest request = whole_picture(model.scene.cameras.front(), {8, 8});
+  request.integrator = Integrator::path;
+  request.sampling = {Sampling::Pattern::seeded, 1024};
+  Image const picture = render_on(opencl_devices().front(), model.scene, request);
+  double const half = 128 / 255.0, dark = 0.21586, darker = 0.05127;  // sRGB's 128 and 64
+  auto const check = [&](int x, int y, Rgb const& expected) {
+    Rgb mean(0);
+    for (int i = 0; i < 4; ++i) {
+      float const* const c = picture.pixel(x + i % 2, y + i / 2);
+      mean += 0.25 * Rgb(c[0], c[1], c[2]);
+    }
+    INFO(mean.r << " " << mean.g << " " << mean.b);
+    for (int c = 0; c < 3; ++c) CHECK(mean[c] == Approx(expected[c]).margin(0.01));
+  };
+  check(1, 1, Rgb(0.5, 0.9 * dark, 0.7 * darker));
+  check(5, 1, half * Rgb(0.5 * darker, 0.9, 0.7 * dark));
+  check(1, 5, Rgb(0.5, 0, 0));
+  check(5, 5, half * Rgb(0.5, 0.9, 0.7));
 }

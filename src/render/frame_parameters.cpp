@@ -2,9 +2,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
-#include "core/elementary.hpp"
 #include "film/check_request.hpp"
 #include "scene/device_conversion.hpp"
 #include "scene/unit_vector.hpp"
@@ -15,7 +13,7 @@ namespace {
 device::ProjectiveCamera projective_camera(Camera const& camera, Resolution const& size) {
   Transform const& world_from_camera = camera.world_from_camera();
   bool const is_parallel = camera.is_orthographic();
-  double const half_width = is_parallel ? 0.5 * camera.width() : tan_of(glm::radians(0.5 * camera.fov_x_degrees()));
+  double const half_width = 0.5 * camera.width_at(1);
   double const half_height = half_width * size.height / size.width;
   return {device_float4(world_from_camera.point(Vec3(0))),
           device_float4(world_from_camera.vector({-half_width, half_height, is_parallel ? 0 : -1})),

@@ -144,7 +144,7 @@ Camera Camera::fitted(Resolution const& size) const {
 }
 
 Ray Camera::generate_ray(double x, double y, Resolution const& size, double lens_x, double lens_y) const {
-  double const pixel = (is_orthographic() ? width_ : 2 * half_width_of(fov_x_degrees_)) / size.width;  // at distance 1
+  double const pixel = width_at(1) / size.width;
   Vec3 const image((x - size.width / 2.0) * pixel, (size.height / 2.0 - y) * pixel, -1);
   Vec3 const plane_point = is_orthographic() ? Vec3(image.x, image.y, 0) : Vec3(0);
   Vec3 const center = world_from_camera_.point(plane_point);

@@ -2,31 +2,18 @@
 
 #include <fmt/format.h>
 
-#include "core/edit_distance.hpp"
+#include "core/suggester.hpp"
 
 namespace lichtraum {
 namespace {
 
-/// What was probably meant; empty where nothing is near.
-std::string_view nearest_shape(Scene const& scene, std::string_view name) {
-  std::size_t limit = likely_slips(name);
-  std::string_view nearest;
-  for (auto const& shape : scene.shapes) {
-    std::size_t const distance = edit_distance(name, shape->name(), limit);
-    if (distance > limit) continue;
-    nearest = shape->name();
-    if (distance == 0) break;
-    limit = distance - 1;
-  }
-  return nearest;
-}
-
 /// "the scene has no shape called 'rood': did you mean 'rod'?", or which it has.
 std::string lacks_shape(Scene const& scene, std::string_view name) {
   std::string const lack = fmt::format("the scene has no shape called '{}'", name);
-  if (auto const nearest = nearest_shape(scene, name); !nearest.empty()) {
-    return fmt::format("{}: did you mean '{}'?", lack, nearest);
-  }
+  Suggester suggester;
+  suggester.look_for(name);
+  suggester.consider_all(scene.shapes);
+  if (!suggester.best().empty()) return fmt::format("{}: did you mean '{}'?", lack, suggester.best());
   constexpr std::size_t most_names = 10;
   std::string names;
   std::size_t listed = 0;

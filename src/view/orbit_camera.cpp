@@ -19,6 +19,9 @@ Vec3 forward_of(Camera const& camera) { return glm::normalize(camera.world_from_
 Vec3 right_of(Camera const& camera) { return glm::normalize(camera.world_from_camera().vector({1, 0, 0})); }
 Vec3 up_of(Camera const& camera) { return glm::normalize(camera.world_from_camera().vector({0, 1, 0})); }
 
+/// Of a length across the camera's own frame, in the world.
+double unit_length_of(Camera const& camera) { return glm::length(camera.world_from_camera().vector({1, 0, 0})); }
+
 Transform about(Vec3 const& point, double degrees, Vec3 const& axis) {
   return Transform::translation(point) * Transform::rotation(degrees, axis) * Transform::translation(-point);
 }
@@ -68,8 +71,8 @@ void OrbitCamera::orbit(double right_degrees, double up_degrees) {
 }
 
 void OrbitCamera::pan(double right, double up) {
-  double const unit_length = glm::length(camera_.world_from_camera().vector({1, 0, 0}));
-  double const width = camera_.is_orthographic() ? camera_.width() * unit_length : camera_.width_at(distance());
+  double const width =
+      camera_.is_orthographic() ? camera_.width() * unit_length_of(camera_) : camera_.width_at(distance());
   Vec3 const offset = width * (right * right_of(camera_) + up * up_of(camera_));
   apply(Transform::translation(offset));
   pivot_ += offset;
@@ -91,8 +94,7 @@ void OrbitCamera::frame(Vec3 const& center, double radius, Resolution const& siz
   double const ball = std::max(radius, 1e-6);
   double distance = 2 * ball;
   if (camera_.is_orthographic()) {
-    double const unit_length = glm::length(camera_.world_from_camera().vector({1, 0, 0}));
-    set_width(2 * ball * std::max(1.0, double(size.width) / size.height) / unit_length);
+    set_width(2 * ball * std::max(1.0, double(size.width) / size.height) / unit_length_of(camera_));
   } else {
     double const half_width = std::tan(glm::radians(0.5 * camera_.fov_x_degrees()));
     double const half_height = half_width * size.height / size.width;

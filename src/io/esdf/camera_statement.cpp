@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -19,10 +20,13 @@ Signature const camera_signature{
 constexpr std::string_view camera_usage =
     "define camera <name> <degrees> [<width> <height>] aperture=<diameter> focus=<distance>";
 
-/// What the keys of a camera say.
+/// What the keys of a camera say; 0: nothing.
 struct CameraKeys {
-  Lens lens;
+  double aperture = 0;
+  double focus_distance = 0;
   double width = 0;  ///< of an orthographic camera
+
+  bool has_lens() const { return aperture > 0; }
 };
 
 Vec3 unit(Vec3 const& v) { return v / glm::length(v); }
@@ -71,7 +75,6 @@ std::optional<double> read_opening_angle(Interpreter& interpreter, Token token) 
 /// Takes the keys off the end of a camera. Nothing, after a report, when they make no sense.
 std::optional<CameraKeys> take_keys(Interpreter& interpreter, Statement& statement) {
   CameraKeys found;
-  bool has_focus = false;
   auto const& arguments = statement.arguments;
   std::size_t const words = first_key(statement, 1);
   auto const read_positive = [&interpreter](std::string_view word, double& number) {
@@ -85,13 +88,15 @@ std::optional<CameraKeys> take_keys(Interpreter& interpreter, Statement& stateme
       return false;
     };
   };
-  auto const read_focus = read_positive("focus", found.lens.focus_distance);
-  std::array<Key, 3> const keys{Key{"aperture", read_positive("aperture", found.lens.aperture), true},
-                                Key{"focus", [&](Token value) { return has_focus = true, read_focus(value); }},
+  std::array<Key, 3> const keys{Key{"aperture", read_positive("aperture", found.aperture), true},
+                                Key{"focus", read_positive("focus", found.focus_distance)},
                                 Key{"orthographic", read_positive("orthographic", found.width), true}};
   if (!read_keys(interpreter, statement, words, keys, std::string(camera_usage))) return std::nullopt;
-  if (has_focus != (found.lens.aperture > 0)) {
-    interpreter.error(Code::incomplete_lens, arguments[words],
+  if (found.has_lens() != (found.focus_distance > 0)) {
+    std::string_view const half = found.has_lens() ? "aperture" : "focus";
+    auto const at = std::find_if(arguments.begin() + std::ptrdiff_t(words), arguments.end(),
+                                 [&](Token token) { return token.substr(0, half.size()) == half; });
+    interpreter.error(Code::incomplete_lens, *at,
                       "camera: a lens has both, aperture= and focus=", std::string(camera_usage));
     return std::nullopt;
   }
@@ -127,7 +132,7 @@ bool read_camera(Interpreter& interpreter, Statement statement) {
   std::string const name(statement[0]);
   Camera camera = keys->width > 0 ? Camera::orthographic(name, keys->width, *frame, resolution)
                                   : Camera(name, *fov, *frame, resolution);
-  camera.set_lens(keys->lens);
+  if (keys->has_lens()) camera.set_lens({keys->aperture, keys->focus_distance});
   interpreter.define(statement[0], std::move(camera));
   return true;
 }

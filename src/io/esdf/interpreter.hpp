@@ -10,8 +10,8 @@
 #include <unordered_set>
 #include <vector>
 
+#include "core/suggester.hpp"
 #include "io/esdf/arguments.hpp"
-#include "io/esdf/suggestion.hpp"
 #include "io/mesh_format.hpp"
 #include "io/text/diagnostics.hpp"
 #include "lichtraum/esdf.hpp"
@@ -22,6 +22,9 @@ namespace lichtraum::esdf {
 using Code = DiagnosticCode;
 
 using DrawFunction = std::function<bool(Scene const&, RenderCommand const&)>;
+
+/// "did you mean 'red'?"; empty for an empty name.
+std::string did_you_mean(std::string_view name);
 
 /// What has names of its own.
 enum class Kind { material, shape, light, camera };

@@ -103,17 +103,14 @@ bool decode_webp(std::string_view bytes, TextureImage& image, std::string& reaso
   return false;
 }
 
-template <class Length>
-Length half_of(Length length) {
-  return (length + 1) / 2;
-}
+std::int64_t half_of(std::int64_t length) { return (length + 1) / 2; }
 
 /// Half as wide and high: the mean of four pixels. The last row or column of an odd size counts twice.
 TextureImage halved(TextureImage const& image) {
   TextureImage half;
   half.name = image.name;
-  half.width = half_of(image.width);
-  half.height = half_of(image.height);
+  half.width = int(half_of(image.width));
+  half.height = int(half_of(image.height));
   half.rgba.resize(std::size_t(half.width) * std::size_t(half.height) * 4);
   auto const at = [&](int x, int y, int channel) {
     auto const column = std::size_t(std::min(x, image.width - 1));

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <string_view>
 
 #include "core/edit_distance.hpp"
 
-namespace lichtraum::esdf {
+namespace lichtraum {
 
 /// Finds what somebody probably meant. Looks at a bounded number of names in its life, so that a file with many
 /// mistakes and many names costs no more than a file with one.
@@ -54,6 +53,4 @@ class Suggester {
   std::string_view best_;
 };
 
-std::string did_you_mean(std::string_view name);
-
-}  // namespace lichtraum::esdf
+}  // namespace lichtraum

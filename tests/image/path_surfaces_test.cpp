@@ -1,0 +1,67 @@
+/// What the path integrator does where surfaces are not what they seem: smooth by their normals only, or there in part.
+
+#include "support/catch.hpp"
+#include "support/esdf.hpp"
+#include "support/path_pictures.hpp"
+#include "support/pbr.hpp"
+#include "support/picture_check.hpp"
+#include "support/skip.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+namespace {
+
+/// An octahedron that its normals make a ball.
+std::shared_ptr<MeshGeometry const> rough_ball() {
+  auto geometry = std::make_shared<MeshGeometry>();
+  geometry->positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  geometry->normals = geometry->positions;
+  geometry->indices = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+  return geometry;
+}
+
+}  // namespace
+
+TEST_CASE("paths: mirrors and glass of few triangles lose no light to their smooth normals", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  PbrModel model = pbr(Rgb(1), 0, 0);
+  double lost = 0.005;
+  SECTION("metal") { model.metallic = 1; }
+  SECTION("glass") {
+    model.transmission = model.thickness = 1;
+    lost = 0.02;  // some light is mirrored within more often than paths are long
+  }
+  Scene scene = scene_of("define camera eye 30\ntransform eye translate 0 0 4\n");
+  auto const material = std::make_shared<Material>("m", model);
+  auto const ball = std::make_shared<Mesh>("ball", rough_ball(), material);
+  ball->rotate(25, {1, 2, 0.5});
+  scene.materials.insert(material);
+  scene.shapes.insert(ball);
+  scene.environment = EnvironmentLight{"made here", uniform_environment(1, 1, 1), 0, 1};
+  RenderRequest request = path_request(scene, {32, 32}, 64, 64);
+  request.background = Background::environment();
+  CHECK(mean_of(trace(scene, request)).value == Approx(1).margin(lost));
+}
+
+TEST_CASE("paths: what blends and is no triangle lets its share of light through each time", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  // Below a ball, in whose shadow the floor lies.
+  Scene scene = scene_of(R"(
+define material grey 0 0 0  0.5 0.5 0.5  0 0 0 1
+define material m 0 0 0  0 0 0  0 0 0 1
+define shape plane floor 0 -1 0  0 1 0 grey
+define shape sphere ball 0 1 0 0.5 m
+define light diffuse sun 0 1e6 0  0.8 0.8 0.8
+define camera eye 10
+transform eye rotate -90 1 0 0
+)");
+  for (auto const& [alpha, share] : {std::pair(0.5, 0.25), std::pair(0.25, 0.5625), std::pair(1.0, 0.0)}) {
+    PbrModel model = pbr(Rgb(1), 0, 1);
+    model.alpha = alpha;
+    model.alpha_mode = AlphaMode::blend;
+    **scene.materials.find("m") = Material("m", model);
+    Image const picture = trace(scene, path_request(scene, {8, 8}, 1, 0));
+    CHECK(picture.pixel(4, 4)[0] == Approx(0.5 * 0.8 * share).epsilon(1e-4).margin(1e-6));
+  }
+}

@@ -1,5 +1,9 @@
 /// What the path integrator does where surfaces are not what they seem: smooth by their normals only, or there in part.
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
 #include "support/path_pictures.hpp"
@@ -64,4 +68,20 @@ transform eye rotate -90 1 0 0
     Image const picture = trace(scene, path_request(scene, {8, 8}, 1, 0));
     CHECK(picture.pixel(4, 4)[0] == Approx(0.5 * 0.8 * share).epsilon(1e-4).margin(1e-6));
   }
+}
+
+TEST_CASE("paths: what lies behind a hundred sheets is seen", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  std::string text = "define material m 0 0 0  0 0 0  0 0 0 1\ndefine camera eye 20\n";
+  for (int i = 0; i < 100; ++i) {
+    text += fmt::format("define shape triangle t{0} -9 -9 -{1}  9 -9 -{1}  0 9 -{1} m\n", i, 2 + 0.01 * i);
+  }
+  Scene scene = scene_of(text + "define background 1 1 1\n");
+  PbrModel sheet = pbr(Rgb(0), 0, 1);
+  sheet.alpha = 0.001;
+  sheet.alpha_mode = AlphaMode::blend;
+  sheet.specular = 0;
+  sheet.double_sided = true;
+  **scene.materials.find("m") = Material("m", sheet);
+  CHECK(mean_of(trace(scene, path_request(scene, {16, 16}, 64, 4))).value == Approx(std::pow(0.999, 100)).margin(0.01));
 }

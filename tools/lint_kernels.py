@@ -14,7 +14,7 @@ import sys
 EXACT = [
     "fma|sqrt|floor|fabs|copysign|min|max|clamp|select|isnan|popcount|upsample",
     "as_[a-z]+[0-9]*|convert_[a-z]+[0-9]*|vload[0-9]+|vstore[0-9]+|get_(global|local|group)_(id|size)|barrier",
-    "if|for|while|switch|return|sizeof|defined|__attribute__|aligned|alignas|static_assert",
+    "if|for|while|switch|return|sizeof|defined|__has_warning|__attribute__|aligned|alignas|static_assert",
     "INTEGRATE",  # a function of kernels/integrators
 ]
 

@@ -54,7 +54,7 @@ cl::Program build_from_source(cl::Context const& context, cl::Device const& devi
   check_pocl_linker(device);
   cl::Program program(context, source);
   try {
-    program.build(device, options.c_str());
+    program.build(device, (options + exact_rounding_option(device)).c_str());
   } catch (cl::Error const& error) {
     if (error.err() != CL_BUILD_PROGRAM_FAILURE) throw;
     throw Error(ErrorKind::internal, fmt::format("the device's compiler refuses {}.cl:\n{}", name,
@@ -64,6 +64,11 @@ cl::Program build_from_source(cl::Context const& context, cl::Device const& devi
 }
 
 }  // namespace
+
+std::string exact_rounding_option(cl::Device const& device) {
+  bool const is_known = device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT;
+  return is_known ? " -cl-fp32-correctly-rounded-divide-sqrt" : "";
+}
 
 cl::Program build_program(cl::Context const& context, cl::Device const& device, std::string_view name,
                           std::string const& options, std::span<PrecompiledProgram const> precompiled) {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "cl/opencl.hpp"
+#include "cl/program.hpp"
 
 namespace lichtraum::test {
 namespace {
@@ -78,6 +79,10 @@ std::size_t scaled_count(std::size_t full) {
   return std::max<std::size_t>(1, std::size_t(double(full) * std::atof(scale)));
 }
 
+std::size_t quickest_lanes() {
+  return test_device().value().device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU ? 16 : 1;
+}
+
 struct ProbeProgram::State {
   cl::Program program;
 };
@@ -91,8 +96,9 @@ ProbeProgram::ProbeProgram(std::string const& file, std::string const& options) 
   Device const& device = test_device().value();
   cl::Program program(device.context, source);
   try {
-    program.build({device.device},
-                  ("-cl-std=CL1.2 -I " + kernel_dir + " -I " LICHTRAUM_SOURCE_DIR "/tests/kernel " + options).c_str());
+    program.build({device.device}, ("-cl-std=CL1.2 -I " + kernel_dir + " -I " LICHTRAUM_SOURCE_DIR "/tests/kernel " +
+                                    options + exact_rounding_option(device.device))
+                                       .c_str());
   } catch (cl::Error const& error) {
     throw std::runtime_error(file + ": " + describe(error) + "\n" +
                              program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.device));

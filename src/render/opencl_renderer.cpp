@@ -41,9 +41,15 @@ constexpr double min_budget = 64;
 /// in one place, a fifth of a second in packets of rays.
 constexpr double max_leaf_tests = 8e7;
 
+/// What a tile is on a GPU, which traces half a million pixels at once: many pixels, and of each what samples there is
+/// time for.
+constexpr double gpu_launch_pixels = 1 << 19;
+constexpr double gpu_max_budget = 1 << 24;
+
 /// The greatest work of a tile in a scene, by its crowding (accel/crowding.hpp).
-double greatest_budget(double crowding) {
-  return std::clamp(max_leaf_tests / std::max(crowding, 1.0), min_budget, max_budget);
+double greatest_budget(DeviceKind kind, double crowding) {
+  double const most = kind == DeviceKind::gpu ? gpu_max_budget : max_budget;
+  return std::clamp(max_leaf_tests / std::max(crowding, 1.0), min_budget, most);
 }
 
 /// How much work the next tile gets, from how long the last one took.
@@ -224,9 +230,9 @@ class OpenClRenderer final : public Renderer {
     statistics.program_ms += 1e3 * seconds_since(start);
     auto const trace_start = Clock::now();
     bool is_going_on = true;
-    double const greatest = greatest_budget(scene_->buffers->crowding);
+    double const greatest = greatest_budget(device_.kind, scene_->buffers->crowding);
     work.budget = std::min(work.budget, greatest);
-    TilePlan plan(region, samples.count(), samples.first);
+    TilePlan plan(region, samples.count(), samples.first, device_.kind == DeviceKind::gpu ? gpu_launch_pixels : 0);
     while (!plan.is_done() && is_going_on) {
       auto const tile_start = Clock::now();
       device::Tile const tile = plan.next(work.budget);

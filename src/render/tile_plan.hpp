@@ -15,9 +15,10 @@ class TilePlan {
   /// Tiles start and end at multiples of this (counted from the region's corner), except at the region's border.
   static constexpr int granularity = 8;
 
-  /// Of the samples [first_sample, first_sample + sample_count).
-  TilePlan(Region const& region, int sample_count, int first_sample = 0)
-      : region_(region), sample_count_(sample_count), first_sample_(first_sample) {}
+  /// Of the samples [first_sample, first_sample + sample_count). `launch_pixels`: how many a tile has, if its budget
+  /// allows one sample of each; with 0, as many as it allows all samples of.
+  TilePlan(Region const& region, int sample_count, int first_sample = 0, double launch_pixels = 0)
+      : region_(region), sample_count_(sample_count), first_sample_(first_sample), launch_pixels_(launch_pixels) {}
 
   bool is_done() const { return band_y_ >= region_.height; }
   /// Whether all samples of the pixels traced so far are in.
@@ -48,8 +49,9 @@ class TilePlan {
   }
 
   void choose_pixels(double budget) {
-    if (x_ == 0) height_ = rounded(budget / (double(region_.width) * sample_count_), region_.height - band_y_);
-    width_ = rounded(budget / (double(height_) * sample_count_), region_.width - x_);
+    double const pixels = launch_pixels_ > 0 ? std::min(budget, launch_pixels_) : budget / sample_count_;
+    if (x_ == 0) height_ = rounded(pixels / double(region_.width), region_.height - band_y_);
+    width_ = rounded(pixels / double(height_), region_.width - x_);
   }
 
   void advance(int samples) {
@@ -65,6 +67,7 @@ class TilePlan {
   Region region_;
   int sample_count_;
   int first_sample_;
+  double launch_pixels_;
   int band_y_ = 0;
   int x_ = 0;
   int width_ = 0;

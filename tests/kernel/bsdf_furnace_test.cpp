@@ -57,14 +57,14 @@ void check(Extremes const& found, double least, double most) {
 
 TEST_CASE("white furnace: metals, dielectrics and mixtures of them keep all light", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
-  BsdfProbe const probe(16);
+  BsdfProbe const probe(quickest_lanes());
   auto const white = [](double roughness, double metallic) { return layered_bsdf(1, metallic, roughness); };
   check(extremes(probe, white), 0.995, 1.002);
 }
 
 TEST_CASE("white furnace: coats keep all light", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
-  BsdfProbe const probe(16);
+  BsdfProbe const probe(quickest_lanes());
   auto const dielectric = [](double roughness, double share) {
     return coated(layered_bsdf(1, 0, 0.5), share, roughness);
   };
@@ -75,7 +75,7 @@ TEST_CASE("white furnace: coats keep all light", "[kernel][bsdf][statistics]") {
 
 TEST_CASE("white furnace: a coat with a normal of its own adds no light", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
-  BsdfProbe const probe(16);
+  BsdfProbe const probe(quickest_lanes());
   for (double const tilt : {0.2, 0.6}) {
     for (std::size_t i = 0; i < viewer_angles_degrees.size(); ++i) {
       for (double const side : {-1.0, 1.0}) {
@@ -93,7 +93,7 @@ TEST_CASE("white furnace: a coat with a normal of its own adds no light", "[kern
 
 TEST_CASE("white furnace: stretched metals and dielectrics keep nearly all light", "[kernel][bsdf][statistics][long]") {
   NEEDS_OPENCL_DEVICE();
-  BsdfProbe const probe(16);
+  BsdfProbe const probe(quickest_lanes());
   for (double const metallic : {0.0, 1.0}) {
     auto const surface = [&](double roughness, double strength) {
       return stretched(layered_bsdf(1, metallic, roughness), strength);
@@ -104,7 +104,7 @@ TEST_CASE("white furnace: stretched metals and dielectrics keep nearly all light
 
 TEST_CASE("white furnace: what sheen reflects is missing below it", "[kernel][bsdf][statistics][long]") {
   NEEDS_OPENCL_DEVICE();
-  BsdfProbe const probe(16);
+  BsdfProbe const probe(quickest_lanes());
   auto const cloth = [](double roughness, double color) {
     return with_sheen(layered_bsdf(1, 0, 0.9), color, roughness);
   };
@@ -124,7 +124,7 @@ TEST_CASE("white furnace: what sheen reflects is missing below it", "[kernel][bs
 TEST_CASE("white furnace: thin films add no light, and over what is matt they lose none",
           "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
-  BsdfProbe const probe(16);
+  BsdfProbe const probe(quickest_lanes());
   for (double const metallic : {0.0, 1.0}) {
     auto const covered = [&](double roughness, double thickness) {
       return iridescent(layered_bsdf(1, metallic, roughness), 1, 1.6, 200 + 300 * thickness);
@@ -140,21 +140,21 @@ TEST_CASE("white furnace: thin films add no light, and over what is matt they lo
 
 TEST_CASE("white furnace: thin walls keep all light", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
-  BsdfProbe const probe(16);
+  BsdfProbe const probe(quickest_lanes());
   auto const thin = [](double roughness, double share) { return transmitting(layered_bsdf(1, 0, roughness), share); };
   check(extremes(probe, thin), 0.98, 1.002);
 }
 
 TEST_CASE("white furnace: leaves keep all light", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
-  BsdfProbe const probe(16);
+  BsdfProbe const probe(quickest_lanes());
   auto const leaf = [](double roughness, double share) { return translucent(layered_bsdf(1, 0, roughness), share); };
   check(extremes(probe, leaf), 0.995, 1.002);
 }
 
 TEST_CASE("white furnace: solids keep all light, from outside and from within", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
-  BsdfProbe const probe(16);
+  BsdfProbe const probe(quickest_lanes());
   for (double const ior : {1.1, 1.5, 2.4}) {
     for (double const share : {1.0, 0.5}) {
       auto const solid = [&](double roughness, double) {
@@ -174,7 +174,7 @@ TEST_CASE("white furnace: solids keep all light, from outside and from within", 
 TEST_CASE("past the critical angle a smooth solid mirrors all light, whatever its specular factor",
           "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
-  BsdfProbe const probe(16);
+  BsdfProbe const probe(quickest_lanes());
   for (double const specular : {0.0, 0.5, 1.0}) {
     for (double const metallic : {0.0, 0.5}) {
       BsdfParameters surface = transmitting(layered_bsdf(1, metallic, 0.03), 1, 1.5);
@@ -195,7 +195,7 @@ TEST_CASE("past the critical angle a smooth solid mirrors all light, whatever it
 
 TEST_CASE("white furnace: Phong's shares", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
-  BsdfProbe const probe(16);
+  BsdfProbe const probe(quickest_lanes());
   for (double const glossy : {0.0, 0.5, 1.0}) {
     auto const phong = [&](double roughness, double share) {
       return phong_bsdf(1 - glossy, glossy * (1 - share), std::max(roughness * roughness, 0.001), share / 2, share / 2,

@@ -169,7 +169,7 @@ inline Vec3 viewer_at(double degrees) {
 }
 inline constexpr std::array<double, 5> viewer_angles_degrees{0, 30, 60, 80, 88};
 
-/// kernels/bsdf for one lane or sixteen, which give the same to the last bit. Sixteen are quicker where there are many.
+/// kernels/bsdf for one lane or sixteen, which give the same to the last bit.
 class BsdfProbe {
  public:
   explicit BsdfProbe(std::size_t lanes = 1)

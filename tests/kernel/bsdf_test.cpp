@@ -362,7 +362,7 @@ TEST_CASE("a solid refracts by Walter's formula, from outside and from within", 
 
 TEST_CASE("the BSDF keeps no more light than arrives, by quadrature", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
-  BsdfProbe const probe(16);
+  BsdfProbe const probe(quickest_lanes());
   for (BsdfCase const& surface : bsdf_cases(some_roughnesses)) {
     BsdfParameters const& p = surface.parameters;
     for (double const angle : {0.0, 60.0, 80.0}) {
@@ -380,7 +380,7 @@ TEST_CASE("the BSDF keeps no more light than arrives, by quadrature", "[kernel][
 TEST_CASE("samples of the BSDF have the density that it says (chi-square)", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
   Random random(91);
-  BsdfProbe const probe(16);
+  BsdfProbe const probe(quickest_lanes());
   for (BsdfCase const& surface : bsdf_cases(some_roughnesses)) {
     check_density(probe, surface, 60, scaled_count(300000), random);
   }
@@ -388,7 +388,7 @@ TEST_CASE("samples of the BSDF have the density that it says (chi-square)", "[ke
 TEST_CASE("samples of the BSDF have the density that it says, from everywhere", "[kernel][bsdf][statistics][long]") {
   NEEDS_OPENCL_DEVICE();
   Random random(94);
-  BsdfProbe const probe(16);
+  BsdfProbe const probe(quickest_lanes());
   for (BsdfCase const& surface : bsdf_cases()) {
     for (double const angle : viewer_angles_degrees)
       check_density(probe, surface, angle, scaled_count(1000000), random);

@@ -15,6 +15,10 @@ std::optional<std::string> test_device_name();
 /// `full`, or less of it where work-items are interpreted: LICHTRAUM_TEST_SCALE is the share, 0..1 (default 1).
 std::size_t scaled_count(std::size_t full);
 
+/// How many points a work-item should have for a kernel test to be quick: sixteen on CPUs, where they are the lanes of
+/// vector instructions, and one elsewhere.
+std::size_t quickest_lanes();
+
 /// An argument of a probe: a global buffer, or a number or struct by value.
 struct ProbeArgument {
   enum class Kind { input, output, updated, value };

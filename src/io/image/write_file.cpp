@@ -75,6 +75,11 @@ Target examine(fs::path const& path) {
   return target;
 }
 
+/// Where unfinished files are: renaming is only atomic within one file system.
+fs::path folder_of(Target const& target) {
+  return target.path.has_parent_path() ? target.path.parent_path() : fs::path(".");
+}
+
 void write_stream(int descriptor, fs::path const& path, std::string_view bytes) {
   Descriptor file(descriptor);
   if (!file.is_open()) fail(ErrorKind::cannot_create, path, reason(errno));
@@ -87,7 +92,11 @@ void write_stream(int descriptor, fs::path const& path, std::string_view bytes) 
 
 void check_writable(fs::path const& path) {
   if (standard_stream(path)) return;
-  if (!examine(path).is_stream()) NewFile{path};
+  Target const target = examine(path);
+  if (target.is_stream()) return;
+  // One without a name: a signal that ends the process now leaves nothing behind. Not every file system has them.
+  if (Descriptor(::open(folder_of(target).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0600)).is_open()) return;
+  NewFile{path};
 }
 
 void write_file_atomically(fs::path const& path, std::string_view bytes) {
@@ -100,8 +109,7 @@ void write_file_atomically(fs::path const& path, std::string_view bytes) {
 
 NewFile::NewFile(fs::path path) : path_(std::move(path)) {
   Target const target = examine(path_);
-  // In the same folder as its target: renaming is only atomic within one file system.
-  fs::path const folder = target.path.has_parent_path() ? target.path.parent_path() : fs::path(".");
+  fs::path const folder = folder_of(target);
   temporary_ = std::make_unique<TemporaryFile>(folder);
   if (!temporary_->descriptor().is_open()) {
     int const code = errno;

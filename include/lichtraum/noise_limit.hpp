@@ -23,9 +23,9 @@ struct NoiseLimitedResult {
 
 /// Renderer::render, but once the noise of radiance, and of a ground's shadows in alpha, is estimated to be at most
 /// `limit`, no more of the request's samples are taken. Looks at two blocks of samples at least; how many are taken is
-/// the same on every machine. What the progress tells counts the samples that will probably be taken. Throws
-/// std::invalid_argument for a limit that is not positive, and for a request with a range of samples, with a grid of
-/// them, or without radiance; else as Renderer::render.
+/// the same on every machine. What the progress tells counts the samples that will probably be taken; it is 0 until
+/// that is known. Throws std::invalid_argument for a limit that is not positive, and for a request with a range of
+/// samples, with a grid of them, or without radiance; else as Renderer::render.
 NoiseLimitedResult render_to_noise(Renderer& renderer, RenderRequest request, double limit, Film& film,
                                    ProgressFunction const& progress = {});
 

@@ -114,6 +114,7 @@ struct RenderProgress {
   double fraction = 0;     ///< 0..1
   std::uint64_t rays = 0;  ///< so far
   double elapsed_seconds = 0;
+  bool is_compiling = false;  ///< the device's compiler begins, which may take seconds; it cannot be stopped
 };
 /// Returns false to stop: render then returns with `complete` false.
 using ProgressFunction = std::function<bool(RenderProgress const&)>;

@@ -139,7 +139,8 @@ class UnitWorker {
     farm::DrawnUnit drawn{device_.hash, {}, {}};
     auto const result = renderer_.render(request, drawn.film, [&](RenderProgress const& now) {
       double const done = (double(drawn_) + now.fraction) / double(std::max<std::int64_t>(1, wanted_));
-      bar_.update(fmt::format("unit {}", number), {std::min(1.0, done), rays_ + now.rays, run_.seconds()});
+      bar_.update(fmt::format("unit {}", number),
+                  {std::min(1.0, done), rays_ + now.rays, run_.seconds(), now.is_compiling});
       return !interrupted();
     });
     if (!result.complete) throw Error(ErrorKind::interrupted, fmt::format("interrupted in unit {}", number));

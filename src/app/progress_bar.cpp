@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace lichtraum::app {
 namespace {
@@ -32,6 +33,9 @@ void write_at_once(std::string const& text) {
 }  // namespace
 
 std::string progress_line(std::string const& title, RenderProgress const& progress, int columns) {
+  if (progress.is_compiling) {
+    return fmt::format("{}  compiling for the device", title).substr(0, std::size_t(std::max(0, columns - 1)));
+  }
   double const fraction = std::clamp(progress.fraction, 0.0, 1.0);
   double const rate = progress.elapsed_seconds > 0 ? 1e-6 * double(progress.rays) / progress.elapsed_seconds : 0;
   std::string const left = fraction > 0 ? duration(progress.elapsed_seconds * (1 - fraction) / fraction) + " left" : "";
@@ -54,11 +58,19 @@ void ProgressBar::clear() {
 }
 
 void ProgressBar::update(std::string const& title, RenderProgress const& progress) {
-  if (!is_wanted_ || progress.elapsed_seconds < next_seconds_) return;
+  if (progress.is_compiling) {
+    compiling_since_seconds_ = progress.elapsed_seconds;
+  } else if (compiling_since_seconds_) {
+    compiling_seconds_ += progress.elapsed_seconds - *std::exchange(compiling_since_seconds_, std::nullopt);
+  }
+  bool const is_due = progress.is_compiling || progress.elapsed_seconds >= next_seconds_;
+  if (!is_wanted_ || !is_due) return;
   next_seconds_ = progress.elapsed_seconds + interval_seconds;
   is_drawn_ = true;
   // Overwrites the old line and clears what remains after it: no empty line in between, no flicker.
-  write_at_once("\r" + progress_line(title, progress, terminal_columns()) + "\x1b[K");
+  RenderProgress shown = progress;
+  shown.elapsed_seconds -= compiling_seconds_;
+  write_at_once("\r" + progress_line(title, shown, terminal_columns()) + "\x1b[K");
 }
 
 }  // namespace lichtraum::app

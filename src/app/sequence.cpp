@@ -219,7 +219,7 @@ class Sequence {
   ProgressFunction progress_of(PicturePlan const& plan, std::size_t part, std::size_t parts) {
     return [this, &plan, part, parts](RenderProgress const& now) {
       double const fraction = (double(part) + now.fraction) / double(parts);
-      bar_.update(title(plan), {fraction_of_all(fraction), rays_ + now.rays, run_.seconds()});
+      bar_.update(title(plan), {fraction_of_all(fraction), rays_ + now.rays, run_.seconds(), now.is_compiling});
       return !interrupted();
     };
   }

@@ -32,14 +32,24 @@ std::string embedded_source(std::string_view name) {
   throw Error(ErrorKind::internal, fmt::format("no device program is called '{}'", name));
 }
 
-std::optional<cl::Program> load_precompiled(cl::Context const& context, cl::Device const& device, std::string_view name,
-                                            std::string const& options,
-                                            std::span<PrecompiledProgram const> precompiled) {
+/// A folder of kernels that counts instead of what is in the library, or null.
+char const* kernel_folder() { return std::getenv("LICHTRAUM_KERNEL_DIR"); }
+
+/// Null where none fits.
+PrecompiledProgram const* find_precompiled(cl::Device const& device, std::string_view name, std::string const& options,
+                                           std::span<PrecompiledProgram const> precompiled) {
   auto const is_wanted = [&](PrecompiledProgram const& program) {
     return program.name == name && program.options == options && program.target == machine_code_target(device);
   };
   auto const found = std::find_if(precompiled.begin(), precompiled.end(), is_wanted);
-  if (found == precompiled.end()) return std::nullopt;
+  return found == precompiled.end() ? nullptr : &*found;
+}
+
+std::optional<cl::Program> load_precompiled(cl::Context const& context, cl::Device const& device, std::string_view name,
+                                            std::string const& options,
+                                            std::span<PrecompiledProgram const> precompiled) {
+  auto const* const found = find_precompiled(device, name, options, precompiled);
+  if (!found) return std::nullopt;
   try {
     cl::Program const program(context, {device}, {{found->binary.begin(), found->binary.end()}});
     program.build(device, options.c_str());
@@ -70,10 +80,15 @@ std::string exact_rounding_option(cl::Device const& device) {
   return is_known ? " -cl-fp32-correctly-rounded-divide-sqrt" : "";
 }
 
+bool needs_compiler(cl::Device const& device, std::string_view name, std::string const& options,
+                    std::span<PrecompiledProgram const> precompiled) {
+  return kernel_folder() || !find_precompiled(device, name, options, precompiled);
+}
+
 cl::Program build_program(cl::Context const& context, cl::Device const& device, std::string_view name,
                           std::string const& options, std::span<PrecompiledProgram const> precompiled) {
   return checked([&] {
-    if (char const* folder = std::getenv("LICHTRAUM_KERNEL_DIR")) {
+    if (char const* const folder = kernel_folder()) {
       auto const source = read_source(std::filesystem::path(folder) / fmt::format("{}.cl", name));
       return build_from_source(context, device, name, source, options + fmt::format(" -I {}", folder));
     }

@@ -13,6 +13,10 @@ namespace lichtraum {
 /// round them roughly unless asked (OpenCL 1.2, 5.6.4.2). Empty for devices that cannot.
 std::string exact_rounding_option(cl::Device const& device);
 
+/// Whether build_program calls the device's compiler, which takes seconds.
+bool needs_compiler(cl::Device const& device, std::string_view name, std::string const& options,
+                    std::span<PrecompiledProgram const> precompiled);
+
 /// Builds kernels/<name>.cl for a device: from the machine code in `precompiled` where one entry fits and the device
 /// takes it, else from the source embedded in the library. When the environment variable LICHTRAUM_KERNEL_DIR is set,
 /// the source is read from that folder instead of both (for work on kernels). clBuildProgram only: PoCL caches what

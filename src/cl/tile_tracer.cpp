@@ -122,16 +122,19 @@ struct TileTracer::State {
     kernel.setArg(argument, film.back().buffer);
   }
 
-  KnownKernel& kernel_for(device::FrameParameters const& parameters, Integrator integrator, PlaneSet const& wanted) {
+  RenderProgram program_for(device::FrameParameters const& parameters, Integrator integrator,
+                            PlaneSet const& wanted) const {
     // Panes are the paths' business.
     device::uint const features = integrator == Integrator::path ? tables->features : tables->features & ~SCENE_PANES;
-    RenderProgram const program{
-        grouping,
-        wanted != PlaneSet{FilmPlane::radiance},
-        (features & ~SCENE_WITHOUT_MODELS) == 0,
-        integrator,
-        integrator == Integrator::whitted ? ray_stack_size(parameters.max_depth) : ray_stack_size(0),
-        traversal_stack_size(scene->stack_size)};
+    return {grouping,
+            wanted != PlaneSet{FilmPlane::radiance},
+            (features & ~SCENE_WITHOUT_MODELS) == 0,
+            integrator,
+            integrator == Integrator::whitted ? ray_stack_size(parameters.max_depth) : ray_stack_size(0),
+            traversal_stack_size(scene->stack_size)};
+  }
+
+  KnownKernel& kernel_for(RenderProgram const& program) {
     auto const options = program.options();
     auto found = kernels.find(options);
     if (found == kernels.end()) {
@@ -196,13 +199,20 @@ void TileTracer::upload(std::shared_ptr<SceneBuffers const> scene, std::shared_p
 
 std::uint64_t TileTracer::device_bytes() const { return state_->device_bytes; }
 
+bool TileTracer::needs_compiler(device::FrameParameters const& frame, Integrator integrator,
+                                PlaneSet const& planes) const {
+  auto const options = state_->program_for(frame, integrator, planes).options();
+  return !state_->kernels.contains(options) &&
+         lichtraum::needs_compiler(state_->device, RenderProgram::name, options, precompiled_programs());
+}
+
 void TileTracer::begin_frame(device::FrameParameters const& frame, Integrator integrator, Film& film) {
   State& state = *state_;
   if (!state.is_uploaded) throw Error(ErrorKind::no_device, "the scene is not on the device, which did not take it");
   PlaneSet const& planes = film.planes();
   state.frame.assign(1, frame);
   checked(state.queue, [&] {
-    auto& known = state.kernel_for(frame, integrator, planes);
+    auto& known = state.kernel_for(state.program_for(frame, integrator, planes));
     state.kernel = known.kernel;
     state.frame_buffer = buffer_over(state.context, CL_MEM_READ_ONLY, state.frame);
     cl_uint argument = 0;

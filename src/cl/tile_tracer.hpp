@@ -24,6 +24,8 @@ class TileTracer {
   void upload(std::shared_ptr<SceneBuffers const> scene, std::shared_ptr<ShadingTables const> tables);
   std::uint64_t device_bytes() const;
 
+  /// Whether begin_frame waits for the device's compiler.
+  bool needs_compiler(device::FrameParameters const& frame, Integrator integrator, PlaneSet const& planes) const;
   /// Begins with a block of a film's samples, or goes on with it. `film` must stay until end_frame, which makes the
   /// device's work visible in it.
   void begin_frame(device::FrameParameters const& frame, Integrator integrator, Film& film);

@@ -71,8 +71,9 @@ NoiseLimitedResult render_to_noise(Renderer& renderer, RenderRequest request, do
     RenderResult const part = renderer.render(request, film, [&](RenderProgress const& now) {
       seconds = now.elapsed_seconds;
       double const samples = earlier_samples + now.fraction * (end - earlier_samples);
-      return !progress ||
-             progress({samples / expected, total.rays.total() + now.rays, seconds_before + now.elapsed_seconds});
+      double const fraction = result.noise ? samples / expected : 0;
+      return !progress || progress({fraction, total.rays.total() + now.rays, seconds_before + now.elapsed_seconds,
+                                    now.is_compiling});
     });
     seconds_before += seconds;
     total.rays += part.statistics.rays;

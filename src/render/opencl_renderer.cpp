@@ -225,6 +225,11 @@ class OpenClRenderer final : public Renderer {
     Region const& region = film.region();
     double const all_work = double(region.width) * double(region.height) * double(work.samples);
     if (samples.first == 0) begin_centers(film);
+    auto const progress_now = [&](bool is_compiling) {
+      return RenderProgress{work.pixel_samples_done / all_work, statistics.rays.total(), seconds_since(work.start),
+                            is_compiling};
+    };
+    if (progress && tracer_.needs_compiler(frame, integrator, film.planes())) progress(progress_now(true));
     auto const start = Clock::now();
     tracer_.begin_frame(frame, integrator, film);
     statistics.program_ms += 1e3 * seconds_since(start);
@@ -239,10 +244,7 @@ class OpenClRenderer final : public Renderer {
       statistics.rays += tracer_.trace(tile);
       work.budget = next_budget(work.budget, seconds_since(tile_start), greatest);
       work.pixel_samples_done += double(tile.width) * double(tile.height) * double(tile.sample_count);
-      if (progress) {
-        is_going_on =
-            progress({work.pixel_samples_done / all_work, statistics.rays.total(), seconds_since(work.start)});
-      }
+      if (progress) is_going_on = progress(progress_now(false));
     }
     tracer_.end_frame();
     if (!plan.is_between_pixels()) clear_samples(film, plan.current_pixels());

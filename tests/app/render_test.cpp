@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lichtraum.hpp"
+#include "lichtraum/device.hpp"
 #include "pictures.hpp"
 #include "support/catch.hpp"
 #include "support/skip.hpp"
@@ -328,6 +329,25 @@ TEST_CASE("colours and a progress bar are for terminals only", "[app][render]") 
   CHECK_THAT(interrupted("", true), contains_text("Mrays/s  ") && contains_text(" left") && contains_text("%"));
   CHECK_THAT(interrupted("-q", true), !contains_text("Mrays/s"));
   CHECK_THAT(interrupted("", false), !contains_text(" left"));
+}
+
+TEST_CASE("a terminal is told that the device's compiler is at work", "[app][render]") {
+  if (!has_pseudo_terminals()) SKIP_TEST("there are no pseudo-terminals here");
+  if (lichtraum::find_devices().devices.size() == 1) SKIP_TEST("there is no OpenCL device");
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene);
+  auto const told = [&](std::string const& words, bool has_terminal) {
+    Process process = lichtraum.process("render a.sdf --size 16x16 " + words);
+    process.has_terminal = has_terminal;
+    process.environment = {{"LICHTRAUM_KERNEL_DIR", LICHTRAUM_SOURCE_DIR "/kernels"}};
+    auto const result = run_process(process);
+    CHECK(result.exit_code == 0);
+    return result.err;
+  };
+  CHECK_THAT(told("", true), contains_text("ball.ppm  compiling for the device\x1b[K\r"));
+  CHECK_THAT(told("-q", true), !contains_text("compiling"));
+  CHECK_THAT(told("", false), !contains_text("compiling"));
+  CHECK_THAT(told("--device reference", true), !contains_text("compiling"));
 }
 
 TEST_CASE("what only models have is said to have no effect on scenes", "[app][render]") {

@@ -73,6 +73,8 @@ TEST_CASE("a limit of noise takes as many samples as it needs, which are the fir
   double last = 0;
   auto const watch = [&](RenderProgress const& progress) {
     CHECK(progress.fraction <= 1);
+    bool const is_known = progress.rays > std::uint64_t(24 * 24 * 2 * Film::block_size);
+    CHECK((progress.fraction == 0 || is_known));
     last = progress.fraction;
     return true;
   };

@@ -82,7 +82,7 @@ std::string exact_rounding_option(cl::Device const& device) {
 
 bool needs_compiler(cl::Device const& device, std::string_view name, std::string const& options,
                     std::span<PrecompiledProgram const> precompiled) {
-  return kernel_folder() || !find_precompiled(device, name, options, precompiled);
+  return kernel_folder() || !checked([&] { return find_precompiled(device, name, options, precompiled); });
 }
 
 cl::Program build_program(cl::Context const& context, cl::Device const& device, std::string_view name,

@@ -13,7 +13,7 @@ namespace lichtraum {
 /// round them roughly unless asked (OpenCL 1.2, 5.6.4.2). Empty for devices that cannot.
 std::string exact_rounding_option(cl::Device const& device);
 
-/// Whether build_program calls the device's compiler, which takes seconds.
+/// Whether build_program calls the device's compiler, which takes seconds. Throws DeviceError.
 bool needs_compiler(cl::Device const& device, std::string_view name, std::string const& options,
                     std::span<PrecompiledProgram const> precompiled);
 

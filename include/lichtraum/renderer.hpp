@@ -116,7 +116,8 @@ struct RenderProgress {
   double elapsed_seconds = 0;
   bool is_compiling = false;  ///< the device's compiler begins, which may take seconds; it cannot be stopped
 };
-/// Returns false to stop: render then returns with `complete` false.
+/// Returns false to stop: render then returns with `complete` false. What it returns while `is_compiling` does not
+/// count.
 using ProgressFunction = std::function<bool(RenderProgress const&)>;
 
 struct RenderResult {

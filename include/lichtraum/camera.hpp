@@ -21,15 +21,19 @@ struct Resolution {
 struct CameraFit {
   enum class Side { width, height, longer };
   struct Framed {
-    Bounds box;      ///< finite
-    Vec3 center{0};  ///< which is looked at
-    /// The axis through it around which the camera turns: it sees all of the box from anywhere there. Zero: it stays.
+    Bounds box;  ///< finite
+    /// What the picture's middle shows. Without it the box's image is in the middle: as far from the left edge as from
+    /// the right, and from the upper as from the lower.
+    std::optional<Vec3> look_at = std::nullopt;
+    /// The axis, through that or the box's center, around which the camera turns: it sees all of the box from anywhere
+    /// there. Zero: it stays.
     Vec3 turn_axis{0};
+    Vec3 center() const { return look_at.value_or(box.center()); }
   };
 
   Side side = Side::width;       ///< along which the picture has that opening angle, or that length
   double fov_degrees = 45;       ///< 0 < fov < 180
-  std::optional<Framed> framed;  ///< the camera steps back, without turning, until it sees all of this
+  std::optional<Framed> framed;  ///< the camera moves, without turning, until it sees all of this
   /// Above 0: an orthographic camera's, how long that side is in the camera's own frame. Where the camera frames
   /// something, it takes what that needs.
   double extent = 0;

@@ -9,7 +9,7 @@ Camera frame_box(std::string name, Bounds const& box) {
   constexpr Resolution resolution{1024, 768};
   Bounds const seen = box.is_empty() ? Bounds{Vec3(-1), Vec3(1)} : box;
   Camera camera(std::move(name), fov_degrees, orbit_rotation(three_quarter_view), resolution);
-  CameraFit const fit{CameraFit::Side::longer, fov_degrees, CameraFit::Framed{seen, seen.center()}};
+  CameraFit const fit{CameraFit::Side::longer, fov_degrees, CameraFit::Framed{seen}};
   camera.set_fit(fit);
   camera = camera.fitted(resolution);
   camera.set_fit(fit);

@@ -164,7 +164,7 @@ Camera viewpoint(Camera camera, Job const& job, Scene const& scene, Resolution c
     double const distance = view.orbit ? view.orbit->distance.value_or(0) : 0;
     Vec3 const back = rotation.vector(Vec3(0, 0, 1));
     camera.set_world_from_camera(Transform::translation(center + distance * back) * rotation);
-    fit.framed = distance > 0 ? std::nullopt : std::optional(CameraFit::Framed{subject, center});
+    fit.framed = distance > 0 ? std::nullopt : std::optional(CameraFit::Framed{subject, view.look_at});
   } else if (view.look_at) {
     camera.set_world_from_camera(look_at(eye, *view.look_at, up, true));
   } else if (view.up) {

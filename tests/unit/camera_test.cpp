@@ -92,7 +92,7 @@ TEST_CASE("an orthographic camera that frames a box shows all of it, and little 
   for (Vec3 const& turn_axis : {Vec3(0), Vec3(0, 1, 0)}) {
     for (Resolution const& size : {Resolution{200, 100}, Resolution{100, 200}}) {
       Camera camera = Camera::orthographic("c", 1, rotation);
-      camera.set_fit({CameraFit::Side::longer, 45, CameraFit::Framed{box, box.center(), turn_axis}, 1});
+      camera.set_fit({CameraFit::Side::longer, 45, CameraFit::Framed{box, {}, turn_axis}, 1});
       Camera const fitted = camera.fitted(size);
       double greatest = 0;
       for (int turn = 0; turn < (turn_axis == Vec3(0) ? 1 : 360); ++turn) {
@@ -108,7 +108,7 @@ TEST_CASE("an orthographic camera that frames a box shows all of it, and little 
         }
       }
       CHECK(greatest < 1);
-      CHECK(greatest > 0.95);
+      CHECK(greatest > 0.94);
     }
   }
 }

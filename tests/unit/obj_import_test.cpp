@@ -2,7 +2,9 @@
 
 #include <filesystem>
 
+#include "io/obj/packed_pictures.hpp"
 #include "support/catch.hpp"
+#include "support/encode_png.hpp"
 #include "support/gltf_triangles.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -180,6 +182,83 @@ TEST_CASE("MTL: pictures keep their place and options; what is wrong is told in 
   CHECK_THAT(all, contains_text(mtl + ":5:0: the picture is left out: cannot use 'materials/../../secret.png'"));
   CHECK_THAT(all, contains_text(mtl + ":6:1: unknown MTL keyword 'wibble': the line is left out\n"));
   CHECK_THAT(all, contains_text(mtl + ":7:0: the picture is left out: cannot open"));
+}
+
+TEST_CASE("MTL: physically based coefficients and their pictures", "[unit][obj]") {
+  TemporaryFolder const folder;
+  using Pixels = std::vector<std::array<std::uint8_t, 4>>;
+  auto const write = [&](char const* name, int width, Pixels const& pixels) {
+    folder.write(name, test::encode_png(width, int(pixels.size()) / width, pixels));
+  };
+  write("color.png", 1, {{10, 20, 30, 255}});
+  write("holes.png", 2, {{255, 255, 255, 255}, {0, 0, 0, 255}});
+  write("leaf.png", 2, {{40, 50, 60, 255}, {40, 50, 60, 128}});
+  write("rough.png", 1, {{100, 100, 100, 255}});
+  write("metal.png", 1, {{200, 200, 200, 255}, {0, 0, 0, 255}});
+  folder.write("m.mtl",
+               "newmtl car\nKd 0.5 0 0\nNs 7\nPr 0.25\nPm 0.75\nPc 1\nPcr 0.125\n"
+               "newmtl fence\nmap_Kd color.png\nmap_d holes.png\n"
+               "newmtl leaf\nmap_Kd leaf.png\nmap_d leaf.png\n"
+               "newmtl net\nKd 0 1 0\nd 0.5\nmap_opacity -s 2 2 holes.png\n"
+               "newmtl worn\nPr 0\nPm 0\nmap_Pr rough.png\nmap_Pm -s 5 5 metal.png\n"
+               "newmtl metal\nPr 0.5\nmap_Pm -s 5 5 metal.png\n");
+  std::string text = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (char const* name : {"car", "fence", "leaf", "net", "worn", "metal"}) {
+    text += std::string("usemtl ") + name + "\nf 1 2 3\n";
+  }
+  folder.write("m.obj", text);
+  Model const model = import_obj(folder / "m.obj");
+  CHECK(shown(model.diagnostics) == "");
+  auto const pbr = [&](char const* name) { return *(*model.scene.materials.find(name))->pbr(); };
+  auto const pixels = [](TextureSlot const& slot) { return slot.texture->image->rgba; };
+  using Bytes = std::vector<std::uint8_t>;
+
+  PbrModel const car = pbr("car");
+  CHECK(car.base_color == Rgb(0.5, 0, 0));
+  CHECK(car.roughness == 0.25);
+  CHECK(car.metallic == 0.75);
+  CHECK(car.clearcoat == 1);
+  CHECK(car.clearcoat_roughness == 0.125);
+  CHECK(car.alpha_mode == AlphaMode::opaque);
+
+  CHECK(pbr("fence").alpha_mode == AlphaMode::blend);
+  CHECK(pixels(pbr("fence").base_color_texture) == Bytes{10, 20, 30, 255, 10, 20, 30, 0});
+  CHECK(pixels(pbr("leaf").base_color_texture) == Bytes{40, 50, 60, 255, 40, 50, 60, 128});
+  PbrModel const net = pbr("net");
+  CHECK(pixels(net.base_color_texture) == Bytes{255, 255, 255, 255, 255, 255, 255, 0});
+  CHECK(net.base_color_texture.scale == glm::dvec2(2));
+  CHECK(net.base_color == Rgb(0, 1, 0));
+  CHECK(net.alpha == 0.5);
+
+  PbrModel const worn = pbr("worn");  // one picture of the size of both
+  CHECK(pixels(worn.metallic_roughness_texture) == Bytes{255, 100, 200, 255, 255, 100, 0, 255});
+  CHECK(worn.metallic_roughness_texture.scale == glm::dvec2(1));
+  CHECK(worn.roughness == 1);
+  CHECK(worn.metallic == 1);
+  PbrModel const metal = pbr("metal");
+  CHECK(pixels(metal.metallic_roughness_texture) == Bytes{255, 255, 200, 255, 255, 255, 0, 255});
+  CHECK(metal.metallic_roughness_texture.scale == glm::dvec2(5));
+  CHECK(metal.roughness == 0.5);
+}
+
+TEST_CASE("MTL: pictures that are put together take no more memory than half a gigabyte", "[unit][obj]") {
+  auto const picture = [](int width, int height) {
+    auto image = std::make_shared<TextureImage>();
+    image->width = width;
+    image->height = height;
+    image->rgba.resize(4 * std::size_t(width) * std::size_t(height));
+    return image;
+  };
+  obj::PackedPictures packed;
+  auto const wide = picture(8192, 1);
+  auto const high = picture(1, 8192);
+  auto const first = packed.with_channel(wide, obj::Channel::alpha, high);
+  CHECK(first->height == 8192);
+  CHECK(packed.with_channel(wide, obj::Channel::alpha, high) == first);
+  CHECK(packed.with_channel(nullptr, obj::Channel::alpha, high)->width == 1);
+  CHECK(!packed.is_full());
+  CHECK(packed.with_channel(wide, obj::Channel::alpha, picture(1, 8192)) == wide);
+  CHECK(packed.is_full());
 }
 
 TEST_CASE("OBJ: no file outside the model's folder is read", "[unit][obj]") {

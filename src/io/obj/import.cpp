@@ -131,19 +131,29 @@ class Importer {
       }
     }
     for (Source const* source : used) {
-      for (MtlTexture const* texture : {&source->material.map_kd, &source->material.map_ke, &source->material.norm}) {
+      MtlMaterial const& m = source->material;
+      for (MtlTexture const* texture : {&m.map_kd, &m.map_ke, &m.map_d, &m.map_pr, &m.map_pm, &m.norm}) {
         fetch(*texture, source->library);
       }
     }
     for (ImageJob& job : jobs_) job.bytes = job.owned;
     decode_images(jobs_, options_.max_texture);
+    PackedPictures packed;
     for (Source const* source : used) {
       MtlMaterial const& m = source->material;
       auto const picture = [&](MtlTexture const& texture) { return picture_of(texture, source->library); };
-      materials_[m.name] =
-          material_from_mtl(m, {picture(m.map_kd), picture(m.map_ke), picture(m.norm)}, !file.colors.empty());
+      materials_[m.name] = material_from_mtl(m,
+                                             {picture(m.map_kd), picture(m.map_ke), picture(m.map_d), picture(m.map_pr),
+                                              picture(m.map_pm), picture(m.norm)},
+                                             !file.colors.empty(), packed);
     }
     diagnostics_.begin_line({});
+    if (packed.is_full()) {
+      diagnostics_.add(Severity::warning, DiagnosticCode::texture_left_out, {},
+                       fmt::format("map_d, map_Pr and map_Pm of some materials are left out: put together with other "
+                                   "pictures they need more than {} bytes; a smaller --max-texture helps",
+                                   PackedPictures::max_bytes));
+    }
     for (Library& library : libraries_) {
       auto findings = std::move(*library.findings).finish(0);
       of_libraries_.insert(of_libraries_.end(), findings.begin(), findings.end());

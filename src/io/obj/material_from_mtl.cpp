@@ -23,7 +23,8 @@ double roughness_from(double m) { return std::sqrt(std::sqrt(2 / (4 * m + 2))); 
 
 }  // namespace
 
-std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, MtlTextures const& textures, bool has_colors) {
+std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, MtlTextures const& textures, bool has_colors,
+                                            PackedPictures& packed) {
   int const illum = int(std::clamp(source.illum.value_or(2), 0.0, 10.0));
   Rgb const kd = source.kd.value_or(Rgb(textures.map_kd ? 1 : 0.8));
   // Exporters that know no ambient light write 1 1 1: taken as written, it would wash out every colour.
@@ -38,8 +39,11 @@ std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, MtlTextur
   double const ior = ni > 0 ? ni : 1;
   Rgb const emission = source.ke.value_or(Rgb(0));
 
+  bool const is_physical = source.metallic || source.roughness || source.clearcoat;
+  bool const has_pictures =
+      textures.map_kd || textures.map_ke || textures.map_d || textures.map_pr || textures.map_pm || textures.norm;
   bool const is_absent = opacity == 0 && !refracts;
-  if (!textures.map_kd && !textures.map_ke && !textures.norm && !has_colors && !is_absent) {
+  if (!is_physical && !has_pictures && !has_colors && !is_absent) {
     PhongModel phong{.ka = ka, .kd = kd, .ks = ks, .m = m};
     phong.transmit = 1 - opacity;
     phong.reflect = mirrors ? std::clamp(std::max({ks.r, ks.g, ks.b}), 0.0, opacity) : 0;
@@ -50,9 +54,18 @@ std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, MtlTextur
   PbrModel pbr;
   pbr.base_color = glm::min(kd, Rgb(1));
   pbr.alpha = opacity;
-  pbr.base_color_texture = slot(source.map_kd, textures.map_kd);
-  pbr.metallic = std::clamp(source.metallic.value_or(0), 0.0, 1.0);
-  pbr.roughness = std::clamp(source.roughness.value_or(has_highlight ? roughness_from(m) : 1), 0.0, 1.0);
+  pbr.base_color_texture = slot(textures.map_kd ? source.map_kd : source.map_d,
+                                packed.with_channel(textures.map_kd, Channel::alpha, textures.map_d));
+  // A picture of them counts instead of the number: exporters write 0 beside it.
+  pbr.metallic = textures.map_pm ? 1 : std::clamp(source.metallic.value_or(0), 0.0, 1.0);
+  double const own_roughness = has_highlight ? roughness_from(m) : 1;
+  pbr.roughness = textures.map_pr ? 1 : std::clamp(source.roughness.value_or(own_roughness), 0.0, 1.0);
+  pbr.metallic_roughness_texture =
+      slot(textures.map_pr ? source.map_pr : source.map_pm,
+           packed.with_channel(packed.with_channel(nullptr, Channel::green, textures.map_pr), Channel::blue,
+                               textures.map_pm));
+  pbr.clearcoat = std::clamp(source.clearcoat.value_or(0), 0.0, 1.0);
+  pbr.clearcoat_roughness = std::clamp(source.clearcoat_roughness.value_or(0), 0.0, 1.0);
   pbr.normal_texture = slot(source.norm, textures.norm);
   pbr.emissive = emission;
   pbr.emissive_texture = slot(source.map_ke, textures.map_ke);
@@ -60,7 +73,7 @@ std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, MtlTextur
     pbr.alpha = 1;
     pbr.transmission = 1 - opacity;
     pbr.thickness = 1;
-  } else if (opacity < 1) {
+  } else if (opacity < 1 || textures.map_d) {
     pbr.alpha_mode = AlphaMode::blend;
   }
   pbr.ior = ior >= 1 ? ior : 1.5;

@@ -12,9 +12,9 @@ namespace {
 
 /// What is known and not used: maps and values of shading that Phong's formula does not have.
 constexpr std::string_view unused[] = {
-    "tf",       "sharpness", "map_ka",   "map_ks", "map_ns", "map_bump",    "bump",    "disp",    "decal",   "refl",
-    "map_refl", "map_d",     "map_tr",   "map_pr", "map_pm", "map_ps",      "map_aat", "ps",      "pc",      "pcr",
-    "aniso",    "anisor",    "map_disp", "map_ns", "map_ni", "map_opacity", "km",      "map_rma", "map_orm",
+    "tf",     "sharpness", "map_ka",   "map_ks", "map_ns",  "map_bump", "bump", "disp",
+    "decal",  "refl",      "map_refl", "map_tr", "map_ps",  "map_aat",  "ps",   "aniso",
+    "anisor", "map_disp",  "map_ni",   "km",     "map_rma", "map_orm",
 };
 
 class MtlReader {
@@ -60,11 +60,16 @@ class MtlReader {
     if (word == "ni") return number(rest, m.ni);
     if (word == "pm") return number(rest, m.metallic);
     if (word == "pr") return number(rest, m.roughness);
+    if (word == "pc") return number(rest, m.clearcoat);
+    if (word == "pcr") return number(rest, m.clearcoat_roughness);
     if (word == "illum") return number(rest, m.illum);
     if (word == "d") return dissolve(rest, m);
     if (word == "tr") return transparency(rest, m);
     if (word == "map_kd") return texture(rest, m.map_kd);
     if (word == "map_ke") return texture(rest, m.map_ke);
+    if (word == "map_d" || word == "map_opacity") return texture(rest, m.map_d);
+    if (word == "map_pr") return texture(rest, m.map_pr);
+    if (word == "map_pm") return texture(rest, m.map_pm);
     if (word == "norm" || word == "map_kn") return texture(rest, m.norm);
     if (std::find(std::begin(unused), std::end(unused), word) != std::end(unused)) return;
     warn(DiagnosticCode::unknown_obj_keyword, keyword,

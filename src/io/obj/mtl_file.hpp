@@ -24,9 +24,9 @@ struct MtlMaterial {
   std::string name;
   std::optional<Rgb> ka, kd, ks, ke;
   std::optional<double> ns, ni, d;  ///< d: 1 is opaque; also from Tr = 1 - d
-  std::optional<double> metallic, roughness;
+  std::optional<double> metallic, roughness, clearcoat, clearcoat_roughness;
   std::optional<double> illum;
-  MtlTexture map_kd, map_ke, norm;
+  MtlTexture map_kd, map_ke, map_d, map_pr, map_pm, norm;
 };
 
 /// Reads the text of an MTL file; the materials keep views of it. What cannot be read is a warning and left out.

@@ -41,15 +41,15 @@ class SceneAsItWas {
   std::vector<Light> lights_;
 };
 
-void warn_of_useless_options(Picture& picture, Job const& asked, bool is_model, bool has_environment) {
-  for (auto const& [option, why] : app::options_without_effect(asked, picture.job, is_model, has_environment)) {
-    picture.diagnostics.push_back({Severity::warning,
-                                   DiagnosticCode::option_without_effect,
-                                   {},
-                                   1,
-                                   fmt::format("{} has no effect{}", option, why),
-                                   {},
-                                   {}});
+void warn_of(std::vector<app::OptionWithoutEffect> const& useless, std::vector<Diagnostic>& diagnostics) {
+  for (auto const& [option, why] : useless) {
+    diagnostics.push_back({Severity::warning,
+                           DiagnosticCode::option_without_effect,
+                           {},
+                           1,
+                           fmt::format("{} has no effect{}", option, why),
+                           {},
+                           {}});
   }
 }
 
@@ -73,6 +73,7 @@ ReadScene read_scene(std::string const& path, app::RenderOptions const& options)
     read.diagnostics = script.diagnostics();
     read.scene = std::move(script).take_scene();
   }
+  warn_of(app::options_without_effect(reading, read.is_model), read.diagnostics);
   return read;
 }
 
@@ -104,7 +105,8 @@ Picture Session::draw_file(std::string const& path, app::RenderOptions const& op
   loaded.play([&](Scene const& scene, std::size_t index) {
     if (index != std::size_t(number)) return true;
     picture = draw(*renderer_, scene, job, previous_, control);
-    warn_of_useless_options(picture, job, is_model_file(source.name()), scene.environment.has_value());
+    warn_of(app::options_without_effect(job, picture.job, is_model_file(source.name()), scene.environment.has_value()),
+            picture.diagnostics);
     return false;
   });
   auto const& found = loaded.diagnostics();
@@ -124,7 +126,8 @@ Picture Session::draw_scene(ReadScene& read, app::RenderOptions const& options, 
   job.scene = read.name;
   job.picture = number;
   Picture picture = draw(*renderer_, read.scene, job, previous_, control);
-  warn_of_useless_options(picture, job, read.is_model, read.scene.environment.has_value());
+  warn_of(app::options_without_effect(job, picture.job, read.is_model, read.scene.environment.has_value()),
+          picture.diagnostics);
   return picture;
 }
 

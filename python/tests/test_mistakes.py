@@ -77,6 +77,12 @@ def test_options_without_effect_are_told(renderer, options, message):
             renderer.render(lt.load(HELLO), size=(8, 8), denoise="off", **options)
 
 
+def test_reading_warns_of_what_has_no_effect_there():
+    with pytest.warns(lt.SceneWarning, match="time has no effect: a scene's models stand as in their files"):
+        scene = lt.load(HELLO, time=1)
+    assert [each.code for each in scene.diagnostics] == ["W0101"]
+
+
 def test_options_with_an_effect_are_not(renderer):
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -4,6 +4,32 @@
 
 namespace lichtraum::app {
 
+std::vector<OptionWithoutEffect> options_without_effect(SceneReading const& asked, bool is_model) {
+  std::vector<OptionWithoutEffect> found;
+  auto const is_of_models = [&](bool given, char const* option) {
+    if (given && !is_model) found.push_back({option, ": a scene's models stand as in their files"});
+  };
+  ModelChoice const& model = asked.model;
+  is_of_models(model.time_seconds.has_value(), "--time");
+  is_of_models(!model.animation.empty(), "--animation");
+  is_of_models(!model.variant.empty(), "--variant");
+  is_of_models(!model.scene.empty(), "--scene");
+  is_of_models(model.both_sides, "--both-sides");
+  is_of_models(model.max_texture != ModelChoice().max_texture, "--max-texture");
+  is_of_models(model.point_size.has_value(), "--point-size");
+  auto const is_of_scenes = [&](bool given, char const* option) {
+    if (given && is_model) found.push_back({option, ": it is for scenes in eSDF"});
+  };
+  EsdfDialect const& dialect = asked.dialect;
+  EsdfDialect const standard;
+  is_of_scenes(dialect.strict, "--strict");
+  is_of_scenes(dialect.keep_going, "--keep-going");
+  is_of_scenes(dialect.transform_order != standard.transform_order, "--transform-order");
+  is_of_scenes(dialect.rotation != standard.rotation, "--rotation");
+  is_of_scenes(!dialect.material_extras.empty(), "--material-extras");
+  return found;
+}
+
 std::vector<OptionWithoutEffect> options_without_effect(Job const& asked, Job const& decided, bool is_model,
                                                         bool has_environment) {
   std::vector<OptionWithoutEffect> found;
@@ -23,26 +49,13 @@ std::vector<OptionWithoutEffect> options_without_effect(Job const& asked, Job co
   bool const is_upright = up.x == 0 && up.z == 0 && up.y > 0;
   has_no_effect(asked.ground != Ground::none, is_lit && (is_upright || is_model), "--ground",
                 is_lit ? ": under a scene it is level in y, whatever --up says" : "");
-  ModelChoice const& model = asked.reading.model;
-  constexpr char const* as_in_files = ": a scene's models stand as in their files";
-  has_no_effect(model.time_seconds.has_value(), is_model, "--time", as_in_files);
+  auto const of_reading = options_without_effect(asked.reading, is_model);
+  found.insert(found.end(), of_reading.begin(), of_reading.end());
   bool const is_at_rest = is_gltf_file(decided.scene) && !decided.reading.model.time_seconds;
-  has_no_effect(!model.animation.empty(), is_model && !is_at_rest, "--animation",
-                is_model ? ": without --time, --frames or a film the model stands as in its file" : as_in_files);
-  has_no_effect(!model.variant.empty(), is_model, "--variant", as_in_files);
-  has_no_effect(!model.scene.empty(), is_model, "--scene", as_in_files);
-  has_no_effect(model.both_sides, is_model && is_by_paths, "--both-sides",
-                is_model ? ": whitted shows both sides anyway" : as_in_files);
-  has_no_effect(model.max_texture != ModelChoice().max_texture, is_model, "--max-texture", as_in_files);
-  has_no_effect(model.point_size.has_value(), is_model, "--point-size", as_in_files);
-  EsdfDialect const& dialect = asked.reading.dialect;
-  EsdfDialect const standard;
-  constexpr char const* of_scenes = ": it is for scenes in eSDF";
-  has_no_effect(dialect.strict, !is_model, "--strict", of_scenes);
-  has_no_effect(dialect.keep_going, !is_model, "--keep-going", of_scenes);
-  has_no_effect(dialect.transform_order != standard.transform_order, !is_model, "--transform-order", of_scenes);
-  has_no_effect(dialect.rotation != standard.rotation, !is_model, "--rotation", of_scenes);
-  has_no_effect(!dialect.material_extras.empty(), !is_model, "--material-extras", of_scenes);
+  has_no_effect(is_model && !asked.reading.model.animation.empty(), !is_at_rest, "--animation",
+                ": without --time, --frames or a film the model stands as in its file");
+  has_no_effect(is_model && asked.reading.model.both_sides, is_by_paths, "--both-sides",
+                ": whitted shows both sides anyway");
   bool const may_have_lens = !is_model || asked.view.aperture;
   has_no_effect(asked.seed != 0, is_by_paths || may_have_lens || decided.sampling->pattern == Sampling::Pattern::seeded,
                 "--seed", ": nothing is random here");

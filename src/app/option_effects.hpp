@@ -12,7 +12,10 @@ struct OptionWithoutEffect {
   char const* why;
 };
 
-/// Of the options that say what is drawn, not what is stored. `asked`: the job as they say it; `decided`: as it is
+/// Of the options that say how files are read.
+std::vector<OptionWithoutEffect> options_without_effect(SceneReading const& asked, bool is_model);
+
+/// Of these and those that say what is drawn, not what is stored. `asked`: the job as they say it; `decided`: as it is
 /// drawn.
 std::vector<OptionWithoutEffect> options_without_effect(Job const& asked, Job const& decided, bool is_model,
                                                         bool has_environment);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -29,8 +30,10 @@ class Registry {
   /// Prepares for `count` items, so that adding them costs less.
   void reserve(std::size_t count) { index_.reserve(count); }
 
-  /// Adds `item`; when its name is taken, changes nothing and returns false.
+  /// Adds `item`; when its name is taken, changes nothing and returns false. Throws std::invalid_argument for a null
+  /// pointer, as does insert_or_replace.
   bool insert(T item) {
+    name_of(item);
     items_.push_back(std::move(item));
     if (index_.emplace(name_of(items_.back()), &items_.back()).second) return true;
     items_.pop_back();
@@ -71,6 +74,7 @@ class Registry {
  private:
   static std::string_view name_of(T const& item) {
     if constexpr (requires { item->name(); }) {
+      if (item == nullptr) throw std::invalid_argument("a scene's shapes and materials must not be null");
       return item->name();
     } else {
       return item.name();

@@ -155,7 +155,8 @@ class Renderer {
   /// Takes apart what is drawn of `scene`: all roots, or the shape called `root` with all below it. The scene is not
   /// changed and no longer needed afterwards. What is the same in `previous` (a scene that this renderer prepared, or
   /// null) is taken from there. May be called from any thread, also while a picture is traced.
-  /// Throws Error{usage} for an unknown root.
+  /// Throws Error{usage} for an unknown root, std::invalid_argument for an environment without a map, or with one that
+  /// is not as large as it says.
   virtual std::shared_ptr<PreparedScene const> prepare(
       Scene const& scene, std::string_view root = {},
       std::shared_ptr<PreparedScene const> const& previous = {}) const = 0;

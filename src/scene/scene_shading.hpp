@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stdexcept>
+
 #include "lichtraum/scene.hpp"
 
 namespace lichtraum {
@@ -18,7 +20,16 @@ inline Rgb ambient(std::vector<Light> const& lights) {
   return sum;
 }
 
+/// Throws std::invalid_argument for an environment whose map is missing or not as large as it says.
 inline SceneShading shading_of(Scene const& scene) {
+  if (scene.environment) {
+    EnvironmentMap const* const map = scene.environment->map.get();
+    if (!map || map->width <= 0 || map->height <= 0 ||
+        map->radiance.size() != 3 * std::size_t(map->width) * std::size_t(map->height)) {
+      throw std::invalid_argument(
+          "an environment light needs a map of at least one pixel, with three numbers for each");
+    }
+  }
   return {scene.ambient(), scene.background, scene.tone_map, scene.up};
 }
 

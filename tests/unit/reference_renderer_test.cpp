@@ -54,6 +54,18 @@ ErrorKind kind_of_failure(std::function<void()> const& call) {
 
 }  // namespace
 
+TEST_CASE("an environment without a map, or with less of it than it says, is refused", "[unit][reference]") {
+  Scene scene = small_scene();
+  auto const renderer = make_reference_renderer();
+  scene.environment = EnvironmentLight{};
+  CHECK_THROWS_AS(renderer->prepare(scene), std::invalid_argument);
+  auto map = std::make_shared<EnvironmentMap>(EnvironmentMap{2, 1, {1, 1, 1, 1, 1}});
+  scene.environment->map = map;
+  CHECK_THROWS_AS(renderer->prepare(scene), std::invalid_argument);
+  map->radiance.push_back(1);
+  CHECK_NOTHROW(renderer->prepare(scene));
+}
+
 TEST_CASE("the reference device describes itself", "[unit][reference]") {
   DeviceInfo const device = reference_device();
   CHECK(device.kind == DeviceKind::reference);

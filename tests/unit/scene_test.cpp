@@ -56,6 +56,14 @@ TEST_CASE("a registry keeps order, names and addresses", "[unit][registry]") {
   CHECK(moved.find("b") == first);
 }
 
+TEST_CASE("a registry refuses null pointers and stays as it was", "[unit][registry]") {
+  Registry<std::shared_ptr<Shape>> shapes;
+  shapes.insert(ball("a"));
+  CHECK_THROWS_AS(shapes.insert(nullptr), std::invalid_argument);
+  CHECK_THROWS_AS(shapes.insert_or_replace(nullptr), std::invalid_argument);
+  CHECK(shapes.size() == 1);
+}
+
 TEST_CASE("the roots are what no composite names, in order of definition", "[unit][scene]") {
   Scene scene;
   auto const a = ball("a"), b = ball("b"), c = ball("c");

@@ -91,6 +91,20 @@ TEST_CASE("a model without camera and lights gets some that show it", "[unit][gl
   CHECK(seen > 0.15 * size.width * size.height);
 }
 
+TEST_CASE("a scene has the material for parts that name none only where there are such parts", "[unit][gltf]") {
+  auto const names = [](GltfWriter& writer) {
+    std::string all;
+    for (auto const& material : import_model(writer).scene.materials) all += material->name() + " ";
+    return all;
+  };
+  GltfWriter writer;
+  writer.json["materials"] = {{{"name", "red"}}, {{"name", "unused"}}};
+  writer.add_mesh(triangle_positions);
+  CHECK(names(writer) == "red unused default ");
+  writer.json["meshes"][0]["primitives"][0]["material"] = 0;
+  CHECK(names(writer) == "red unused ");
+}
+
 TEST_CASE("channels of KHR_animation_pointer are named and skipped", "[unit][gltf]") {
   GltfWriter writer;
   writer.add_mesh(triangle_positions);

@@ -54,6 +54,14 @@ int select(List const& list, std::string const& selector, char const* kind) {
                                             known.empty() ? "none" : known));
 }
 
+bool has_parts_without_material(tinygltf::Model const& model) {
+  return std::ranges::any_of(model.meshes, [&](tinygltf::Mesh const& mesh) {
+    return std::ranges::any_of(mesh.primitives, [&](tinygltf::Primitive const& primitive) {
+      return primitive.material < 0 || std::size_t(primitive.material) >= model.materials.size();
+    });
+  });
+}
+
 bool has_message(std::vector<Diagnostic> const& diagnostics, std::string const& message) {
   return std::ranges::find(diagnostics, message, &Diagnostic::message) != diagnostics.end();
 }
@@ -93,7 +101,7 @@ struct GltfAnimation::State {
       apply_variant(document.model, std::size_t(variant));
     }
     auto const own = read_materials(document, options, *buffers, findings);
-    own_materials.assign(own.begin(), own.end());
+    own_materials.assign(own.begin(), has_parts_without_material(document.model) ? own.end() : own.end() - 1);
     materials.assign(own.begin(), own.end());
     if (options.material) std::fill(materials.begin(), materials.end(), options.material);
   }

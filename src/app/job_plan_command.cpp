@@ -8,7 +8,9 @@
 #include "app/job_commands.hpp"
 #include "app/planned_pictures.hpp"
 #include "app/renderer_choice.hpp"
+#include "app/video.hpp"
 #include "core/quoted_for_shell.hpp"
+#include "lichtraum/image_io.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -59,6 +61,11 @@ bool parse_job_plan(Arguments const& arguments, JobPlanOptions& options, Console
   if (!parse(*parser, arguments)) return false;
   if (options.folder.empty()) {
     throw Error(ErrorKind::usage, "the plan's folder is missing: -o DIR names one that all machines see");
+  }
+  if (find_image_format(options.folder) || find_film_format(options.folder)) {
+    throw Error(ErrorKind::usage, fmt::format("-o {}: a plan is a folder, not a picture; the picture's name is for the "
+                                              "last step, lichtraum job merge DIR -o {}",
+                                              options.folder, quoted_for_shell(options.folder)));
   }
   if (auto const* const traversal = parser->get_option("--traversal"); traversal->count() > 0) {
     options.traversal = traversal->results().back();

@@ -396,6 +396,9 @@ TEST_CASE("what cannot be planned or drawn is refused in a sentence", "[app][job
   refused("pln", 64, "did you mean 'lichtraum job plan'?");
   refused("plan ball.sdf", 64, "-o DIR");
   refused("plan - -o shared", 64, "standard input");
+  refused("plan ball.sdf -o a.png", 64, "a plan is a folder, not a picture");
+  refused("plan ball.sdf -o a.png", 64, "lichtraum job merge DIR -o a.png");
+  refused("plan ball.sdf -o film.mp4", 64, "a plan is a folder, not a picture");
   refused("plan nowhere.sdf -o shared", 66, "nowhere.sdf");
   refused("plan ball.sdf lamp.sdf -o shared --device reference", 64, "one size");
   refused("plan ball.sdf -o shared --samples-per-unit 17", 64, "a multiple of 16");

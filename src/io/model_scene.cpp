@@ -35,13 +35,15 @@ std::shared_ptr<Material> default_material(bool has_colors) {
   return std::make_shared<Material>("default", PhongModel{.ka = default_grey, .kd = default_grey});
 }
 
-void check_static(ModelOptions const& options, std::string const& file, std::vector<Diagnostic>& diagnostics) {
+void check_static(ModelOptions const& options, std::string const& file, bool has_points_or_lines,
+                  std::vector<Diagnostic>& diagnostics) {
   auto const warn = [&](char const* message) {
     diagnostics.push_back({Severity::warning, DiagnosticCode::option_without_effect, {file, 0, 0}, 1, message, {}, {}});
   };
   if (options.time_seconds || !options.animation.empty()) warn("it has no animation; the time has no effect");
   if (!options.scene.empty()) warn("it has one scene only; asking for another has no effect");
   if (!options.variant.empty()) warn("its materials have no variants; asking for one has no effect");
+  if (options.point_size && !has_points_or_lines) warn(no_points_to_size);
 }
 
 }  // namespace lichtraum

@@ -30,7 +30,8 @@ inline constexpr Rgb default_grey(0.5);
 /// A grey, matt material; white where the vertices bring their own colours.
 std::shared_ptr<Material> default_material(bool has_colors);
 
-/// Warns when the options ask for what only glTF has.
-void check_static(ModelOptions const& options, std::string const& file, std::vector<Diagnostic>& diagnostics);
+/// Warns when the options ask for what only glTF has, or for a size of points where the model has none.
+void check_static(ModelOptions const& options, std::string const& file, bool has_points_or_lines,
+                  std::vector<Diagnostic>& diagnostics);
 
 }  // namespace lichtraum

@@ -64,6 +64,11 @@ std::shared_ptr<Shape> make_shape(std::string name, std::shared_ptr<MeshGeometry
   return std::make_shared<PointCloud>(std::move(name), std::move(geometry), unset_radius, std::move(material));
 }
 
+bool has_points_or_lines(Scene const& scene) {
+  return std::ranges::any_of(scene.shapes,
+                             [](auto const& shape) { return as_point_cloud(*shape) || as_line_set(*shape); });
+}
+
 void set_point_sizes(Scene& scene, std::optional<double> size) {
   std::vector<std::shared_ptr<PointCloud>> clouds;
   std::vector<std::shared_ptr<LineSet>> line_sets;

@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "compile/scene_buffers.hpp"
+#include "lichtraum/obj.hpp"
 #include "lichtraum/ply.hpp"
 #include "scene/flatten.hpp"
 #include "support/catch.hpp"
@@ -94,6 +95,28 @@ TEST_CASE("PLY: points that are not finite are left out, and a file needs one th
   CHECK(cloud_of(model.scene, "points").geometry()->colors.back() == Float4{0, 0, 1, 1});
   CHECK_THROWS_AS(import_cloud("1e39 0 0 1 2 3\n", 1), SceneError);
   CHECK_THROWS_AS(import_cloud("", 0), SceneError);
+}
+
+TEST_CASE("a size of points is told to have no effect where a model has neither points nor lines", "[unit][points]") {
+  std::string const warning = "it has no points and no lines; their size has no effect\n";
+  ModelOptions options;
+  options.point_size = 5;
+  std::string const corners = "3\nproperty float x\nproperty float y\nproperty float z\n";
+  std::string const triangle = "0 0 0\n1 0 0\n0 1 0\n";
+  std::string const ply = "ply\nformat ascii 1.0\nelement vertex " + corners;
+  auto const of_ply = [&](std::string const& more) {
+    return shown(import_ply_bytes(ply + more, "a.ply", ".", options).diagnostics);
+  };
+  CHECK(of_ply("end_header\n" + triangle).empty());
+  CHECK(of_ply("element face 1\nproperty list uchar int vertex_indices\nend_header\n" + triangle + "3 0 1 2\n") ==
+        warning);
+  CHECK(shown(import_obj_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj", ".", options).diagnostics) == warning);
+  CHECK(shown(import_obj_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj", ".").diagnostics).empty());
+  GltfWriter writer;
+  writer.add_mesh({0, 0, 0, 1, 0, 0, 0, 1, 0});
+  CHECK(shown(testing::import_model(writer, options).diagnostics) == warning);
+  writer.json["meshes"][0]["primitives"][0]["mode"] = 1;
+  CHECK(shown(testing::import_model(writer, options).diagnostics).find(warning) == std::string::npos);
 }
 
 TEST_CASE("points have one size for all, by their number or as asked for", "[unit][points]") {

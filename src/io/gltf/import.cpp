@@ -130,6 +130,9 @@ struct GltfAnimation::State {
     }
 
     set_point_sizes(result.scene, options.point_size);
+    if (options.point_size && !has_points_or_lines(result.scene)) {
+      findings.warn(DiagnosticCode::option_without_effect, "", no_points_to_size);
+    }
     add_view(tree, result.scene);
     std::vector<Diagnostic> found = findings.take();
     std::erase_if(found, [&](Diagnostic const& finding) { return has_message(early_diagnostics, finding.message); });

@@ -47,7 +47,7 @@ class Importer {
     bool const has_failed = parts.empty();
     model.diagnostics = std::move(diagnostics_).finish(0);
     model.diagnostics.insert(model.diagnostics.end(), of_libraries_.begin(), of_libraries_.end());
-    check_static(options_, name_, model.diagnostics);
+    check_static(options_, name_, false, model.diagnostics);
     if (has_failed) throw SceneError(std::move(model.diagnostics));
     add_parts(std::move(parts), fs::path(name_).stem().string(), model.scene);
     return model;

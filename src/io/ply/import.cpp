@@ -110,7 +110,7 @@ Model import(std::string_view bytes, std::string const& name, std::optional<fs::
     material = own;
   }
   model.diagnostics = std::move(diagnostics).finish(0);
-  check_static(options, name, model.diagnostics);
+  check_static(options, name, header.draws() != Drawn::triangles, model.diagnostics);
   if (has_failed) throw SceneError(std::move(model.diagnostics));
   add_parts({{part_name(header.draws()), std::move(geometry), std::move(material)}}, fs::path(name).stem().string(),
             model.scene, options.point_size);

@@ -37,7 +37,7 @@ Model import(std::string_view bytes, std::string const& name, ModelOptions const
                     "the model has nothing to draw: it has no triangles");
   }
   model.diagnostics = std::move(diagnostics).finish(0);
-  check_static(options, name, model.diagnostics);
+  check_static(options, name, false, model.diagnostics);
   if (has_failed) throw SceneError(std::move(model.diagnostics));
   add_parts(std::move(parts), std::filesystem::path(name).stem().string(), model.scene);
   return model;

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import json
 import os
-from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
+from typing import Any, Iterator, Mapping, Optional
 
+import numpy
+from numpy.typing import NDArray
+
+from . import _native
 from ._errors import UsageError
 from ._files import file_name, writing
-
-if TYPE_CHECKING:
-    import numpy
-    from numpy.typing import NDArray
-
-    from . import _native
-    from ._native import Diagnostic
+from ._native import Diagnostic
 
 
 class Planes(Mapping[str, Any]):

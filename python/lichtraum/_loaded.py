@@ -4,19 +4,16 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from . import _native
 from ._edited_text import EditedText
 from ._errors import FileError, SceneError, UsageError
 from ._files import reading, replacement
 from ._materials import Material, checked
+from ._native import Diagnostic
 from ._nodes import Camera, Light
 from ._values import Color, Vector, Words, expect, rotation, scaling, translation
 from ._waiting import wait_for
-
-if TYPE_CHECKING:
-    from ._native import Diagnostic
 
 
 class LoadedScene:

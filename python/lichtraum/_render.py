@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import os
+import sys
 import warnings
 from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Union
 
@@ -13,16 +14,16 @@ from ._files import file_name, reading
 from ._forks import OPENCL
 from ._image import Image
 from ._loaded import LoadedScene
-from ._options import READING, Path, as_here, named_as_here, parsed
+from ._native import Diagnostic
+from ._options import READING, Path, RenderOptions, as_here, named_as_here, parsed
 from ._progress import Bar
 from ._scene import Scene
 from ._waiting import wait_for
 
-if TYPE_CHECKING:
+if sys.version_info >= (3, 11):
+    from typing import Unpack
+elif TYPE_CHECKING:
     from typing_extensions import Unpack
-
-    from ._native import Diagnostic
-    from ._options import RenderOptions
 
 Progress = Union[bool, Callable[[float], Any], None]
 

@@ -1,8 +1,10 @@
 """Types, as mypy sees them, and whether they are those of the module."""
 
+import inspect
 import os
 import subprocess
 import sys
+import typing
 from pathlib import Path
 
 import pytest
@@ -38,6 +40,25 @@ def run(tmp_path, module, *arguments):
     if PACKAGES.name != "site-packages":
         environment |= {"MYPYPATH": str(PACKAGES), "PYTHONPATH": str(PACKAGES)}
     return subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True)
+
+
+def public_functions():
+    for name in lichtraum.__all__:
+        thing = getattr(lichtraum, name)
+        if inspect.isfunction(thing):
+            yield name, thing
+        for member, value in vars(thing).items() if inspect.isclass(thing) else ():
+            function = getattr(value, "fget", None) or getattr(value, "__func__", value)
+            if inspect.isfunction(function) and member not in {"words", "native"}:  # which write eSDF and compile materials
+                yield f"{name}.{member}", function
+
+
+@pytest.mark.skipif(sys.version_info < (3, 11), reason="typing has no Unpack")
+def test_types_can_be_asked_for():
+    functions = dict(public_functions())
+    assert {"render", "load", "Renderer.render", "Image.diagnostics", "Error.__init__"} <= functions.keys()
+    for function in functions.values():
+        typing.get_type_hints(function)
 
 
 def test_package_is_typed(tmp_path):

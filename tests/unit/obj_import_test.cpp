@@ -35,6 +35,13 @@ Mesh const& mesh_of(Scene const& scene, std::string const& name) {
   return dynamic_cast<Mesh const&>(**shape);
 }
 
+/// A triangle of each of these materials of m.mtl.
+std::string triangle_of_each(std::initializer_list<char const*> materials) {
+  std::string text = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (char const* material : materials) text += std::string("usemtl ") + material + "\nf 1 2 3\n";
+  return text;
+}
+
 }  // namespace
 
 TEST_CASE("OBJ: a triangle, with a camera and lights that show it", "[unit][obj]") {
@@ -141,11 +148,7 @@ TEST_CASE("MTL: Phong's coefficients, mirrors and glass", "[unit][obj]") {
                "newmtl glass\nKs 1 1 1\nillum 7\nd 0.25\nTr 0.5\nNi 1.5\n"
                "newmtl thin\nTr 0.5\nNi 1.5\nillum 4\n"
                "newmtl matt\nKs 1 1 1\nillum 1\n");
-  std::string text = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (char const* name : {"plain", "blender", "mirror", "glass", "thin", "matt"}) {
-    text += std::string("usemtl ") + name + "\nf 1 2 3\n";
-  }
-  folder.write("m.obj", text);
+  folder.write("m.obj", triangle_of_each({"plain", "blender", "mirror", "glass", "thin", "matt"}));
   Model const model = import_obj(folder / "m.obj");
   CHECK(shown(model.diagnostics) == "");
   auto const& material = [&](char const* name) -> Material const& { return **model.scene.materials.find(name); };
@@ -193,7 +196,7 @@ TEST_CASE("MTL: physically based coefficients and their pictures", "[unit][obj]"
   write("color.png", 1, {{10, 20, 30, 255}});
   write("holes.png", 2, {{255, 255, 255, 255}, {0, 0, 0, 255}});
   write("leaf.png", 2, {{40, 50, 60, 255}, {40, 50, 60, 128}});
-  write("rough.png", 1, {{100, 100, 100, 255}});
+  write("rough.png", 1, {{100, 100, 100, 7}});
   write("metal.png", 1, {{200, 200, 200, 255}, {0, 0, 0, 255}});
   folder.write("m.mtl",
                "newmtl car\nKd 0.5 0 0\nNs 7\nPr 0.25\nPm 0.75\nPc 1\nPcr 0.125\n"
@@ -202,11 +205,7 @@ TEST_CASE("MTL: physically based coefficients and their pictures", "[unit][obj]"
                "newmtl net\nKd 0 1 0\nd 0.5\nmap_opacity -s 2 2 holes.png\n"
                "newmtl worn\nPr 0\nPm 0\nmap_Pr rough.png\nmap_Pm -s 5 5 metal.png\n"
                "newmtl metal\nPr 0.5\nmap_Pm -s 5 5 metal.png\n");
-  std::string text = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (char const* name : {"car", "fence", "leaf", "net", "worn", "metal"}) {
-    text += std::string("usemtl ") + name + "\nf 1 2 3\n";
-  }
-  folder.write("m.obj", text);
+  folder.write("m.obj", triangle_of_each({"car", "fence", "leaf", "net", "worn", "metal"}));
   Model const model = import_obj(folder / "m.obj");
   CHECK(shown(model.diagnostics) == "");
   auto const pbr = [&](char const* name) { return *(*model.scene.materials.find(name))->pbr(); };

@@ -56,14 +56,13 @@ std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, MtlTextur
   pbr.alpha = opacity;
   pbr.base_color_texture = slot(textures.map_kd ? source.map_kd : source.map_d,
                                 packed.with_channel(textures.map_kd, Channel::alpha, textures.map_d));
+  auto const of_roughness = packed.with_channel(nullptr, Channel::green, textures.map_pr);
+  auto const of_both = packed.with_channel(of_roughness, Channel::blue, textures.map_pm);
+  pbr.metallic_roughness_texture = slot(textures.map_pr ? source.map_pr : source.map_pm, of_both);
   // A picture of them counts instead of the number: exporters write 0 beside it.
-  pbr.metallic = textures.map_pm ? 1 : std::clamp(source.metallic.value_or(0), 0.0, 1.0);
   double const own_roughness = has_highlight ? roughness_from(m) : 1;
-  pbr.roughness = textures.map_pr ? 1 : std::clamp(source.roughness.value_or(own_roughness), 0.0, 1.0);
-  pbr.metallic_roughness_texture =
-      slot(textures.map_pr ? source.map_pr : source.map_pm,
-           packed.with_channel(packed.with_channel(nullptr, Channel::green, textures.map_pr), Channel::blue,
-                               textures.map_pm));
+  pbr.roughness = of_roughness ? 1 : std::clamp(source.roughness.value_or(own_roughness), 0.0, 1.0);
+  pbr.metallic = of_both != of_roughness ? 1 : std::clamp(source.metallic.value_or(0), 0.0, 1.0);
   pbr.clearcoat = std::clamp(source.clearcoat.value_or(0), 0.0, 1.0);
   pbr.clearcoat_roughness = std::clamp(source.clearcoat_roughness.value_or(0), 0.0, 1.0);
   pbr.normal_texture = slot(source.norm, textures.norm);

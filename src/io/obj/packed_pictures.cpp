@@ -32,7 +32,7 @@ PackedPictures::Picture packed(TextureImage const& picture, Channel channel, Tex
   result->width = std::max(picture.width, source.width);
   result->height = std::max(picture.height, source.height);
   result->rgba.reserve(4 * std::size_t(result->width) * std::size_t(result->height));
-  bool const is_in_alpha = has_alpha(source);
+  bool const is_in_alpha = channel == Channel::alpha && has_alpha(source);
   for (int y = 0; y < result->height; ++y) {
     for (int x = 0; x < result->width; ++x) {
       std::array<std::uint8_t, 4> pixel;

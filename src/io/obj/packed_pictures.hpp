@@ -16,8 +16,8 @@ class PackedPictures {
   using Picture = std::shared_ptr<TextureImage const>;
   static constexpr std::size_t max_bytes = std::size_t(1) << 29;  ///< of all together, as for what is decoded
 
-  /// `picture` (none: white) with `source` in one of its channels: source's alpha where it has any, else how bright it
-  /// is, as MTL's scalar maps are read. Where the sizes differ, it has the larger width and height, and each pixel is
+  /// `picture` (none: white) with `source` in one of its channels: how bright it is, as MTL's scalar maps are read; for
+  /// alpha its own where it has any. Where the sizes differ, it has the larger width and height, and each pixel is
   /// the one of either that is there. Made once for all materials that use it. Just `picture` without a source, and
   /// where all together would take more than max_bytes.
   Picture with_channel(Picture const& picture, Channel channel, Picture const& source);

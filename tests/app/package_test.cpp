@@ -168,31 +168,29 @@ TEST_CASE("Debian packages hold a program and a library that draw the same", "[a
   for (auto const& entry : fs::directory_iterator(folder / "packages")) packages.push_back(entry.path().string());
   REQUIRE(packages.size() == 3);
 
-  SECTION("unpacked, without being root") {
-    for (std::string const& package : packages) {
-      run_well(folder.path(), {"dpkg-deb", "-x", package, "system"});
-      // What dpkg checks after an installation.
-      run_well(folder.path(), {"dpkg-deb", "-e", package, "control"});
-      run_well(folder / "system", {"md5sum", "--check", "--quiet", (folder / "control/md5sums").string()});
-    }
-    CHECK(fs::exists(folder / "system/usr/share/man/man1/lichtraum.1.gz"));
-    CHECK(fs::exists(folder / "system/usr/share/doc/liblichtraum0/changelog.gz"));
-    make_consumer(folder / "shared", documented("cmake"));
-    run_well(folder / "shared", configure(folder / "system/usr"));
-    run_well(folder / "shared", {LICHTRAUM_CMAKE, "--build", "build"});
-    run_well(folder / "shared", {"build/picture", scene});
-    CHECK(read(folder / "shared/picture.ppm") == drawn_by(folder / "system/usr/bin/lichtraum", folder));
-    CHECK(read(folder / "drawn.ppm") == drawn_by(LICHTRAUM_PROGRAM, folder));
-    CHECK_THAT(run_well(folder / "shared", {"ldd", "build/picture"}), contains_text((folder / "system/usr/").string()));
+  // Unpacked, without being root.
+  for (std::string const& package : packages) {
+    run_well(folder.path(), {"dpkg-deb", "-x", package, "system"});
+    // What dpkg checks after an installation.
+    run_well(folder.path(), {"dpkg-deb", "-e", package, "control"});
+    run_well(folder / "system", {"md5sum", "--check", "--quiet", (folder / "control/md5sums").string()});
   }
-  SECTION("looked at by lintian") {
-    if (!is_installed("lintian")) SKIP_TEST("lintian is not installed");
-    // What is built for /usr/local lies in lib; in /usr/lib that one is for one architecture only.
-    std::vector<std::string> words{"lintian",       "--no-cfg",        "--fail-on",
-                                   "error,warning", "--suppress-tags", "pkg-config-unavailable-for-cross-compilation"};
-    words.insert(words.end(), packages.begin(), packages.end());
-    run_well(folder.path(), words);
-  }
+  CHECK(fs::exists(folder / "system/usr/share/man/man1/lichtraum.1.gz"));
+  CHECK(fs::exists(folder / "system/usr/share/doc/liblichtraum0/changelog.gz"));
+  make_consumer(folder / "shared", documented("cmake"));
+  run_well(folder / "shared", configure(folder / "system/usr"));
+  run_well(folder / "shared", {LICHTRAUM_CMAKE, "--build", "build"});
+  run_well(folder / "shared", {"build/picture", scene});
+  CHECK(read(folder / "shared/picture.ppm") == drawn_by(folder / "system/usr/bin/lichtraum", folder));
+  CHECK(read(folder / "drawn.ppm") == drawn_by(LICHTRAUM_PROGRAM, folder));
+  CHECK_THAT(run_well(folder / "shared", {"ldd", "build/picture"}), contains_text((folder / "system/usr/").string()));
+
+  if (!is_installed("lintian")) SKIP_TEST("lintian is not installed");
+  // What is built for /usr/local lies in lib; in /usr/lib that one is for one architecture only.
+  std::vector<std::string> words{"lintian",       "--no-cfg",        "--fail-on",
+                                 "error,warning", "--suppress-tags", "pkg-config-unavailable-for-cross-compilation"};
+  words.insert(words.end(), packages.begin(), packages.end());
+  run_well(folder.path(), words);
 }
 
 TEST_CASE("another version than this is not found", "[app][long][package]") {

@@ -117,5 +117,9 @@ TEST_CASE("paths: the reference tracer agrees, by another estimator", "[image][p
 
 TEST_CASE("paths: the reference tracer agrees in many samples", "[image][path][oracle][statistics][long]") {
   REQUIRE_OPENCL_DEVICE();
+  check_against_oracle(64, 144);
+}
+TEST_CASE("paths: the reference tracer agrees in very many samples", "[image][path][oracle][statistics][long][.]") {
+  REQUIRE_OPENCL_DEVICE();
   check_against_oracle(128, 320);
 }

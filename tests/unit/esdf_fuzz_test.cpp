@@ -100,7 +100,7 @@ class Mutator {
 
 }  // namespace
 
-TEST_CASE("damaged scenes end in a scene or in a SceneError", "[unit][esdf][fuzz]") {
+TEST_CASE("damaged scenes end in a scene or in a SceneError", "[unit][esdf][hostile]") {
   Mutator mutator(2015);
   int loaded = 0;
   for (int i = 0; i < 20'000; ++i) {

@@ -289,7 +289,7 @@ TEST_CASE("what is no job at all", "[unit][job]") {
   CHECK(refusal("{\"lichtraum_job\": 1, \"scene\": \"\xff\"}").ends_with("not JSON"));
 }
 
-TEST_CASE("text that nobody trusts is refused before it grows", "[unit][job]") {
+TEST_CASE("text that nobody trusts is refused before it grows", "[unit][job][hostile]") {
   CHECK(refusal(std::string(10'000'000, '[')) == "not a job: nested deeper than 4 levels");
   std::string zeros = "0";
   for (int i = 0; i < 1'000'000; ++i) zeros += ",0";
@@ -299,7 +299,7 @@ TEST_CASE("text that nobody trusts is refused before it grows", "[unit][job]") {
   CHECK(refusal(with(keys)).starts_with("/k: unknown key"));
 }
 
-TEST_CASE("a job that is cut off or damaged anywhere is refused or read, and nothing else", "[unit][job]") {
+TEST_CASE("a job that is cut off or damaged anywhere is refused or read, and nothing else", "[unit][job][hostile]") {
   RandomJobs jobs;
   std::mt19937 random{2};
   for (int i = 0; i < 20; ++i) {

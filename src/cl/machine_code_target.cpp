@@ -2,17 +2,25 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
+#include <algorithm>
 #include <fstream>
+#include <iterator>
+#include <string_view>
 
 namespace lichtraum {
 namespace {
 
-/// The class of processors that PoCL is told to compile for (pocl_get_distro_kernellib_name in its
-/// lib/CL/pocl_llvm_utils.cc).
-std::string chosen_class() {
-  char const* const name = std::getenv("POCL_KERNELLIB_NAME");
-  return name ? name : "";
+/// What PoCL compiles for instead of the host's processor: all that have the instructions of one of these run it
+/// (kernellib_feature_map in its lib/CL/pocl_llvm_utils.cc).
+constexpr std::string_view class_names[] = {"athlon64",  "core2",  "penryn",  "sandybridge",
+                                            "ivybridge", "bdver1", "haswell", "skylake-avx512"};
+
+/// Built with KERNELLIB_HOST_DISTRO_VARIANTS, which PoCL tells in its version, for x86: elsewhere the name is the
+/// host's.
+bool compiles_for_classes(std::string_view platform_version, std::string_view device_version) {
+  return platform_version.find("DISTRO") != std::string_view::npos &&
+         std::any_of(std::begin(class_names), std::end(class_names),
+                     [&](std::string_view name) { return device_version.ends_with(fmt::format("-{}", name)); });
 }
 
 /// The first processor's line in /proc/cpuinfo ("flags" on x86, "Features" on ARM); empty where there is none. A
@@ -29,10 +37,12 @@ std::string processor_features() {
 
 std::string machine_code_target(cl::Device const& device) {
   cl::Platform const platform(device.getInfo<CL_DEVICE_PLATFORM>());
-  return fmt::format("{}; {}; {}; {}; {}; {}; {}", platform.getInfo<CL_PLATFORM_NAME>(),
-                     platform.getInfo<CL_PLATFORM_VERSION>(), device.getInfo<CL_DEVICE_NAME>(),
-                     device.getInfo<CL_DEVICE_VERSION>(), device.getInfo<CL_DRIVER_VERSION>(), processor_features(),
-                     chosen_class());
+  std::string const platform_version = platform.getInfo<CL_PLATFORM_VERSION>();
+  std::string const device_version = device.getInfo<CL_DEVICE_VERSION>();
+  std::string target = fmt::format("{}; {}; {}; {}", platform.getInfo<CL_PLATFORM_NAME>(), platform_version,
+                                   device_version, device.getInfo<CL_DRIVER_VERSION>());
+  if (compiles_for_classes(platform_version, device_version)) return target;
+  return fmt::format("{}; {}; {}", target, device.getInfo<CL_DEVICE_NAME>(), processor_features());
 }
 
 }  // namespace lichtraum

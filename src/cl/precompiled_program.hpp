@@ -6,7 +6,7 @@
 namespace lichtraum {
 
 /// A device program, compiled on the machine that lichtraum was built on: compiling takes seconds, loading this
-/// hundredths of one. It is for the same kind of machine only.
+/// hundredths of one. It is for machines with the same OpenCL and processors of the same class only.
 struct PrecompiledProgram {
   std::string_view name;     ///< kernels/<name>.cl
   std::string_view options;  ///< of clBuildProgram

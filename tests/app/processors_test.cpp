@@ -6,6 +6,7 @@
 #include <iostream>
 #include <map>
 
+#include "cl/render_program.hpp"
 #include "lichtraum.hpp"
 #include "lichtraum/device.hpp"
 #include "support/catch.hpp"
@@ -142,6 +143,29 @@ TEST_CASE("pictures in sRGB have the same bytes for each class of processors", "
 
 TEST_CASE("depth has the same bytes for each class of processors", "[app][long]") {
   check_classes("--integrator whitted --traversal scalar --planes depth", ".png");
+}
+
+TEST_CASE("kernels are compiled for each class of processors that a package is for, once", "[app][long]") {
+  if (!has_pocl()) SKIP_TEST("PoCL is not installed, or does not work");
+  if (!fs::exists(LICHTRAUM_BUILD_DIR "/src/precompile_kernels")) SKIP_TEST("this build compiles no kernels");
+  TemporaryFolder const folder;
+  std::size_t const count = std::size(usual_render_programs) + 2, develop = count - 1;  // the quickest to compile
+  Process script{{LICHTRAUM_CMAKE, "-D", "OUTPUT=" + (folder / "part.inc").string(), "-D",
+                  "PROGRAM=" LICHTRAUM_BUILD_DIR "/src/precompile_kernels", "-D", "CLASSES=sse2,sse41,sse2", "-D",
+                  fmt::format("NUMBER={}", develop), "-D", fmt::format("COUNT={}", count), "-P",
+                  LICHTRAUM_SOURCE_DIR "/tools/precompile_kernels.cmake"}};
+  script.timeout_seconds = 300;
+  ProcessResult const result = run_process(script);
+  INFO(result.out + result.err);
+  REQUIRE(result.exit_code == 0);
+  std::string const rows = files_in(folder.path(), ".inc").at("part.inc");
+  for (std::string const processor : {"athlon64", "penryn"}) {  // as LLVM names these classes
+    INFO(processor);
+    std::string const target = "-" + processor + "; ";
+    std::size_t const row = rows.find(target);
+    REQUIRE(row != std::string::npos);
+    CHECK(rows.find(target, row + 1) == std::string::npos);
+  }
 }
 
 TEST_CASE("this processor stands for every class", "[app][long]") {

@@ -2,8 +2,8 @@
 #
 # Writes part NUMBER of COUNT of the table in src/cl/precompiled_programs.cpp.in: what PROGRAM makes, or nothing where it
 # is not given or fails. Then the first picture waits for the compiler, and that is all.
-# CLASSES: of processors, as POCL_KERNELLIB_NAME has them, else that of this machine. PoCL takes another one for a class that
-# this machine can't run, and what is there already is not made again.
+# CLASSES: of processors, by their names in POCL_KERNELLIB_NAME; by default this machine's. For one that this machine cannot run,
+# PoCL takes another; what is there already is not made again.
 
 cmake_minimum_required(VERSION 3.22)
 
@@ -18,6 +18,7 @@ if(NOT classes)
   set(classes as_it_is)
 endif()
 foreach(class IN LISTS classes)
+  file(SIZE ${OUTPUT} size_before)
   if(NOT class STREQUAL as_it_is)
     set(ENV{POCL_KERNELLIB_NAME} ${class})
   endif()
@@ -25,6 +26,11 @@ foreach(class IN LISTS classes)
     RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text)
   if(NOT result EQUAL 0)
     message(STATUS "No OpenCL CPU device compiles kernels here (${class}: ${result}): each machine's first picture will")
+    continue()
+  endif()
+  file(SIZE ${OUTPUT} size)
+  if(NUMBER EQUAL 1 AND size EQUAL size_before)
+    message(STATUS "No kernels are compiled for ${class}: this machine cannot run it, or PoCL does not know it")
   endif()
 endforeach()
 file(REMOVE_RECURSE ${OUTPUT}.cache)

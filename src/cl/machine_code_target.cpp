@@ -11,10 +11,9 @@ namespace lichtraum {
 namespace {
 
 /// What PoCL compiles for instead of the host's processor: all that have the instructions of one of these run it
-/// (kernellib_feature_map in its lib/CL/pocl_llvm_utils.cc).
-constexpr std::string_view class_names[] = {
-    "athlon64" /* PoCL 3.1 */, "x86-64" /* 6.0 */, "core2", "penryn", "sandybridge", "ivybridge", "bdver1", "haswell",
-    "skylake-avx512"};
+/// (kernellib_feature_map in its lib/CL/pocl_llvm_utils.cc). The lowest is called athlon64 by PoCL 3.1, x86-64 by 6.0.
+constexpr std::string_view class_names[] = {"athlon64",  "x86-64", "core2",   "penryn",        "sandybridge",
+                                            "ivybridge", "bdver1", "haswell", "skylake-avx512"};
 
 /// Built with KERNELLIB_HOST_DISTRO_VARIANTS, which PoCL tells in its version, for x86: elsewhere the name is the
 /// host's.

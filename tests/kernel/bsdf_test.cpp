@@ -385,6 +385,7 @@ TEST_CASE("samples of the BSDF have the density that it says (chi-square)", "[ke
     check_density(probe, surface, 60, scaled_count(300000), random);
   }
 }
+namespace {
 void check_densities_from_everywhere(std::size_t samples) {
   Random random(94);
   BsdfProbe const probe(quickest_lanes());
@@ -392,6 +393,7 @@ void check_densities_from_everywhere(std::size_t samples) {
     for (double const angle : viewer_angles_degrees) check_density(probe, surface, angle, samples, random);
   }
 }
+}  // namespace
 TEST_CASE("samples of the BSDF have the density that it says, from everywhere", "[kernel][bsdf][statistics][long]") {
   NEEDS_OPENCL_DEVICE();
   check_densities_from_everywhere(scaled_count(400000));

@@ -24,8 +24,8 @@ namespace lichtraum::json_values {
 using Json = nlohmann::ordered_json;
 
 /// Text that nobody trusts, of a document of some kind: "job". Throws Error{usage}, for what is not JSON with line and
-/// column, for what names a key of an object twice, is nested deeper than any of ours, or has more values (and keys,
-/// and ends of objects and arrays) than one of this kind.
+/// column, for what names a key of an object twice, is nested deeper or has larger objects than any of ours, or has
+/// more values (and keys, and ends of objects and arrays) than one of this kind.
 Json parse(std::string_view text, std::string_view kind, std::size_t most_values);
 
 /// A place in JSON text (RFC 6901).

@@ -295,8 +295,10 @@ TEST_CASE("text that nobody trusts is refused before it grows", "[unit][job][hos
   for (int i = 0; i < 1'000'000; ++i) zeros += ",0";
   CHECK(refusal(with("\"planes\": [" + zeros + "]")) == "not a job: more than 100000 values");
   std::string keys = "\"k\": 0";
-  for (int i = 0; i < 20'000; ++i) keys += fmt::format(", \"k{}\": 0", i);
+  for (int i = 0; i < 100; ++i) keys += fmt::format(", \"k{}\": 0", i);
   CHECK(refusal(with(keys)).starts_with("/k: unknown key"));
+  for (int i = 100; i < 20'000; ++i) keys += fmt::format(", \"k{}\": 0", i);
+  CHECK(refusal(with(keys)) == "not a job: an object of more than 200 keys");
 }
 
 TEST_CASE("a job that is cut off or damaged anywhere is refused or read, and nothing else", "[unit][job][hostile]") {

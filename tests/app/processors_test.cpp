@@ -107,8 +107,9 @@ std::string differing_names(Files const& a, Files const& b) {
   return a.size() == b.size() ? names : names + " (not as many)";
 }
 
-/// All scenes and some models on one layout: the same pictures for each class that this processor can stand for.
-void check_classes(std::string const& options, std::string const& extension) {
+/// All scenes and some models on one layout: the same pictures for each class that this processor can stand for, but
+/// the one that is `left_out`.
+void check_classes(std::string const& options, std::string const& extension, std::string const& left_out = "") {
   if (!has_pocl()) SKIP_TEST("PoCL is not installed, or does not work");
   if (!is_installed("python3")) SKIP_TEST("python3, which makes the models, is not installed");
   Lichtraum const lichtraum;
@@ -119,7 +120,7 @@ void check_classes(std::string const& options, std::string const& extension) {
   REQUIRE(usual.pictures.size() >= 20);
   std::vector<Files> machine_codes;
   for (ProcessorClass const& processors : classes) {
-    if (!is_supported(processors)) continue;  // said by the test below
+    if (processors.name == left_out || !is_supported(processors)) continue;  // the latter is said by the test below
     Run run = draw(lichtraum, words, extension, processors.name);
     INFO(processors.name);
     CHECK(differing_names(usual.pictures, run.pictures) == "");
@@ -132,11 +133,16 @@ void check_classes(std::string const& options, std::string const& extension) {
 
 }  // namespace
 
+// Paths are in the first two of these only: their programs, for each class, take minutes to compile. For sse41 PoCL
+// makes nearly the same of them as for sse2: vectors of four, without fma.
 TEST_CASE("radiance has the same bytes for each class of processors", "[app][long]") {
+  check_classes("--traversal packet", ".pfm", "sse41");
+}
+
+TEST_CASE("radiance has the same bytes for each class of processors, sse41 too", "[app][long][classes][.]") {
   check_classes("--traversal packet", ".pfm");
 }
 
-// Paths are in the first of these; their programs, for each class, take minutes to compile.
 TEST_CASE("pictures in sRGB have the same bytes for each class of processors", "[app][long]") {
   check_classes("--integrator whitted --traversal wide --tonemap reinhard --transfer srgb --bits 16", ".png");
 }

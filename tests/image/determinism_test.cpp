@@ -36,8 +36,11 @@ Scene mixed_scene() {
       "define camera eye 45\ntransform eye rotate -8 1 0 0\ntransform eye translate 0 1 8\n");
 }
 
-RenderRequest seeded_request(Scene const& scene, Integrator integrator) {
-  RenderRequest request = whole_picture(scene.cameras.front(), {201, 97});
+// Two tiles of 64 pixels in each direction, where many samples are traced.
+constexpr Resolution four_tiles{101, 67};
+
+RenderRequest seeded_request(Scene const& scene, Integrator integrator, Resolution resolution = {201, 97}) {
+  RenderRequest request = whole_picture(scene.cameras.front(), resolution);
   request.integrator = integrator;
   request.sampling = {Sampling::Pattern::seeded, 5};
   request.seed = 42;
@@ -134,7 +137,7 @@ TEST_CASE("samples added to those before give the bytes of all at once", "[image
   Integrator const integrator = GENERATE(Integrator::whitted, Integrator::path);
   for_each_renderer(integrator, [&](Renderer& renderer) {
     renderer.set_scene(scene);
-    RenderRequest request = seeded_request(scene, integrator);
+    RenderRequest request = seeded_request(scene, integrator, four_tiles);
     request.planes = all_planes();
     Film grown;
     std::uint64_t rays = 0;
@@ -190,7 +193,7 @@ TEST_CASE("ranges of samples that are traced apart merge to the bytes of all", "
   for_each_renderer(integrator, [&](Renderer& renderer) {
     renderer.set_scene(scene);
     for (Sampling const sampling : {Sampling{Sampling::Pattern::seeded, 70}, Sampling{Sampling::Pattern::grid, 81}}) {
-      RenderRequest request = seeded_request(scene, integrator);
+      RenderRequest request = seeded_request(scene, integrator, four_tiles);
       request.sampling = sampling;
       request.planes = all_planes();
       Film all;

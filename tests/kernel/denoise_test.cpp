@@ -37,7 +37,7 @@ TEST_CASE("the filter against noise gives the host's bytes on a device", "[kerne
 }
 
 TEST_CASE("each renderer filters noise, without a scene", "[kernel][denoise]") {
-  NoisyRoom const room({50, 30}, 4);
+  NoisyRoom const room({20, 12}, 4);
   auto const expected = filter_noise(room.picture);
   CHECK(make_renderer(reference_device())->filter_noise(room.picture) == expected);
   NEEDS_OPENCL_DEVICE();

@@ -40,7 +40,7 @@ RenderRequest request_for(int samples, std::uint64_t seed = 0) {
 
 }  // namespace
 
-TEST_CASE("noise is estimated as it is", "[unit][noise]") {
+TEST_CASE("noise is estimated as it is", "[unit][noise][statistics]") {
   auto const renderer = renderer_with_ball();
   Film exact;
   renderer->render(request_for(8192, 77), exact);

@@ -79,6 +79,24 @@ TEST_CASE("text and widgets grow with the scale that was asked for", "[app][view
   CHECK(outlined(chosen, {700, 200, 1280, 960}) > 200);
 }
 
+TEST_CASE("names are shown in the letters of Latin, Greek and Cyrillic", "[app][view]") {
+  for (char const* const program : {"Xvfb", "xdotool", "ffmpeg"}) {
+    if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
+  }
+  if (!std::filesystem::exists("/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf")) {
+    SKIP_TEST("fonts-dejavu-core is not installed");
+  }
+  Lichtraum const lichtraum;
+  auto const result = run_in_xvfb("view_names_in_xvfb.sh", lichtraum, 200);
+  INFO(result.out + result.err);
+  REQUIRE(result.exit_code == 0);
+  auto const shot = [&](std::string const& name) { return decode(lichtraum.folder.read(name + "_unfolded.png")); };
+  CHECK(difference(shot("ball"), shot("box"), rows) == 0);  // a question mark each
+  CHECK(difference(shot("zhe"), shot("ball"), rows) > 0);
+  CHECK(difference(shot("stroke"), shot("ball"), rows) > 0);
+  CHECK(difference(shot("stroke"), shot("zhe"), rows) > 0);
+}
+
 TEST_CASE("a window that is resized faster than it can follow stays open", "[app][view]") {
   for (char const* const program : {"Xvfb", "xdotool"}) {
     if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 
 #include "lichtraum/error.hpp"
+#include "view/window/font.hpp"
 
 namespace lichtraum::view {
 namespace {
@@ -32,34 +32,9 @@ void leave_out_hopeless_platforms() {
 #endif
 }
 
-constexpr float font_height = 13;  // of Dear ImGui's own font, which is made of whole pixels
-
-/// Columns of text are lined up by spaces.
-constexpr char const* monospaced_fonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",  // Debian, Ubuntu
-                                            "/usr/share/fonts/dejavu-sans-mono-fonts/DejaVuSansMono.ttf",  // Fedora
-                                            "/usr/share/fonts/TTF/DejaVuSansMono.ttf",                     // Arch
-                                            "/usr/share/fonts/truetype/liberation/LiberationMono-Regular.ttf"};
-
-/// In pixels.
-void load_font(float height) {
-  ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
-  fonts.Clear();
-  if (height == font_height) {
-    fonts.AddFontDefault();
-    return;
-  }
-  for (char const* const file : monospaced_fonts) {
-    std::error_code unknown;
-    if (std::filesystem::exists(file, unknown) && fonts.AddFontFromFileTTF(file, height)) return;
-  }
-  ImFontConfig config;
-  config.SizePixels = height;
-  fonts.AddFontDefault(&config);
-}
-
 }  // namespace
 
-float scaled(float length) { return length * ImGui::GetFontSize() / font_height; }
+float scaled(float length) { return length * ImGui::GetFontSize() / own_font_height; }
 
 void ShownPicture::upload(Resolution const& new_size, std::vector<unsigned char> const& pixels) {
   if (texture == 0) glGenTextures(1, &texture);
@@ -138,7 +113,7 @@ void Graphics::fit_to_display() {
   if (scale == ui_scale_ && pixels_per_unit == pixels_per_unit_) return;
   ui_scale_ = scale;
   pixels_per_unit_ = pixels_per_unit;
-  load_font(std::round(font_height * scale * pixels_per_unit));
+  load_font(std::round(own_font_height * scale * pixels_per_unit));
   ImGui::GetIO().FontGlobalScale = 1 / pixels_per_unit;
   ImGui_ImplOpenGL3_DestroyFontsTexture();  // it is made again with the next frame
   ImGui_ImplOpenGL3_CreateFontsTexture();

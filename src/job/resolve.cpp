@@ -213,7 +213,7 @@ RenderRequest request_of(Job const& job, Scene const& scene, std::optional<Vec3>
     Vec3 const center = job.view.look_at ? *job.view.look_at
                         : turn_center    ? *turn_center
                                          : center_of_interest(scene, job.root, camera);
-    request.camera = orbited(camera, center, *job.turn_degrees, job.view.up.value_or(Vec3(0, 1, 0)));
+    request.camera = orbited(camera, center, *job.turn_degrees, job.view.up_or_default());
   }
   return request;
 }

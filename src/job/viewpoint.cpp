@@ -140,7 +140,7 @@ void check_view(JobView const& view) {
 Camera viewpoint(Camera camera, Job const& job, Scene const& scene, Resolution const& size) {
   JobView const& view = job.view;
   check_view(view);
-  Vec3 const up = view.up.value_or(Vec3(0, 1, 0));
+  Vec3 const up = view.up_or_default();
   CameraFit fit = fit_of(camera, view);
   auto const fitted = [&] {
     if (fit.framed && job.turn_degrees) fit.framed->turn_axis = up;

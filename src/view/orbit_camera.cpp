@@ -12,8 +12,6 @@
 namespace lichtraum::view {
 namespace {
 
-constexpr Vec3 up_axis(0, 1, 0);
-
 Vec3 position_of(Camera const& camera) { return camera.world_from_camera().point(Vec3(0)); }
 Vec3 forward_of(Camera const& camera) { return glm::normalize(camera.world_from_camera().vector({0, 0, -1})); }
 Vec3 right_of(Camera const& camera) { return glm::normalize(camera.world_from_camera().vector({1, 0, 0})); }
@@ -28,16 +26,24 @@ Transform about(Vec3 const& point, double degrees, Vec3 const& axis) {
 
 }  // namespace
 
-OrbitCamera::OrbitCamera(Camera camera, Vec3 const& center, Resolution const& made_for)
+OrbitCamera::OrbitCamera(Camera camera, Vec3 const& center, Resolution const& made_for, Vec3 const& up)
     : camera_(std::move(camera)),
       fov_x_degrees_(camera_.fov_x_degrees()),
       width_(camera_.width()),
-      made_for_(made_for) {
+      made_for_(made_for),
+      up_(glm::normalize(up)) {
   Vec3 const eye = position_of(camera_);
   double const ahead = glm::dot(center - eye, forward_of(camera_));
   // What lies beside or behind is as far ahead as it is away.
   double const distance = ahead > 0 ? ahead : std::max(glm::distance(center, eye), 1e-3);
   pivot_ = eye + distance * forward_of(camera_);
+  // A model in the middle of its picture has the middle of its box a few hundredths of the width beside it.
+  constexpr double little = 0.1;
+  if (ahead > 0 && glm::distance(center, pivot_) <= little * width_at(distance)) pivot_ = center;
+}
+
+double OrbitCamera::width_at(double distance) const {
+  return camera_.is_orthographic() ? camera_.width() * unit_length_of(camera_) : camera_.width_at(distance);
 }
 
 double OrbitCamera::distance() const { return glm::distance(position_of(camera_), pivot_); }
@@ -61,19 +67,17 @@ void OrbitCamera::fit_to(Resolution const& size) {
 
 void OrbitCamera::orbit(double right_degrees, double up_degrees) {
   constexpr double highest_degrees = 89;
-  double const elevation = glm::degrees(std::asin(std::clamp(-forward_of(camera_).y, -1.0, 1.0)));
+  double const elevation = glm::degrees(std::asin(std::clamp(-glm::dot(forward_of(camera_), up_), -1.0, 1.0)));
   double const wanted =
       std::clamp(elevation + up_degrees, std::min(-highest_degrees, elevation), std::max(highest_degrees, elevation));
   // The axis is horizontal whatever the camera's roll: then the elevation changes by just this.
-  Vec3 const across = glm::cross(forward_of(camera_), up_axis);
+  Vec3 const across = glm::cross(forward_of(camera_), up_);
   if (glm::length(across) > 1e-6) apply(about(pivot_, elevation - wanted, across));
-  apply(about(pivot_, right_degrees, up_axis));
+  apply(about(pivot_, right_degrees, up_));
 }
 
 void OrbitCamera::pan(double right, double up) {
-  double const width =
-      camera_.is_orthographic() ? camera_.width() * unit_length_of(camera_) : camera_.width_at(distance());
-  Vec3 const offset = width * (right * right_of(camera_) + up * up_of(camera_));
+  Vec3 const offset = width_at(distance()) * (right * right_of(camera_) + up * up_of(camera_));
   apply(Transform::translation(offset));
   pivot_ += offset;
 }

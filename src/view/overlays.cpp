@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "lichtraum/orbit.hpp"
+
 namespace lichtraum::view {
 namespace {
 
@@ -58,21 +60,24 @@ PlaneSet Overlays::planes() const {
 }
 
 OverlayLayer::OverlayLayer(Overlays const& overlays, Film const& film, Camera const& camera, Bounds const& bounds) {
-  if (overlays == Overlays()) return;
+  if (overlays.planes().is_empty()) return;
   size_ = film.size();
   pixels_.resize(std::size_t(size_.width) * std::size_t(size_.height));
   Camera pinhole = camera;
   pinhole.set_lens({});
-  if (overlays.grid) add_grid(film, pinhole, bounds);
+  if (overlays.grid) add_grid(film, pinhole, bounds, overlays.up);
   if (overlays.axes) add_axes(film, pinhole, bounds);
   if (overlays.edges) add_edges(film);
 }
 
-void OverlayLayer::add_grid(Film const& film, Camera const& camera, Bounds const& bounds) {
+void OverlayLayer::add_grid(Film const& film, Camera const& camera, Bounds const& bounds, Vec3 const& up) {
   auto const [width, height] = film.size();
-  double const size = size_of(bounds), level = bounds.is_empty() ? 0 : bounds.min.y;
+  Transform const grid_from_world = orbit_rotation({}, up).inverse();  // where y is up
+  double const size = size_of(bounds);
   double const distance = std::pow(10, std::floor(std::log10(size / 2)));
-  Vec3 const middle = bounds.is_empty() ? Vec3(0) : bounds.center();
+  Bounds const box = bounds.is_empty() ? Bounds{Vec3(0), Vec3(0)} : mapped(grid_from_world, bounds);
+  double const level = box.min.y;
+  Vec3 const middle = box.center();
   // Where on the grid, in cells, and whether the grid is seen there.
   struct Place {
     double u, v;
@@ -80,9 +85,10 @@ void OverlayLayer::add_grid(Film const& film, Camera const& camera, Bounds const
   };
   auto const place = [&](int x, int y) -> Place {
     Ray const ray = camera.generate_ray(x + 0.5, y + 0.5, film.size());
-    double const t = (level - ray.origin.y) / ray.direction.y;
+    Vec3 const origin = grid_from_world.point(ray.origin), direction = grid_from_world.vector(ray.direction);
+    double const t = (level - origin.y) / direction.y;
     if (!(t > 0) || !std::isfinite(t)) return {};
-    Vec3 const point = ray.origin + t * ray.direction;
+    Vec3 const point = origin + t * direction;
     bool const is_in_picture = x < film.size().width && y < film.size().height;
     return {point.x / distance, point.z / distance, true,
             is_in_picture && is_seen(t, double(film.value(FilmPlane::depth, x, y)))};

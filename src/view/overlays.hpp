@@ -8,9 +8,10 @@ namespace lichtraum::view {
 
 /// What helps to find one's way in a picture, and is no part of it.
 struct Overlays {
-  bool grid = false;   ///< on the level of the lowest point, its lines a power of ten apart
+  bool grid = false;   ///< level with the lowest point, its lines a power of ten apart
   bool axes = false;   ///< of the world, from the origin: x red, y green, z blue
   bool edges = false;  ///< of objects, and where their surfaces turn or step
+  Vec3 up{0, 1, 0};    ///< the grid's normal, of any length but 0
 
   /// What must be traced for them.
   PlaneSet planes() const;
@@ -28,7 +29,7 @@ class OverlayLayer {
   void draw_on(std::vector<unsigned char>& pixels) const;
 
  private:
-  void add_grid(Film const& film, Camera const& camera, Bounds const& bounds);
+  void add_grid(Film const& film, Camera const& camera, Bounds const& bounds, Vec3 const& up);
   void add_axes(Film const& film, Camera const& camera, Bounds const& bounds);
   void add_edges(Film const& film);
 

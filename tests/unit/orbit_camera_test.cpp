@@ -92,6 +92,39 @@ TEST_CASE("a camera orbits at its distance, and not over the zenith", "[unit][vi
   CHECK(glm::length(camera.pivot()) < 1e-9);
 }
 
+TEST_CASE("a camera orbits around another upward direction", "[unit][view]") {
+  Camera const start("eye", 50, Transform::look_along({0, -10, 3}, {0, 10, -3}, {0, 0, 1}));
+  OrbitCamera camera(start, Vec3(0), size, {0, 0, 2});
+  camera.orbit(90, 0);
+  CHECK(glm::distance(eye_of(camera), Vec3(10, 0, 3)) < 1e-9);
+  for (int i = 0; i < 50; ++i) camera.orbit(7, 11);
+  CHECK(eye_of(camera).z > 0.999 * camera.distance());
+  CHECK(camera.camera().world_from_camera().vector({0, 1, 0}).z > 0);
+}
+
+TEST_CASE("what is little beside the middle stays where it is as a camera orbits and zooms", "[unit][view]") {
+  for (bool const is_orthographic : {false, true}) {
+    Transform const place = at({0, 3, 10}, {0, 0, 0}).world_from_camera();
+    Camera const start = is_orthographic ? Camera::orthographic("eye", 8, place) : Camera("eye", 50, place);
+    Vec3 const center(0.6, 0, 0), beside(1.2, 0, 0);  // of some nine across, or eight
+    OrbitCamera camera(start, center, size);
+    CHECK(camera.pivot() == center);
+    CHECK(difference(camera.camera(), start) == 0);
+    auto const seen = [&] {
+      Vec3 const point = camera.camera().world_from_camera().inverse().point(center);
+      return is_orthographic ? Vec3(point.x, point.y, 0) / camera.camera().width() : point / point.z;
+    };
+    Vec3 const before = seen();
+    camera.orbit(50, 20);
+    CHECK(glm::distance(seen(), before) < 1e-9);
+    if (!is_orthographic) {
+      camera.zoom(0.5);
+      CHECK(glm::distance(seen(), before) < 1e-9);
+    }
+    CHECK(glm::length(OrbitCamera(start, beside, size).pivot()) < 1e-9);
+  }
+}
+
 TEST_CASE("a camera pans, zooms and frames", "[unit][view]") {
   OrbitCamera camera(at({0, 0, 10}, {0, 0, 0}), Vec3(0), size);
   camera.zoom(0.5);

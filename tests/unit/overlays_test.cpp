@@ -117,6 +117,22 @@ TEST_CASE("the grid lies on the lowest level, dark on light and light on dark", 
   CHECK(on(dark, {0, -1, -3}) == 0);  // behind the ball
 }
 
+TEST_CASE("the grid is level with what is called up", "[unit][view]") {
+  Overlays overlays;
+  overlays.grid = true;
+  overlays.up = {0, 0, 3};  // it stands behind everything
+  Picture const picture(overlays);
+  auto const pixels = picture.drawn(overlays, 0);
+  auto const on = [&](Vec3 const& point) {
+    auto const [x, y] = pixel_of(picture, point);
+    return at(pixels, x, y)[0];
+  };
+  CHECK(on({-2, 1.5, -1}) > 40);
+  CHECK(on({-1.5, 1.5, -1}) == 0);
+  CHECK(on({-1.5, 2, -1}) > 40);
+  CHECK(on({0, 0, -1}) == 0);  // behind the ball
+}
+
 TEST_CASE("edges are where objects end, and where their surfaces turn", "[unit][view]") {
   Overlays overlays;
   overlays.edges = true;

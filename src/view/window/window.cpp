@@ -53,6 +53,7 @@ Window::Window(app::SceneSource const& source, app::ViewOptions const& options, 
   graphics_->open("lichtraum - " + source.name(), options.render.job.size.value_or(default_size), options.ui_scale);
   // Not before the window is there: Mesa and PoCL may share one LLVM, which does not start in two threads at once.
   worker_ = std::make_unique<Worker>(source, options.render, options.watch, console, glfwPostEmptyEvent);
+  overlays_.up = options.render.job.view.up_or_default();
 }
 
 Window::~Window() { worker_.reset(); }
@@ -114,7 +115,7 @@ bool Window::take_news() {
     begin_animation();
     focus_ = focus_of(scene_.request.camera, center_of_interest());
     mark_selection();  // of nothing: what was selected was of the scene before
-    if (!is_moved_) camera_.emplace(scene_.request.camera, center_of_interest(), scene_.request.resolution);
+    if (!is_moved_) look_from(scene_.request.camera, scene_.request.resolution);
     show();
   }
   if (news.posed && news.posed->scene_number == scene_.number) take_pose(std::move(*news.posed));
@@ -169,8 +170,12 @@ Camera Window::camera_seen_through() const {
   return camera;
 }
 
+void Window::look_from(Camera const& camera, Resolution const& made_for) {
+  camera_.emplace(camera, center_of_interest(), made_for, options_.render.job.view.up_or_default());
+}
+
 void Window::look_through(Camera const& camera, Resolution const& made_for) {
-  camera_.emplace(camera, center_of_interest(), made_for);
+  look_from(camera, made_for);
   panel_.aperture = camera.lens().aperture;
   focus_ = focus_of(camera, center_of_interest());
 }

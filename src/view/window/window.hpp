@@ -59,6 +59,8 @@ class Window {
   void choose_camera(std::size_t number);
   /// As it is now: where it was moved, with the lens that the panel gives it.
   Camera camera_seen_through() const;
+  /// From where a camera stands, with the lens that the panel gives it; look_through takes the camera's.
+  void look_from(Camera const& camera, Resolution const& made_for);
   void look_through(Camera const& camera, Resolution const& made_for);
   Vec3 center_of_interest() const;
   void frame_everything();

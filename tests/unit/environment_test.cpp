@@ -135,6 +135,24 @@ TEST_CASE("an environment's table has densities, and its light's power", "[unit]
   }
 }
 
+TEST_CASE("an environment upside down has its densities upside down", "[unit][environment]") {
+  for (auto const& map : {random_map(40, 20), random_map(8, 2)}) {
+    EnvironmentMap flipped = *map;
+    std::size_t const row = 3 * std::size_t(map->width), end = map->radiance.size();
+    for (std::size_t i = 0; i < end; i += row) {
+      std::copy_n(&map->radiance[i], row, &flipped.radiance[end - row - i]);
+    }
+    auto const upright = make_environment_table(map, false).environment_densities;
+    auto const turned =
+        make_environment_table(std::make_shared<EnvironmentMap const>(flipped), false).environment_densities;
+    REQUIRE(upright.size() == std::size_t(map->width) * std::size_t(map->height));
+    for (std::size_t i = 0; i < upright.size(); ++i) {
+      std::size_t const texels = row / 3;
+      REQUIRE(turned[upright.size() - texels - i / texels * texels + i % texels] == Approx(upright[i]).epsilon(1e-5));
+    }
+  }
+}
+
 TEST_CASE("edits turn an environment without a look at its map", "[unit][environment][edits]") {
   Scene scene;
   scene.environment = EnvironmentLight{"sky", random_map(16, 8), 0, 1};

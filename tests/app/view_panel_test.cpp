@@ -138,6 +138,10 @@ TEST_CASE("the panel selects objects, changes lights and shows depth, normals an
   auto const shot = [&](std::string const& name) { return decode(lichtraum.folder.read(name + ".png")); };
   auto const opened = shot("opened");
   CHECK(outlined(opened, picture) == 0);
+  // The numbers are where the panel leaves room for them.
+  for (int y = 10; y < 90; ++y) {
+    for (int x = 262; x < 285; ++x) REQUIRE(opened.at(x, y, 0) < 100);
+  }
   // A click on the picture outlines the ball, not the block, and opens the tree down to it.
   auto const picked = shot("picked");
   CHECK(outlined(picked, {350, 100, 640, 300}) > 150);

@@ -362,10 +362,13 @@ void Window::draw_awaited() const {
 }
 
 void Window::draw_panel() {
-  ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x - scaled(8), scaled(8)}, ImGuiCond_Always, {1, 0});
+  float const width = ImGui::GetIO().DisplaySize.x, margin = scaled(8);
+  ImGui::SetNextWindowPos({width - margin, margin}, ImGuiCond_Always, {1, 0});
   ImGui::SetNextWindowBgAlpha(0.6f);
   ImGui::Begin("statistics", nullptr, overlay | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::PushTextWrapPos(width - panel_width() - 3 * margin);
   ImGui::TextUnformatted(statistics().c_str());
+  ImGui::PopTextWrapPos();
   ImGui::End();
   Panel::Changes const changes =
       panel_.draw(panel_width(), [this] { draw_menus(*graphics_, playback_.duration() > 0); });

@@ -78,12 +78,18 @@ TEST_CASE("a scene compiled after another is the same as compiled alone", "[unit
 }
 
 TEST_CASE("an object that stays is found again after one whose blocks have become more", "[unit][compile]") {
-  // Groups of spheres, far from each other.
-  auto const row = [](std::vector<int> const& groups) {
+  bool const has_spheres = GENERATE(true, false);
+  // Groups of spheres or triangles, far from each other.
+  auto const row = [&](std::vector<int> const& groups) {
     auto composite = std::make_shared<Composite>("row");
     for (std::size_t g = 0; g < groups.size(); ++g) {
       for (int i = 0; i < groups[g]; ++i) {
-        composite->add(std::make_shared<Sphere>("s", Vec3(100. * double(g) + i, 0, 0), 0.3, nullptr));
+        Vec3 const at(100. * double(g) + i, 0, 0);
+        if (has_spheres) {
+          composite->add(std::make_shared<Sphere>("s", at, 0.3, nullptr));
+        } else {
+          composite->add(std::make_shared<Triangle>("t", at, at + Vec3(0, 0.3, 0), at + Vec3(0, 0, 0.3), nullptr));
+        }
       }
     }
     return composite;
@@ -102,7 +108,10 @@ TEST_CASE("an object that stays is found again after one whose blocks have becom
   Shapes const after_roots{twice(row({3, 3, 3, 3, 3, 3, 2}), 10), staying};
   SceneBuffers const before = compile_scene(flatten(before_roots), {}, TreeLayout::wide);
   SceneBuffers const alone = compile_scene(flatten(after_roots), {}, TreeLayout::wide);
-  REQUIRE(before.sphere_blocks.size() < alone.sphere_blocks.size());
+  auto const blocks_of = [](SceneBuffers const& buffers) {
+    return buffers.sphere_blocks.size() + buffers.triangle_blocks.size();
+  };
+  REQUIRE(blocks_of(before) < blocks_of(alone));
   CHECK(same_arrays(compile_scene(flatten(after_roots), {}, TreeLayout::wide, &before), alone));
 }
 

@@ -213,6 +213,18 @@ Vec3 normal(device::TrianglePrimitive const& t) {
 
 }  // namespace
 
+TEST_CASE("flatten says how much a graph unfolds to", "[unit][flatten]") {
+  auto const pair = strip_mesh(2);  // too small for an object
+  std::shared_ptr<Shape> top = sphere();
+  for (int level = 0; level < 54; ++level) {
+    top = std::make_shared<Composite>("level", Composite::Children{top, top, pair});
+  }
+  // The fourteenth level is the last that becomes an object: 3 2^14 - 2 primitives, in 2^40 places; above it the pair
+  // is in 2^40 - 1.
+  CHECK_THROWS_WITH(flatten({top}), contains_text("2199023304700 primitives and 1099511627776 instances, which need "
+                                                  "800444472294832 bytes"));
+}
+
 TEST_CASE("flatten bakes a mesh that occurs once into the world", "[unit][flatten][mesh]") {
   auto mesh = strip_mesh(20);
   mesh->rotate(90, {0, 1, 0});

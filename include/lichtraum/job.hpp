@@ -50,6 +50,7 @@ struct JobView {
   using Focus = std::variant<double, Vec3>;
   std::optional<double> aperture;  ///< of the lens, see lichtraum::Lens
   std::optional<Focus> focus;      ///< only with an aperture, the camera's or this one; else what is looked at
+  /// +y where nothing says it.
   Vec3 up_or_default() const { return up.value_or(Vec3(0, 1, 0)); }
   friend bool operator==(JobView const&, JobView const&) = default;
 };

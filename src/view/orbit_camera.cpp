@@ -9,6 +9,8 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "lichtraum/orbit.hpp"
+
 namespace lichtraum::view {
 namespace {
 
@@ -31,7 +33,7 @@ OrbitCamera::OrbitCamera(Camera camera, Vec3 const& center, Resolution const& ma
       fov_x_degrees_(camera_.fov_x_degrees()),
       width_(camera_.width()),
       made_for_(made_for),
-      up_(glm::normalize(up)) {
+      up_(orbit_rotation({}, up).vector({0, 1, 0})) {
   Vec3 const eye = position_of(camera_);
   double const ahead = glm::dot(center - eye, forward_of(camera_));
   // What lies beside or behind is as far ahead as it is away.

@@ -34,7 +34,8 @@ void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string
   add_value(parser, "--look-at", view.look_at, parse_point, "X,Y,Z",
             "Turn it to that point (default, where it is moved:\nthe middle of what is in view)", group);
   add_value(parser, "--up", view.up, parse_point, "X,Y,Z",
-            "Which way is up: of the camera, of --orbit, and of\na model's environment and --ground\n(default: 0,1,0)",
+            "Which way is up: of the camera, of --orbit, of a\nmodel's environment and --ground, and of what a\nwindow "
+            "turns (default: 0,1,0)",
             group);
   add_value(parser, "--orbit", view.orbit, parse_orbit, "A,E[,D]",
             "Put it at azimuth A to the right of the front\n(+z), elevation E, in degrees; at distance D, or\nwhere it "

@@ -75,7 +75,7 @@ class Guard : public Json::json_sax_t {
 
 Json parse(std::string_view text, std::string_view kind, std::size_t most_values) {
   Guard guard(kind, most_values);
-  Json::sax_parse(text, &guard);  // what is no JSON ends it, and is told by the next
+  Json::sax_parse(text, &guard);  // stops at what is not JSON, which is reported below
   try {
     return Json::parse(text);
   } catch (Json::parse_error const& error) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# view_names_in_xvfb.sh PROGRAM FOLDER: opens a ball under four names of one letter, two of which no font has, in windows of
+# view_names_in_xvfb.sh PROGRAM FOLDER: opens a ball under four names of one letter, two of which the font lacks, in windows of
 # 640x480. Leaves a picture of each there.
 set -u
 program=$1

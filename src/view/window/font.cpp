@@ -13,6 +13,8 @@ constexpr char const* monospaced_fonts[] = {"/usr/share/fonts/truetype/dejavu/De
                                             "/usr/share/fonts/TTF/DejaVuSansMono.ttf",                     // Arch
                                             "/usr/share/fonts/truetype/liberation/LiberationMono-Regular.ttf"};
 
+constexpr float own_letter_width = 7;  // of Dear ImGui's own font
+
 /// First and last of each block: Latin, Greek, Cyrillic, Vietnamese, punctuation. What a font lacks is left out.
 constexpr ImWchar letters[] = {0x20, 0x24f, 0x370, 0x52f, 0x1ea0, 0x1eff, 0x2010, 0x205e, 0};
 
@@ -44,8 +46,8 @@ void load_font(float height_pixels) {
   if (!is_own_height) return;
   ImFontConfig others = own;  // what it lacks, in columns as wide
   others.MergeMode = true;
-  others.GlyphMinAdvanceX = others.GlyphMaxAdvanceX = 7;
-  add_system_font(13, others);
+  others.GlyphMinAdvanceX = others.GlyphMaxAdvanceX = own_letter_width;
+  add_system_font(own_font_height, others);
 }
 
 }  // namespace lichtraum::view

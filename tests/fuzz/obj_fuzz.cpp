@@ -7,10 +7,6 @@
 
 namespace {
 
-lichtraum::obj::MtlTextures all_of(std::shared_ptr<lichtraum::TextureImage const> const& picture) {
-  return {picture, picture, picture, picture, picture, picture};
-}
-
 auto const picture =
     std::make_shared<lichtraum::TextureImage const>(lichtraum::TextureImage{"a.png", 1, 1, {9, 8, 7, 6}});
 
@@ -22,12 +18,11 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
   try {
     lichtraum::Diagnostics diagnostics("fuzz.mtl", 100);
     lichtraum::normalise_line_breaks(text);
-    for (auto const& material : lichtraum::obj::read_mtl(text, diagnostics)) {
-      lichtraum::obj::PackedPictures packed;
-      for (auto const& textures : {lichtraum::obj::MtlTextures(), all_of(picture)}) {
-        for (bool const has_colors : {false, true}) {
-          lichtraum::obj::material_from_mtl(material, textures, has_colors, packed);
-        }
+    for (auto& material : lichtraum::obj::read_mtl(text, diagnostics)) {
+      lichtraum::obj::MadePictures made;
+      for (bool const has_pictures : {false, true}) {
+        for (auto const map : lichtraum::obj::mtl_textures) (material.*map).image = has_pictures ? picture : nullptr;
+        for (bool const has_colors : {false, true}) lichtraum::obj::material_from_mtl(material, has_colors, made);
       }
     }
     lichtraum::flatten(lichtraum::import_obj_text(text, "fuzz.obj", "/nonexistent").scene.roots());

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "io/obj/packed_pictures.hpp"
+#include "io/obj/made_pictures.hpp"
 #include "support/catch.hpp"
 #include "support/encode_png.hpp"
 #include "support/gltf_triangles.hpp"
@@ -240,7 +240,46 @@ TEST_CASE("MTL: physically based coefficients and their pictures", "[unit][obj]"
   CHECK(metal.roughness == 0.5);
 }
 
-TEST_CASE("MTL: pictures that are put together take no more memory than half a gigabyte", "[unit][obj]") {
+TEST_CASE("MTL: bump maps are heights, or normals where they are blue", "[unit][obj]") {
+  TemporaryFolder const folder;
+  using Pixels = std::vector<std::array<std::uint8_t, 4>>;
+  auto const write = [&](char const* name, int width, Pixels const& pixels) {
+    folder.write(name, test::encode_png(width, int(pixels.size()) / width, pixels));
+  };
+  std::array<std::uint8_t, 4> const black{0, 0, 0, 255}, white{255, 255, 255, 255}, blue{120, 130, 250, 255};
+  write("right.png", 4, {black, black, white, white});  // higher on the right
+  write("up.png", 1, {white, white, black, black});
+  write("blue.png", 1, {blue});
+  folder.write("m.mtl",
+               "newmtl right\nmap_Bump -bm 25 -clamp on right.png\n"  // 2 % of 4 pixels for each 255: a slope of 1
+               "newmtl up\nbump -bm 25 -s 3 3 -clamp on up.png\n"
+               "newmtl deep\nbump -bm -25 -clamp on up.png\n"
+               "newmtl around\nbump -bm 25 right.png\n"
+               "newmtl slight\nbump right.png\n"
+               "newmtl normals\nmap_bump -bm 0.5 blue.png\n"
+               "newmtl both\nmap_bump right.png\nnorm blue.png\n"
+               "newmtl no_number\nmap_bump -bm x right.png\n");
+  folder.write("m.obj", triangle_of_each({"right", "up", "deep", "around", "slight", "normals", "both", "no_number"}));
+  Model const model = import_obj(folder / "m.obj");
+  CHECK(shown(model.diagnostics) == (folder / "m.mtl").string() + ":17:14: 'x' is not a number\n");
+  auto const pbr = [&](char const* name) { return *(*model.scene.materials.find(name))->pbr(); };
+  auto const normals = [&](char const* name) { return pbr(name).normal_texture.texture->image->rgba; };
+  using Bytes = std::vector<std::uint8_t>;
+
+  // An upright normal is 128 128 255; one that leans by 45 degrees has 128 -+ 90.
+  CHECK(normals("right") == Bytes{128, 128, 255, 255, 37, 128, 218, 255, 37, 128, 218, 255, 128, 128, 255, 255});
+  CHECK(normals("up") == Bytes{128, 128, 255, 255, 128, 37, 218, 255, 128, 37, 218, 255, 128, 128, 255, 255});
+  CHECK(pbr("up").normal_texture.scale == glm::dvec2(3));
+  CHECK(normals("deep") == Bytes{128, 128, 255, 255, 128, 218, 218, 255, 128, 218, 218, 255, 128, 128, 255, 255});
+  CHECK(normals("around") == Bytes{218, 128, 218, 255, 37, 128, 218, 255, 37, 128, 218, 255, 218, 128, 218, 255});
+  CHECK(normals("slight") == Bytes{133, 128, 255, 255, 122, 128, 255, 255, 122, 128, 255, 255, 133, 128, 255, 255});
+  CHECK(normals("normals") == Bytes{120, 130, 250, 255});
+  CHECK(pbr("normals").normal_scale == 0.5);
+  CHECK(normals("both") == Bytes{120, 130, 250, 255});
+  CHECK(normals("no_number") == normals("slight"));
+}
+
+TEST_CASE("MTL: pictures made of others take no more memory than half a gigabyte", "[unit][obj]") {
   auto const picture = [](int width, int height) {
     auto image = std::make_shared<TextureImage>();
     image->width = width;
@@ -248,16 +287,18 @@ TEST_CASE("MTL: pictures that are put together take no more memory than half a g
     image->rgba.resize(4 * std::size_t(width) * std::size_t(height));
     return image;
   };
-  obj::PackedPictures packed;
+  obj::MadePictures made;
   auto const wide = picture(8192, 1);
   auto const high = picture(1, 8192);
-  auto const first = packed.with_channel(wide, obj::Channel::alpha, high);
+  auto const first = made.with_channel(wide, obj::Channel::alpha, high);
   CHECK(first->height == 8192);
-  CHECK(packed.with_channel(wide, obj::Channel::alpha, high) == first);
-  CHECK(packed.with_channel(nullptr, obj::Channel::alpha, high)->width == 1);
-  CHECK(!packed.is_full());
-  CHECK(packed.with_channel(wide, obj::Channel::alpha, picture(1, 8192)) == wide);
-  CHECK(packed.is_full());
+  CHECK(made.with_channel(wide, obj::Channel::alpha, high) == first);
+  CHECK(made.with_channel(nullptr, obj::Channel::alpha, high)->width == 1);
+  CHECK(!made.is_full());
+  CHECK(made.with_channel(wide, obj::Channel::alpha, picture(1, 8192)) == wide);
+  CHECK(made.is_full());
+  CHECK(made.normals_from(wide, 1, false)->height == 1);  // there is room for a small one
+  CHECK(made.normals_from(picture(8192, 8192), 1, false) == nullptr);
 }
 
 TEST_CASE("OBJ: no file outside the model's folder is read", "[unit][obj]") {

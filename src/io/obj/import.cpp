@@ -119,7 +119,7 @@ class Importer {
 
   /// Those that faces use, with their pictures.
   void read_materials(ObjFile const& file) {
-    std::vector<Source const*> used;
+    std::vector<Source*> used;
     for (Mention const& mention : file.used_materials) {
       auto const found = sources_.find(std::string(mention.word));
       if (found != sources_.end()) {
@@ -131,28 +131,23 @@ class Importer {
       }
     }
     for (Source const* source : used) {
-      MtlMaterial const& m = source->material;
-      for (MtlTexture const* texture : {&m.map_kd, &m.map_ke, &m.map_d, &m.map_pr, &m.map_pm, &m.norm}) {
-        fetch(*texture, source->library);
-      }
+      for (auto const map : mtl_textures) fetch(source->material.*map, source->library);
     }
     for (ImageJob& job : jobs_) job.bytes = job.owned;
     decode_images(jobs_, options_.max_texture);
-    PackedPictures packed;
-    for (Source const* source : used) {
-      MtlMaterial const& m = source->material;
-      auto const picture = [&](MtlTexture const& texture) { return picture_of(texture, source->library); };
-      materials_[m.name] = material_from_mtl(m,
-                                             {picture(m.map_kd), picture(m.map_ke), picture(m.map_d), picture(m.map_pr),
-                                              picture(m.map_pm), picture(m.norm)},
-                                             !file.colors.empty(), packed);
+    MadePictures made;
+    for (Source* const source : used) {
+      MtlMaterial& m = source->material;
+      for (auto const map : mtl_textures) (m.*map).image = picture_of(m.*map, source->library);
+      materials_[m.name] = material_from_mtl(m, !file.colors.empty(), made);
     }
     diagnostics_.begin_line({});
-    if (packed.is_full()) {
-      diagnostics_.add(Severity::warning, DiagnosticCode::texture_left_out, {},
-                       fmt::format("map_d, map_Pr and map_Pm of some materials are left out: put together with other "
-                                   "pictures they need more than {} bytes; a smaller --max-texture helps",
-                                   PackedPictures::max_bytes));
+    if (made.is_full()) {
+      diagnostics_.add(
+          Severity::warning, DiagnosticCode::texture_left_out, {},
+          fmt::format("map_d, map_Pr, map_Pm and map_Bump of some materials are left out: the pictures made of "
+                      "them need more than {} bytes; a smaller --max-texture helps",
+                      MadePictures::max_bytes));
     }
     for (Library& library : libraries_) {
       auto findings = std::move(*library.findings).finish(0);

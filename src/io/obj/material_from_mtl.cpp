@@ -18,15 +18,26 @@ TextureSlot slot(MtlTexture const& source, std::shared_ptr<TextureImage const> c
   return result;
 }
 
+/// `norm` before `map_Bump`, which may hold normals or heights.
+void set_normals(PbrModel& pbr, MtlMaterial const& source, MadePictures& made) {
+  MtlTexture const& texture = source.norm.image ? source.norm : source.map_bump;
+  if (!texture.image) return;
+  if (&texture == &source.norm || made.is_normal_map(texture.image)) {
+    pbr.normal_texture = slot(texture, texture.image);
+    pbr.normal_scale = std::clamp(texture.multiplier, 0.0, 4.0);
+  } else {
+    pbr.normal_texture = slot(texture, made.normals_from(texture.image, texture.multiplier, texture.clamp));
+  }
+}
+
 /// What Blinn's exponent is as GGX's roughness (Walter et al. 2007), with alpha the square of the roughness.
 double roughness_from(double m) { return std::sqrt(std::sqrt(2 / (4 * m + 2))); }
 
 }  // namespace
 
-std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, MtlTextures const& textures, bool has_colors,
-                                            PackedPictures& packed) {
+std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, bool has_colors, MadePictures& made) {
   int const illum = int(std::clamp(source.illum.value_or(2), 0.0, 10.0));
-  Rgb const kd = source.kd.value_or(Rgb(textures.map_kd ? 1 : 0.8));
+  Rgb const kd = source.kd.value_or(Rgb(source.map_kd.image ? 1 : 0.8));
   // Exporters that know no ambient light write 1 1 1: taken as written, it would wash out every colour.
   Rgb const ka = !source.ka || *source.ka == Rgb(1) ? kd : *source.ka;
   bool const has_highlight = illum >= 2;
@@ -40,8 +51,7 @@ std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, MtlTextur
   Rgb const emission = source.ke.value_or(Rgb(0));
 
   bool const is_physical = source.metallic || source.roughness || source.clearcoat;
-  bool const has_pictures =
-      textures.map_kd || textures.map_ke || textures.map_d || textures.map_pr || textures.map_pm || textures.norm;
+  bool const has_pictures = std::ranges::any_of(mtl_textures, [&](auto map) { return (source.*map).image != nullptr; });
   bool const is_absent = opacity == 0 && !refracts;
   if (!is_physical && !has_pictures && !has_colors && !is_absent) {
     PhongModel phong{.ka = ka, .kd = kd, .ks = ks, .m = m};
@@ -54,25 +64,25 @@ std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, MtlTextur
   PbrModel pbr;
   pbr.base_color = glm::min(kd, Rgb(1));
   pbr.alpha = opacity;
-  pbr.base_color_texture = slot(textures.map_kd ? source.map_kd : source.map_d,
-                                packed.with_channel(textures.map_kd, Channel::alpha, textures.map_d));
-  auto const of_roughness = packed.with_channel(nullptr, Channel::green, textures.map_pr);
-  auto const of_both = packed.with_channel(of_roughness, Channel::blue, textures.map_pm);
-  pbr.metallic_roughness_texture = slot(textures.map_pr ? source.map_pr : source.map_pm, of_both);
+  pbr.base_color_texture = slot(source.map_kd.image ? source.map_kd : source.map_d,
+                                made.with_channel(source.map_kd.image, Channel::alpha, source.map_d.image));
+  auto const of_roughness = made.with_channel(nullptr, Channel::green, source.map_pr.image);
+  auto const of_both = made.with_channel(of_roughness, Channel::blue, source.map_pm.image);
+  pbr.metallic_roughness_texture = slot(source.map_pr.image ? source.map_pr : source.map_pm, of_both);
   // A picture of them counts instead of the number: exporters write 0 beside it.
   double const own_roughness = has_highlight ? roughness_from(m) : 1;
   pbr.roughness = of_roughness ? 1 : std::clamp(source.roughness.value_or(own_roughness), 0.0, 1.0);
   pbr.metallic = of_both != of_roughness ? 1 : std::clamp(source.metallic.value_or(0), 0.0, 1.0);
   pbr.clearcoat = std::clamp(source.clearcoat.value_or(0), 0.0, 1.0);
   pbr.clearcoat_roughness = std::clamp(source.clearcoat_roughness.value_or(0), 0.0, 1.0);
-  pbr.normal_texture = slot(source.norm, textures.norm);
+  set_normals(pbr, source, made);
   pbr.emissive = emission;
-  pbr.emissive_texture = slot(source.map_ke, textures.map_ke);
+  pbr.emissive_texture = slot(source.map_ke, source.map_ke.image);
   if (refracts) {  // a body, not a film
     pbr.alpha = 1;
     pbr.transmission = 1 - opacity;
     pbr.thickness = 1;
-  } else if (opacity < 1 || textures.map_d) {
+  } else if (opacity < 1 || source.map_d.image) {
     pbr.alpha_mode = AlphaMode::blend;
   }
   pbr.ior = ior >= 1 ? ior : 1.5;

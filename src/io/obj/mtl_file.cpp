@@ -12,9 +12,8 @@ namespace {
 
 /// What is known and not used: maps and values of shading that Phong's formula does not have.
 constexpr std::string_view unused[] = {
-    "tf",     "sharpness", "map_ka",   "map_ks", "map_ns",  "map_bump", "bump", "disp",
-    "decal",  "refl",      "map_refl", "map_tr", "map_ps",  "map_aat",  "ps",   "aniso",
-    "anisor", "map_disp",  "map_ni",   "km",     "map_rma", "map_orm",
+    "tf",     "sharpness", "map_ka", "map_ks", "map_ns", "disp",     "decal",  "refl", "map_refl", "map_tr",
+    "map_ps", "map_aat",   "ps",     "aniso",  "anisor", "map_disp", "map_ni", "km",   "map_rma",  "map_orm",
 };
 
 class MtlReader {
@@ -70,6 +69,7 @@ class MtlReader {
     if (word == "map_d" || word == "map_opacity") return texture(rest, m.map_d);
     if (word == "map_pr") return texture(rest, m.map_pr);
     if (word == "map_pm") return texture(rest, m.map_pm);
+    if (word == "map_bump" || word == "bump") return texture(rest, m.map_bump);
     if (word == "norm" || word == "map_kn") return texture(rest, m.norm);
     if (std::find(std::begin(unused), std::end(unused), word) != std::end(unused)) return;
     warn(DiagnosticCode::unknown_obj_keyword, keyword,
@@ -125,6 +125,10 @@ class MtlReader {
         vector(after, out.offset);
       } else if (option == "-s") {
         vector(after, out.scale);
+      } else if (option == "-bm") {
+        std::optional<double> multiplier;
+        number(after, multiplier);
+        out.multiplier = multiplier.value_or(1);
       } else if (option == "-t") {
         glm::dvec2 ignored(0);
         vector(after, ignored);
@@ -145,7 +149,7 @@ class MtlReader {
 
   static bool is_option(Token word) {
     for (std::string_view const known :
-         {"-blendu", "-blendv", "-bm", "-boost", "-cc", "-imfchan", "-texres", "-type", "-colorspace"}) {
+         {"-blendu", "-blendv", "-boost", "-cc", "-imfchan", "-texres", "-type", "-colorspace"}) {
       if (word == known) return true;
     }
     return false;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/text/diagnostics.hpp"
-#include "lichtraum/math.hpp"
+#include "lichtraum/pbr_model.hpp"
 
 namespace lichtraum::obj {
 
@@ -17,6 +17,8 @@ struct MtlTexture {
   glm::dvec2 offset{0};
   glm::dvec2 scale{1};
   bool clamp = false;
+  double multiplier = 1;                      ///< -bm: of heights and normals
+  std::shared_ptr<TextureImage const> image;  ///< null until it has been decoded, or where it cannot be
 };
 
 /// A material as written; nothing where the file says nothing.
@@ -26,7 +28,13 @@ struct MtlMaterial {
   std::optional<double> ns, ni, d;  ///< d: 1 is opaque; also from Tr = 1 - d
   std::optional<double> metallic, roughness, clearcoat, clearcoat_roughness;
   std::optional<double> illum;
-  MtlTexture map_kd, map_ke, map_d, map_pr, map_pm, norm;
+  MtlTexture map_kd, map_ke, map_d, map_pr, map_pm, map_bump, norm;
+};
+
+/// Every picture of a material.
+inline constexpr MtlTexture MtlMaterial::*mtl_textures[] = {
+    &MtlMaterial::map_kd, &MtlMaterial::map_ke,   &MtlMaterial::map_d, &MtlMaterial::map_pr,
+    &MtlMaterial::map_pm, &MtlMaterial::map_bump, &MtlMaterial::norm,
 };
 
 /// Reads the text of an MTL file; the materials keep views of it. What cannot be read is a warning and left out.

@@ -1,7 +1,10 @@
-#include "io/obj/packed_pictures.hpp"
+#include "io/obj/made_pictures.hpp"
 
 #include <algorithm>
 #include <array>
+
+#include "io/obj/brightness.hpp"
+#include "io/obj/bump_map.hpp"
 
 namespace lichtraum::obj {
 namespace {
@@ -14,11 +17,6 @@ std::uint8_t const* pixel_at(TextureImage const& picture, int x, int y, int widt
   return &picture.rgba[4 * (row * std::size_t(picture.width) + column)];
 }
 
-/// By Rec. 709's weights, in 256ths.
-std::uint8_t brightness_of(std::uint8_t const* pixel) {
-  return std::uint8_t((54 * pixel[0] + 183 * pixel[1] + 19 * pixel[2]) / 256);
-}
-
 bool has_alpha(TextureImage const& picture) {
   for (std::size_t i = 3; i < picture.rgba.size(); i += 4) {
     if (picture.rgba[i] != 255) return true;
@@ -26,7 +24,7 @@ bool has_alpha(TextureImage const& picture) {
   return false;
 }
 
-PackedPictures::Picture packed(TextureImage const& picture, Channel channel, TextureImage const& source) {
+MadePictures::Picture packed(TextureImage const& picture, Channel channel, TextureImage const& source) {
   auto result = std::make_shared<TextureImage>();
   result->name = picture.name.empty() ? source.name : picture.name;
   result->width = std::max(picture.width, source.width);
@@ -38,7 +36,7 @@ PackedPictures::Picture packed(TextureImage const& picture, Channel channel, Tex
       std::array<std::uint8_t, 4> pixel;
       std::copy_n(pixel_at(picture, x, y, result->width, result->height), 4, pixel.begin());
       std::uint8_t const* const number = pixel_at(source, x, y, result->width, result->height);
-      pixel[std::size_t(channel)] = is_in_alpha ? number[3] : brightness_of(number);
+      pixel[std::size_t(channel)] = is_in_alpha ? number[3] : std::uint8_t(brightness_of(number));
       result->rgba.insert(result->rgba.end(), pixel.begin(), pixel.end());
     }
   }
@@ -47,20 +45,39 @@ PackedPictures::Picture packed(TextureImage const& picture, Channel channel, Tex
 
 }  // namespace
 
-PackedPictures::Picture PackedPictures::with_channel(Picture const& picture, Channel channel, Picture const& source) {
+MadePictures::Picture MadePictures::with_channel(Picture const& picture, Channel channel, Picture const& source) {
   if (!source) return picture;
-  auto const [place, is_new] = made_.try_emplace({picture, channel, source}, picture);
-  if (!is_new) return place->second;
+  auto const [place, is_new] = packed_.try_emplace({picture, channel, source}, picture);
   TextureImage const white{"", 1, 1, {255, 255, 255, 255}};
   TextureImage const& others = picture ? *picture : white;
-  std::size_t const bytes =
-      4 * std::size_t(std::max(others.width, source->width)) * std::size_t(std::max(others.height, source->height));
+  if (is_new && take(std::max(others.width, source->width), std::max(others.height, source->height))) {
+    place->second = packed(others, channel, *source);
+  }
+  return place->second;
+}
+
+bool MadePictures::is_normal_map(Picture const& bump_map) {
+  auto const [place, is_new] = are_normals_.try_emplace(bump_map);
+  if (is_new) place->second = obj::is_normal_map(*bump_map);
+  return place->second;
+}
+
+MadePictures::Picture MadePictures::normals_from(Picture const& heights, double multiplier, bool is_clamped) {
+  auto const [place, is_new] = normals_.try_emplace({heights, multiplier, is_clamped});
+  if (is_new && take(heights->width, heights->height)) {
+    place->second = std::make_shared<TextureImage const>(normals_from_heights(*heights, multiplier, is_clamped));
+  }
+  return place->second;
+}
+
+bool MadePictures::take(int width, int height) {
+  std::size_t const bytes = 4 * std::size_t(width) * std::size_t(height);
   if (bytes > max_bytes - bytes_) {
     is_full_ = true;
-    return picture;
+    return false;
   }
   bytes_ += bytes;
-  return place->second = packed(others, channel, *source);
+  return true;
 }
 
 }  // namespace lichtraum::obj

@@ -72,6 +72,44 @@ TEST_CASE("OBJ: corners with texture coordinates and normals share vertices; mis
   CHECK(g.texcoords[0].back() == Float2{0, 0});
 }
 
+TEST_CASE("OBJ: smoothing groups have normals where the file has none", "[unit][obj]") {
+  // Three sides of a cube. Around the corner 1 there is one triangle of a side, or two: their angles count.
+  std::string const cube = "v 0 0 0\nv -1 0 0\nv -1 -1 0\nv 0 -1 0\nv 0 -1 -1\nv 0 0 -1\nv -1 0 -1\nvn 0 0 9\n";
+  auto const normals_of_corner = [&](std::string const& faces) {
+    MeshGeometry const geometry = *mesh_of(import_text(cube + faces).scene, "mesh").geometry();
+    std::vector<Float3> normals;  // in the order of the faces
+    for (std::uint32_t const i : geometry.indices) {
+      if (geometry.positions[i] == Float3{0, 0, 0} && !geometry.normals.empty()) normals.push_back(geometry.normals[i]);
+    }
+    return normals;
+  };
+  auto const is_near = [](Float3 const& a, Vec3 const& b) {
+    return glm::length(Vec3(a[0], a[1], a[2]) - glm::normalize(b)) < 1e-6;
+  };
+  auto const smooth = normals_of_corner("s 7\nf 1 2 3\nf 1 3 4\nf 1 4 5 6\nf 6 7 2 1\n");
+  REQUIRE(smooth.size() == 5);
+  for (Float3 const& n : smooth) CHECK(is_near(n, {1, 1, 1}));
+
+  auto const creased = normals_of_corner("s 1\nf 1 2 3 4\ns 2\nf 1 4 5 6\ns 1\nf 6 7 2 1\ns off\nf 1 2 3\n");
+  REQUIRE(creased.size() == 6);
+  for (std::size_t const i : {0u, 1u, 4u}) CHECK(is_near(creased[i], {0, 1, 1}));
+  CHECK(is_near(creased[2], {1, 0, 0}));
+  CHECK(creased[5] == Float3{0, 0, 0});  // its triangle's own
+
+  auto const given = normals_of_corner("s on\nf 1//1 2//1 3//1 4//1\nf 1 4 5 6\n");
+  REQUIRE(given.size() == 4);
+  CHECK(given[0] == Float3{0, 0, 1});
+  CHECK(given[2] == Float3{1, 0, 0});
+
+  CHECK(normals_of_corner("f 1 2 3 4\nf 1 4 5 6\n").empty());
+  CHECK(normals_of_corner("s 0\nf 1 2 3 4\n").empty());
+  // Triangles that are left out take no other's group with them.
+  auto const faulty = normals_of_corner("s 1\nf 1 2 99\ns 0\nf 1 2 3 4\ns 1\nf 1 4 5 6\n");
+  REQUIRE(faulty.size() == 4);
+  CHECK(faulty[0] == Float3{0, 0, 0});
+  CHECK(is_near(faulty[2], {1, 0, 0}));
+}
+
 TEST_CASE("OBJ: a mesh for each material of each object and group, however they alternate", "[unit][obj]") {
   Model const model = import_text(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\no car\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 2 3\nusemtl red\nf 1 2 3\n"
@@ -120,12 +158,15 @@ TEST_CASE("OBJ: what is wrong is told with its place and left out", "[unit][obj]
        "m.obj:5:0: points and lines are not drawn\nm.obj:6:0: points and lines are not drawn\n"},
       {triangle + "curv 0 1 1 2\nsurf 0 1\n", "m.obj:5:0: free-form curves and surfaces are not drawn\n"},
       {"vx 1 2 3\n" + triangle, "m.obj:1:1: unknown OBJ keyword 'vx': the line is left out\n"},
-      {"mtllib nowhere.mtl\n" + triangle, ""},
-      {"mtllib ../secret.mtl\n" + triangle, ""},
+      {triangle + "s 1x\n", "m.obj:5:3: expected a smoothing group's number or off, found '1x'\n"},
+      {triangle + "s -1\n", "m.obj:5:3: expected a smoothing group's number or off, found '-1'\n"},
+      {"mtllib nowhere.mtl\n" + triangle, "m.obj:1:8: cannot open '" +
+                                              (std::filesystem::current_path() / "nowhere.mtl").string() +
+                                              "': No such file or directory\n"},
   };
   for (Case const& c : cases) {
     INFO(c.text);
-    if (!c.expected.empty()) CHECK(shown(import_text(c.text).diagnostics) == c.expected);
+    CHECK(shown(import_text(c.text).diagnostics) == c.expected);
   }
 }
 

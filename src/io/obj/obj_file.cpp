@@ -11,6 +11,7 @@
 
 #include "core/float3.hpp"
 #include "io/faulty_geometry.hpp"
+#include "io/obj/smooth_normals.hpp"
 #include "io/polygon.hpp"
 #include "io/text/numbers.hpp"
 
@@ -35,6 +36,7 @@ class ObjReader {
     }
     remove_faulty_triangles();
     std::erase_if(file_.parts, [](Part const& part) { return part.corners.empty(); });
+    add_smooth_normals(file_);
     if (!file_.colors.empty()) file_.colors.resize(file_.positions.size(), Float3{1, 1, 1});
     return std::move(file_);
   }
@@ -46,11 +48,12 @@ class ObjReader {
     if (keyword == "vn") return normal(rest);
     if (keyword == "vt") return texcoord(rest);
     if (keyword == "usemtl") return use_material(keyword, rest);
+    if (keyword == "s") return smoothing_group(rest);
     if (keyword == "o") return begin_part(object_, rest);
     if (keyword == "g") return begin_part(group_, rest);
     if (keyword == "mtllib") return library(keyword, rest);
     if (keyword == "l" || keyword == "p") return once(keyword, "points and lines are not drawn");
-    for (std::string_view const known : {"s", "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj",
+    for (std::string_view const known : {"mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj",
                                          "usemap", "maplib", "vp", "end", "parm", "trim", "hole", "scrv", "sp"}) {
       if (keyword == known) return;  // says nothing about triangles
     }
@@ -149,6 +152,7 @@ class ObjReader {
     for (auto const& triangle : triangles_) {
       for (std::uint32_t const i : triangle) part.corners.push_back(corners_[i]);
     }
+    part.smoothing_groups.resize(part.corners.size() / 3, smoothing_group_);
   }
 
   bool read_corner(Token word, Corner& corner) {
@@ -173,6 +177,16 @@ class ObjReader {
     if (found < 0 || found >= std::int64_t(Corner::none)) return false;
     index = std::uint32_t(found);
     return true;
+  }
+
+  void smoothing_group(std::string_view rest) {
+    Token const word = next_token(rest);
+    smoothing_group_ = word == "on" ? 1 : 0;
+    if (word == "on" || word == "off") return;
+    auto const [end, error] = std::from_chars(word.data(), word.data() + word.size(), smoothing_group_);
+    if (error == std::errc() && end == word.data() + word.size()) return;
+    diagnostics_.add(Severity::warning, DiagnosticCode::faulty_number, word,
+                     fmt::format("expected a smoothing group's number or off, found {}", in_quotes(word)));
   }
 
   void use_material(Token keyword, std::string_view rest) {
@@ -215,7 +229,7 @@ class ObjReader {
       key = '\n' + material_;
     }
     auto const [found, is_new] = part_numbers_.emplace(std::move(key), file_.parts.size());
-    if (is_new) file_.parts.push_back({std::move(name), material_, {}});
+    if (is_new) file_.parts.push_back({std::move(name), material_, {}, {}});
     part_ = &file_.parts[found->second];
     return *part_;
   }
@@ -234,10 +248,12 @@ class ObjReader {
                                 [&](auto& c) { return is_finite(file_.positions[c.position]); })) {
           ++non_finite;
         } else {
+          part.smoothing_groups[kept / 3] = part.smoothing_groups[i / 3];
           for (std::size_t k = 0; k < 3; ++k) part.corners[kept++] = checked(part.corners[i + k]);
         }
       }
       part.corners.resize(kept);
+      part.smoothing_groups.resize(kept / 3);
     }
     for (auto const& [mention, position] : mentions_) {
       if (position < file_.positions.size()) continue;
@@ -277,6 +293,7 @@ class ObjReader {
   Diagnostics& diagnostics_;
   ObjFile file_;
   std::string object_, group_, material_;
+  std::uint32_t smoothing_group_ = 0;
   Part* part_ = nullptr;
   std::unordered_map<std::string, std::size_t> part_numbers_;
   std::unordered_set<std::string> known_materials_;

@@ -20,9 +20,10 @@ struct Corner {
 
 /// Faces of one object or group and one material, as triangles.
 struct Part {
-  std::string name;             ///< of the object and the group; may be empty
-  std::string material;         ///< empty: none
-  std::vector<Corner> corners;  ///< three per triangle
+  std::string name;                             ///< of the object and the group; may be empty
+  std::string material;                         ///< empty: none
+  std::vector<Corner> corners;                  ///< three per triangle
+  std::vector<std::uint32_t> smoothing_groups;  ///< one per triangle; 0: it is flat where it has no normals
 };
 
 /// A word of the text that a later step may find wrong.

@@ -50,6 +50,7 @@ TEST_CASE("normals stay perpendicular to what they were perpendicular to", "[uni
 TEST_CASE("a transform without an inverse is refused", "[unit][transform]") {
   CHECK_THROWS_AS(Transform::scaling({1, 0, 1}), std::invalid_argument);
   CHECK_THROWS_AS(Transform::scaling({1, NAN, 1}), std::invalid_argument);
+  CHECK_THROWS_AS(Transform::scaling({1, 1, -INFINITY}), std::invalid_argument);
   CHECK_THROWS_AS(Transform::from_matrix(Mat4(0)), std::invalid_argument);
   Mat4 flat(1);
   flat[2][2] = 0;

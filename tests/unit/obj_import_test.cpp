@@ -188,8 +188,13 @@ TEST_CASE("MTL: Phong's coefficients, mirrors and glass", "[unit][obj]") {
                "newmtl mirror\nKd 0 0 0\nKs 0.75 0.5 0.5\nillum 3\n"
                "newmtl glass\nKs 1 1 1\nillum 7\nd 0.25\nTr 0.5\nNi 1.5\n"
                "newmtl thin\nTr 0.5\nNi 1.5\nillum 4\n"
-               "newmtl matt\nKs 1 1 1\nillum 1\n");
-  folder.write("m.obj", triangle_of_each({"plain", "blender", "mirror", "glass", "thin", "matt"}));
+               "newmtl matt\nKs 1 1 1\nillum 1\n"
+               "newmtl meshlab\nTr 1.000000\nillum 2\n"
+               "newmtl filter\nKs 0.3 0.3 0.3\nillum 7\nNi 2.5\nTf 0.1 0.2 0.1\n"
+               "newmtl clear\nd 1\nillum 6\nNi 1.5\n"
+               "newmtl unbent\nillum 7\nNi 1\n");
+  folder.write("m.obj", triangle_of_each({"plain", "blender", "mirror", "glass", "thin", "matt", "meshlab", "filter",
+                                          "clear", "unbent"}));
   Model const model = import_obj(folder / "m.obj");
   CHECK(shown(model.diagnostics) == "");
   auto const& material = [&](char const* name) -> Material const& { return **model.scene.materials.find(name); };
@@ -207,6 +212,54 @@ TEST_CASE("MTL: Phong's coefficients, mirrors and glass", "[unit][obj]") {
   CHECK(material("thin").transmit() == 0.5);
   CHECK(material("thin").ior() == 1);
   CHECK(material("matt").ks() == Rgb(0));
+  CHECK(!material("meshlab").pbr());  // neither invisible
+  CHECK(material("meshlab").transmit() == 0);
+  CHECK(material("filter").transmit() == Approx(0.2));
+  CHECK(material("filter").reflect() == 0.3);
+  CHECK(material("clear").transmit() == 1);
+  CHECK(material("unbent").transmit() == 0);
+}
+
+TEST_CASE("MTL: with a picture, materials keep highlights and mirrors, and zeros beside it are not meant",
+          "[unit][obj]") {
+  TemporaryFolder const folder;
+  folder.write("a.png", test::encode_png(1, 1, std::vector<std::array<std::uint8_t, 4>>{{50, 60, 70, 255}}));
+  folder.write("m.mtl",
+               "newmtl maya\nillum 4\nKd 0 0 0\nmap_Kd a.png\nNi 1.00\nKs .5 .5 .5\nNs 18\n"
+               "newmtl dense\nmap_Kd a.png\nNi 1.8\nKs 1 1 1\n"
+               "newmtl mirror\nillum 3\nmap_Kd a.png\nKs 0.25 0.1 0.1\n"
+               "newmtl air\nillum 7\nmap_Kd a.png\nNi 1\nd 0.5\n"
+               "newmtl glow\nmap_Ke a.png\nKd 0 0 0\n"
+               "newmtl dim\nmap_Ke a.png\nKe 0.5 0.5 0.5\n");
+  folder.write("m.obj", triangle_of_each({"maya", "dense", "mirror", "air", "glow", "dim"}));
+  Model const model = import_obj(folder / "m.obj");
+  CHECK(shown(model.diagnostics) == "");
+  auto const pbr = [&](char const* name) { return *(*model.scene.materials.find(name))->pbr(); };
+  CHECK(pbr("maya").base_color == Rgb(1));
+  CHECK(pbr("maya").ior == 1.5);
+  CHECK(pbr("maya").specular == 1);
+  CHECK(pbr("dense").ior == 1.8);
+  CHECK(pbr("mirror").ior == Approx(3));  // ((3 - 1) / (3 + 1))^2
+  CHECK(pbr("air").ior == 1);
+  CHECK(pbr("glow").emissive == Rgb(1));
+  CHECK(pbr("glow").base_color == Rgb(0));
+  CHECK(pbr("dim").emissive == Rgb(0.5));
+}
+
+TEST_CASE("OBJ: colours of vertices count where no picture gives them", "[unit][obj]") {
+  TemporaryFolder const folder;
+  folder.write("a.png", test::encode_png(1, 1, std::vector<std::array<std::uint8_t, 4>>{{50, 60, 70, 255}}));
+  folder.write("m.mtl", "newmtl scan\nmap_Kd a.png\nnewmtl plain\nnewmtl cut\nmap_d a.png\n");
+  folder.write("m.obj",
+               "mtllib m.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nvt 0 0\n"
+               "usemtl scan\nf 1/1 2/1 3/1\no bare\nusemtl scan\nf 1 2 3\n"
+               "o other\nusemtl plain\nf 1/1 2/1 3/1\nusemtl cut\nf 1/1 2/1 3/1\n");
+  Model const model = import_obj(folder / "m.obj");
+  auto const has_colors = [&](char const* name) { return !mesh_of(model.scene, name).geometry()->colors.empty(); };
+  CHECK(!has_colors("scan"));
+  CHECK(has_colors("bare.scan"));  // without texture coordinates
+  CHECK(has_colors("other.plain"));
+  CHECK(has_colors("other.cut"));
 }
 
 TEST_CASE("MTL: pictures keep their place and options; what is wrong is told in its own file", "[unit][obj]") {

@@ -40,7 +40,9 @@ class Importer {
     Model model;
     std::vector<ModelPart> parts;
     PartGeometry geometry(file);
-    for (Part const& part : file.parts) parts.push_back(named(part, geometry.of(part), model.scene));
+    for (Part const& part : file.parts) {
+      parts.push_back(named(part, geometry.of(part, pictured_.contains(part.material)), model.scene));
+    }
     if (parts.empty())
       diagnostics_.add(Severity::error, DiagnosticCode::nothing_to_draw, {},
                        "the model has nothing to draw: it has no triangles");
@@ -139,6 +141,7 @@ class Importer {
     for (Source* const source : used) {
       MtlMaterial& m = source->material;
       for (auto const map : mtl_textures) (m.*map).image = picture_of(m.*map, source->library);
+      if (m.map_kd.image) pictured_.insert(m.name);
       materials_[m.name] = material_from_mtl(m, !file.colors.empty(), made);
     }
     diagnostics_.begin_line({});
@@ -203,6 +206,7 @@ class Importer {
   std::vector<Diagnostic> of_libraries_;
   std::map<std::string, Source> sources_;
   std::map<std::string, std::shared_ptr<Material>> materials_;
+  std::set<std::string> pictured_;  // materials whose colours a picture gives
   std::vector<ImageJob> jobs_;
   std::map<std::string, std::size_t> job_numbers_;
 };

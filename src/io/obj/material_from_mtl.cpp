@@ -18,6 +18,30 @@ TextureSlot slot(MtlTexture const& source, std::shared_ptr<TextureImage const> c
   return result;
 }
 
+double largest_of(Rgb const& color) { return std::max({color.r, color.g, color.b}); }
+
+/// What a picture is multiplied with: 1 without a number, or with the 0 that some exporters write beside it.
+std::optional<Rgb> factor(std::optional<Rgb> const& color, MtlTexture const& picture) {
+  return picture.image && (!color || *color == Rgb(0)) ? Rgb(1) : color;
+}
+
+/// 1: no light passes through.
+double opacity_of(MtlMaterial const& source, bool refracts) {
+  if (refracts && source.ni.value_or(1) > 1 && source.d.value_or(1) == 1 && !source.tr) {
+    return 1 - std::clamp(largest_of(source.tf.value_or(Rgb(1))), 0.0, 1.0);
+  }
+  // `d` counts where both are written: Tr is not in the specification, and many write 1 for what is opaque.
+  bool const tr_means_opacity = source.tr == 1 && !refracts;
+  double const through = source.tr && !tr_means_opacity ? *source.tr : 0;
+  return std::clamp(source.d.value_or(1 - through), 0.0, 1.0);
+}
+
+/// Of a body that reflects so much of the light that falls straight on it (Fresnel); at least as glass.
+double ior_of_mirror(double reflectance) {
+  double const r = std::sqrt(std::clamp(reflectance, 0.04, 0.95));
+  return (1 + r) / (1 - r);
+}
+
 /// `norm` before `map_Bump`, which may hold normals or heights.
 void set_normals(PbrModel& pbr, MtlMaterial const& source, MadePictures& made) {
   MtlTexture const& texture = source.norm.image ? source.norm : source.map_bump;
@@ -37,18 +61,18 @@ double roughness_from(double m) { return std::sqrt(std::sqrt(2 / (4 * m + 2))); 
 
 std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, bool has_colors, MadePictures& made) {
   int const illum = int(std::clamp(source.illum.value_or(2), 0.0, 10.0));
-  Rgb const kd = source.kd.value_or(Rgb(source.map_kd.image ? 1 : 0.8));
+  Rgb const kd = factor(source.kd, source.map_kd).value_or(Rgb(0.8));
   // Exporters that know no ambient light write 1 1 1: taken as written, it would wash out every colour.
   Rgb const ka = !source.ka || *source.ka == Rgb(1) ? kd : *source.ka;
   bool const has_highlight = illum >= 2;
   Rgb const ks = has_highlight ? source.ks.value_or(Rgb(0)) : Rgb(0);
   double const m = std::max(source.ns.value_or(1), 0.0);
-  double const opacity = std::clamp(source.d.value_or(1), 0.0, 1.0);
   bool const mirrors = illum >= 3 && illum <= 7;
   bool const refracts = illum == 6 || illum == 7;
+  double const opacity = opacity_of(source, refracts);
   double const ni = source.ni.value_or(1);
   double const ior = ni > 0 ? ni : 1;
-  Rgb const emission = source.ke.value_or(Rgb(0));
+  Rgb const emission = factor(source.ke, source.map_ke).value_or(Rgb(0));
 
   bool const is_physical = source.metallic || source.roughness || source.clearcoat;
   bool const has_pictures = std::ranges::any_of(mtl_textures, [&](auto map) { return (source.*map).image != nullptr; });
@@ -56,7 +80,7 @@ std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, bool has_
   if (!is_physical && !has_pictures && !has_colors && !is_absent) {
     PhongModel phong{.ka = ka, .kd = kd, .ks = ks, .m = m};
     phong.transmit = 1 - opacity;
-    phong.reflect = mirrors ? std::clamp(std::max({ks.r, ks.g, ks.b}), 0.0, opacity) : 0;
+    phong.reflect = mirrors ? std::clamp(largest_of(ks), 0.0, opacity) : 0;
     phong.ior = refracts ? ior : 1;
     phong.emission = emission;
     return std::make_shared<Material>(source.name, phong);
@@ -85,7 +109,13 @@ std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, bool has_
   } else if (opacity < 1 || source.map_d.image) {
     pbr.alpha_mode = AlphaMode::blend;
   }
-  pbr.ior = ior >= 1 ? ior : 1.5;
+  if (refracts) {
+    pbr.ior = std::max(ior, 1.0);
+  } else if (illum == 3) {
+    pbr.ior = ior_of_mirror(largest_of(ks));
+  } else {
+    pbr.ior = ior > 1 ? ior : 1.5;  // 1 is written for what bends no rays, and would take the highlight away
+  }
   pbr.specular = ks == Rgb(0) ? 0 : 1;
   pbr.double_sided = true;
   return std::make_shared<Material>(source.name, std::move(pbr));

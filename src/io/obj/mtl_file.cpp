@@ -12,8 +12,8 @@ namespace {
 
 /// What is known and not used: maps and values of shading that Phong's formula does not have.
 constexpr std::string_view unused[] = {
-    "tf",     "sharpness", "map_ka", "map_ks", "map_ns", "disp",     "decal",  "refl", "map_refl", "map_tr",
-    "map_ps", "map_aat",   "ps",     "aniso",  "anisor", "map_disp", "map_ni", "km",   "map_rma",  "map_orm",
+    "sharpness", "map_ka", "map_ks", "map_ns", "disp",     "decal",  "refl", "map_refl", "map_tr",  "map_ps",
+    "map_aat",   "ps",     "aniso",  "anisor", "map_disp", "map_ni", "km",   "map_rma",  "map_orm",
 };
 
 class MtlReader {
@@ -55,6 +55,7 @@ class MtlReader {
     if (word == "kd") return color(rest, m.kd);
     if (word == "ks") return color(rest, m.ks);
     if (word == "ke") return color(rest, m.ke);
+    if (word == "tf") return color(rest, m.tf);
     if (word == "ns") return number(rest, m.ns);
     if (word == "ni") return number(rest, m.ni);
     if (word == "pm") return number(rest, m.metallic);
@@ -63,7 +64,7 @@ class MtlReader {
     if (word == "pcr") return number(rest, m.clearcoat_roughness);
     if (word == "illum") return number(rest, m.illum);
     if (word == "d") return dissolve(rest, m);
-    if (word == "tr") return transparency(rest, m);
+    if (word == "tr") return number(rest, m.tr);
     if (word == "map_kd") return texture(rest, m.map_kd);
     if (word == "map_ke") return texture(rest, m.map_ke);
     if (word == "map_d" || word == "map_opacity") return texture(rest, m.map_d);
@@ -104,13 +105,6 @@ class MtlReader {
     std::string_view copy = rest;
     if (next_token(copy) == "-halo") rest = copy;
     number(rest, m.d);
-  }
-
-  /// `d` counts where both are written: Tr is not in the specification, and some write the one into the other.
-  void transparency(std::string_view rest, MtlMaterial& m) {
-    std::optional<double> tr;
-    number(rest, tr);
-    if (tr && !m.d) m.d = 1 - *tr;
   }
 
   void texture(std::string_view rest, MtlTexture& out) {

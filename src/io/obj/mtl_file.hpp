@@ -24,8 +24,9 @@ struct MtlTexture {
 /// A material as written; nothing where the file says nothing.
 struct MtlMaterial {
   std::string name;
-  std::optional<Rgb> ka, kd, ks, ke;
-  std::optional<double> ns, ni, d;  ///< d: 1 is opaque; also from Tr = 1 - d
+  std::optional<Rgb> ka, kd, ks, ke, tf;
+  std::optional<double> ns, ni;
+  std::optional<double> d, tr;  ///< 1 is opaque; 1 lets all through, or should
   std::optional<double> metallic, roughness, clearcoat, clearcoat_roughness;
   std::optional<double> illum;
   MtlTexture map_kd, map_ke, map_d, map_pr, map_pm, map_bump, norm;

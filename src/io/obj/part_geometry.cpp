@@ -27,12 +27,13 @@ PartGeometry::PartGeometry(ObjFile const& file)
   }
 }
 
-std::shared_ptr<MeshGeometry const> PartGeometry::of(Part const& part) {
+std::shared_ptr<MeshGeometry const> PartGeometry::of(Part const& part, bool has_picture) {
   auto geometry = std::make_shared<MeshGeometry>();
   bool const has_texcoords =
       std::any_of(part.corners.begin(), part.corners.end(), [](auto& c) { return c.texcoord != Corner::none; });
   bool const has_normals =
       std::any_of(part.corners.begin(), part.corners.end(), [](auto& c) { return c.normal != Corner::none; });
+  with_colors_ = !linear_colors_.empty() && !(has_picture && has_texcoords);
   if (has_texcoords) geometry->texcoords.emplace_back();
   geometry->indices.reserve(part.corners.size());
   if (has_normals || has_texcoords) {
@@ -50,7 +51,7 @@ void PartGeometry::add_vertex(Corner const& corner, MeshGeometry& out) const {
   if (!out.texcoords.empty()) {
     out.texcoords[0].push_back(corner.texcoord == Corner::none ? Float2{0, 0} : file_.texcoords[corner.texcoord]);
   }
-  if (!linear_colors_.empty()) {
+  if (with_colors_) {
     Float3 const& c = linear_colors_[corner.position];
     out.colors.push_back({c[0], c[1], c[2], 1});
   }

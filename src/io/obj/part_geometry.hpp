@@ -11,7 +11,9 @@ namespace lichtraum::obj {
 class PartGeometry {
  public:
   explicit PartGeometry(ObjFile const& file);
-  std::shared_ptr<MeshGeometry const> of(Part const& part);
+  /// `has_picture`: of its colours. Where it is looked up, those of vertices are left out: programs that make both from
+  /// photographs write the same in either, and both would darken each other.
+  std::shared_ptr<MeshGeometry const> of(Part const& part, bool has_picture);
 
  private:
   void add_vertex(Corner const& corner, MeshGeometry& out) const;
@@ -20,6 +22,7 @@ class PartGeometry {
 
   ObjFile const& file_;
   std::vector<Float3> linear_colors_;
+  bool with_colors_ = false;                       ///< of the part at hand
   std::vector<std::uint32_t> vertex_of_position_;  ///< all none between two parts
 };
 

@@ -106,6 +106,8 @@ Model import(std::string_view bytes, std::string const& name, std::optional<fs::
   std::shared_ptr<Material const> material = options.material;
   if (!has_failed && !material) {
     auto const own = material_of(header.texture_file, *geometry, folder, options, diagnostics);
+    // Programs that make both from photographs write the same in either: they would darken each other.
+    if (own->pbr() && own->pbr()->base_color_texture) geometry->colors = {};
     model.scene.materials.insert(own);
     material = own;
   }

@@ -47,16 +47,26 @@ Light placed(Light const& light, Vec3 const& point, ReferenceRandom& random) {
   return {light.name(), moved};
 }
 
-/// The solid in which light is that leaves a surface in this direction, where the path that met it was in `entered`.
-PbrModel const* solid_towards(ReferenceScatteringPoint const& point, PbrModel const* entered, Vec3 const& direction) {
+/// The solids that a path is in, as far as it has been seen to enter them: the last one, and the one before.
+struct EnteredSolids {
+  PbrModel const* inner = nullptr;
+  PbrModel const* outer = nullptr;
+};
+
+/// In which light is that leaves a surface in this direction, where the path that met it was in `entered`.
+EnteredSolids solids_towards(ReferenceScatteringPoint const& point, EnteredSolids const& entered,
+                             Vec3 const& direction) {
   bool const crosses = point.solid && glm::dot(point.geometric_normal, direction) < 0;
   if (!crosses) return entered;
-  return point.from_outside ? point.solid : nullptr;
+  if (point.from_outside) return {point.solid, entered.inner};
+  if (entered.inner == point.solid) return {entered.outer, nullptr};
+  if (entered.outer == point.solid) return {entered.inner, nullptr};
+  return entered;
 }
 
 /// What the surface reflects of lights that no ray would meet, of a path that was in `entered`.
 Rgb light_of_lamps(ReferenceScene const& scene, ReferenceScatteringPoint const& point,
-                   ReferenceScattering const& scattering, PbrModel const* entered, ReferenceRandom& random,
+                   ReferenceScattering const& scattering, EnteredSolids const& entered, ReferenceRandom& random,
                    RayCounts& counts) {
   Rgb radiance(0);
   for (Light const& lamp : scene.lights) {
@@ -71,7 +81,7 @@ Rgb light_of_lamps(ReferenceScene const& scene, ReferenceScatteringPoint const& 
     ++counts.shadow;
     double const t_max =
         light.position() ? glm::length(way) * (1 - reference_ray_epsilon) : std::numeric_limits<double>::infinity();
-    PbrModel const* const solid = solid_towards(point, entered, to_light);
+    PbrModel const* const solid = solids_towards(point, entered, to_light).inner;
     double const way_in_solid = std::min(t_max, std::numeric_limits<double>::max());
     Rgb const left = solid ? attenuation(*solid, way_in_solid) : Rgb(1);
     radiance += left * reflected * visibility(scene, point.leave(to_light), t_max);
@@ -131,10 +141,10 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
   Rgb throughput(1);
   bool const sees_environment =
       environment && request.background && request.background->kind == Background::Kind::environment;
-  Rgb thrown_share(1);                // of what it throws on the ground, that reflects no more of it than white does
-  bool mirrored = false;              // in the ground's gloss
-  bool sees_background = false;       // by a mirror or through glass
-  PbrModel const* entered = nullptr;  // the solid that the path is in, as far as it has been seen to enter one
+  Rgb thrown_share(1);           // of what it throws on the ground, that reflects no more of it than white does
+  bool mirrored = false;         // in the ground's gloss
+  bool sees_background = false;  // by a mirror or through glass
+  EnteredSolids entered;
   int depth = 0;
   for (bool is_first_ray = true;; is_first_ray = false) {
     ++(is_first_ray ? counts.camera : counts.secondary);
@@ -161,7 +171,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
     ReferenceScatteringPoint const point = mirrored && is_ground ? ground.glossy_point(ray, ground.distance(ray))
                                            : is_ground ? ground.matt_point(ray, ground.distance(ray), background)
                                                        : find_scattering_point(ray, hit);
-    if (entered) throughput *= attenuation(*entered, hit.t);
+    if (entered.inner) throughput *= attenuation(*entered.inner, hit.t);
     bool const is_hidden_back = depth == 0 && !point.from_outside && !point.shows_back;
     if (is_hidden_back) {
       ray = {point.below(), ray.direction};
@@ -179,7 +189,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
     if (is_in_gloss) add(-throughput * in_gloss, false);
     throughput /= 1 - point.chance_to_pass;
     if (depth == 0 && !is_ground) sample.surface = {1, throughput * point.albedo(), point.normal};
-    if (!entered && point.solid && !point.from_outside) throughput *= attenuation(*point.solid, hit.t);
+    if (!entered.inner && point.solid && !point.from_outside) throughput *= attenuation(*point.solid, hit.t);
     add(throughput * point.emission, depth > 1);
     if (is_ground) thrown_share = Rgb(1) / glm::max(point.bsdf.diffuse, Rgb(1));
     auto const scattering = point.scattering();
@@ -190,7 +200,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
     throughput *= next.weight;
     if (throughput == Rgb(0) || !(next.is_smooth || point.is_consistent(next.direction))) return sample;
     ray = point.leave(next.direction);
-    entered = solid_towards(point, entered, next.direction);
+    entered = solids_towards(point, entered, next.direction);
     sees_background = next.is_mirror_or_glass;
     ++depth;
   }

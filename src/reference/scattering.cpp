@@ -53,7 +53,7 @@ ReferenceScattering::ReferenceScattering(ReferenceBsdf const& bsdf, Vec3 const& 
     dielectric_gain_ = Rgb(refraction_gain_);
     reflected = refraction_gain_ * (eta_ > 1 ? Rgb(solid.reflected) : gloss.a * bsdf.f0 + gloss.b * bsdf.f90);
   }
-  base_ *= glm::max(1.0 - reflected, Rgb(0));
+  base_ *= std::max(1 - largest(reflected), 0.0);  // alike in all channels (KHR_materials_specular)
 }
 
 bool ReferenceScattering::is_solid() const { return bsdf_.is_layered && std::abs(eta_ - 1) > 1e-3; }
@@ -72,7 +72,7 @@ Rgb ReferenceScattering::refracted_share(double cosine) const {
   double const beyond = cosine_beyond_squared(eta_, cosine);
   if (beyond <= 0) return Rgb(0);
   Rgb const reflected = schlick(bsdf_.f0, bsdf_.f90, eta_ > 1 ? std::sqrt(beyond) : cosine);
-  return below_coat_ * refraction_gain_ * bsdf_.transmitted * (1.0 - reflected);
+  return below_coat_ * refraction_gain_ * bsdf_.transmitted * std::max(1 - largest(reflected), 0.0);
 }
 
 Rgb ReferenceScattering::transmitted(Vec3 const& to_light) const {

@@ -14,8 +14,6 @@
 namespace lichtraum {
 namespace {
 
-double largest(Rgb const& color) { return std::max({color.r, color.g, color.b}); }
-
 Rgb color_of(float const (&values)[3]) { return {values[0], values[1], values[2]}; }
 
 /// The largest share of `color`, up to all of it, that is nowhere more than `room`.
@@ -64,9 +62,8 @@ void open_pane(PbrModel const& material, Hit const& hit, ReferenceScatteringPoin
   double const cosine = std::min(glm::dot(point.geometric_normal, point.to_viewer), 1.0);
   double const grazing = square(square(1 - cosine)) * (1 - cosine);
   Rgb const reflected = glm::mix(bsdf.f0, bsdf.f90, grazing);
-  Rgb const left = glm::max(Rgb(1) - reflected, Rgb(0));
-  point.passed = left * bsdf.transmitted;
-  point.chance_to_pass = std::min({left.r, left.g, left.b}) * largest(bsdf.transmitted);
+  point.passed = std::max(1 - largest(reflected), 0.0) * bsdf.transmitted;
+  point.chance_to_pass = largest(point.passed);
   bsdf.transmitted = Rgb(0);
 }
 

@@ -36,7 +36,8 @@ Extremes extremes(BsdfProbe const& probe, Surface const& surface_of, bool from_o
       double const roughness = i / 15.0, other = columns == 1 ? 0 : k / double(columns - 1);
       auto const means = furnace(probe, {"", surface_of(roughness, other), from_outside});
       for (std::size_t angle = 0; angle < means.size(); ++angle) {
-        double const mean = means[angle].x;
+        // Of the channel that has most: those that a film reflects less are not to shine through from below.
+        double const mean = std::max({means[angle].x, means[angle].y, means[angle].z});
         std::string const where =
             fmt::format("roughness {:.3f}, {:.3f}, {} degrees", roughness, other, viewer_angles_degrees[angle]);
         if (mean < result.least) result.least = mean, result.where_least = where;
@@ -121,7 +122,7 @@ TEST_CASE("white furnace: what sheen reflects is missing below it", "[kernel][bs
   check(extremes(probe, fuzz), 0, 1.002);
 }
 
-TEST_CASE("white furnace: thin films add no light, and over what is matt they lose none",
+TEST_CASE("white furnace: thin films add no light, and over what is matt one channel loses none",
           "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
   BsdfProbe const probe(quickest_lanes());

@@ -69,9 +69,9 @@
   ARRAY(PunctualLight, lights)                                                                                \
   ARRAY(AliasEntry, light_choices)  /* of what lights the scene: lights, environment, emissive shapes */      \
   ARRAY(float, light_probabilities) /* with which each is chosen */                                           \
-  ARRAY(LightTreeNode, light_tree)  /* where many lights have a place; a choice instead of the shapes */      \
+  ARRAY(LightTreeNode, light_tree)  /* of those that have a place, where they are many or not alone */        \
   ARRAY(float, emission_densities)  /* of materials: of their triangles' points to be chosen, per world area; \
-                                       with a tree, from where all its lights are as important as 1 */
+                                       with a tree, in it, from where all its lights are as important as 1 */
 
 /* What arrives from infinitely far away (lights/environment.clh); none of them has elements where nothing does. */
 #define ENVIRONMENT_ARRAYS(ARRAY)                                                     \
@@ -89,8 +89,8 @@ typedef struct {
   uint light_choice_count;
   uint emissive_triangle_count;
   uint emissive_solid_count;
-  float environment_probability; /* to be chosen of the lights */
-  float light_tree_probability;  /* and the tree; 0: there is none */
+  float environment_probability; /* to be chosen of the lights, or with a tree of those that are not in it */
+  float distant_importance;      /* of these, as the tree's is told; below 0: there is no tree */
   uint features;                 /* SCENE_... */
   float ray_epsilon; /* how far, relative to its coordinates, a computed hit point may lie off its surface */
   /* The environment; all 0 where there is none. */

@@ -1,8 +1,10 @@
 #include "compile/light_choice.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <numeric>
 
 #include "compile/alias_table.hpp"
 #include "compile/light_tree.hpp"
@@ -47,7 +49,9 @@ double usual_distance_squared(DeviceBounds const& bounds) {
   return squared > 0 ? squared : 1;
 }
 
-/// More lights that have a place are chosen by a tree: that takes time, and less noise for it.
+/// More lights that have a place are chosen by a tree: that takes time, and less noise for it. So are fewer, where
+/// others have none: how much these matter beside a lamp depends on how far it is away, and the size of a scene says
+/// nothing about that.
 constexpr std::size_t most_without_tree = 64;
 
 LightLeaf leaf_of(device::EmissiveTriangle const& triangle) {
@@ -74,10 +78,11 @@ LightLeaf leaf_of(device::PunctualLight const& light) {
   return leaf;
 }
 
-/// Where there are many lights that have a place and fall off, they become a tree, which counts as one: its weight
-/// takes the place of those of the shapes. `weights` are of lights, environment, triangles and solids.
-void plant_light_tree(ShadingTables& tables, SceneBuffers const& scene, std::vector<double>& weights,
-                      double distance_squared) {
+/// Of lights that have a place and fall off. `weights` are of lights, environment, triangles and solids, the irradiance
+/// that each may bring; those in the tree become 0. Returns the irradiance that all in it bring to a distance of 1, or
+/// 0 where there is none.
+double plant_light_tree(ShadingTables& tables, SceneBuffers const& scene, std::vector<double>& weights,
+                        double distance_squared) {
   std::vector<LightLeaf> leaves;
   auto const add = [&](auto const& light, std::size_t number) {
     if (!(weights[number] > 0)) return;
@@ -93,15 +98,15 @@ void plant_light_tree(ShadingTables& tables, SceneBuffers const& scene, std::vec
   std::size_t number = first_triangle;
   for (auto const& triangle : scene.emissive_triangles) add(triangle, number++);
   for (auto const& solid : scene.emissive_solids) add(solid, number++);
-  if (leaves.size() <= most_without_tree) return;
   double in_tree = 0;
-  for (LightLeaf const& leaf : leaves) {
-    in_tree += weights[leaf.number];
-    weights[leaf.number] = 0;
-  }
+  for (LightLeaf const& leaf : leaves) in_tree += leaf.intensity;
+  bool const has_others = leaves.size() < std::size_t(std::ranges::count_if(
+                                              weights, [](double w) { return w > 0; }));
+  if (leaves.empty() || (leaves.size() <= most_without_tree && !has_others)) return 0;
+  for (LightLeaf const& leaf : leaves) weights[leaf.number] = 0;
   weights.resize(first_triangle);
-  weights.push_back(in_tree);
   tables.light_tree = make_light_tree(std::move(leaves), 2 * std::sqrt(distance_squared));
+  return in_tree * distance_squared;
 }
 
 }  // namespace
@@ -130,22 +135,25 @@ void set_light_choices(ShadingTables& tables, SceneBuffers const& scene) {
     double const weight = emitted[solid.material] * half_surface(solid) / distance_squared;
     weights.push_back(std::isfinite(weight) ? weight : 0);
   }
-  double sum = 0;
-  for (double const weight : weights) sum += weight;
   tables.light_choices.clear();
   tables.light_probabilities.clear();
   tables.light_tree.clear();
   tables.emission_densities.assign(emitted.size(), 0.0f);
-  if (!(sum > 0)) return;
+  double const in_tree = plant_light_tree(tables, scene, weights, distance_squared);
+  double const sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  // Neither infinite nor, where there are others, 0.
+  double const of_others = sum > 0 ? std::clamp(sum / in_tree, 1e-30, 1e30) : 0;
+  tables.distant_importance = in_tree > 0 ? float(of_others) : -1;
+  double const of_all = in_tree > 0 ? in_tree : sum * distance_squared;
+  if (!(of_all > 0)) return;
   auto const set_density = [&](device::uint material) {
-    tables.emission_densities[material] = float(emitted[material] / distance_squared / sum);
+    tables.emission_densities[material] = float(emitted[material] / of_all);
   };
   for (auto const& triangle : scene.emissive_triangles) set_density(triangle.material);
   for (auto const& solid : scene.emissive_solids) set_density(solid.material);
-  plant_light_tree(tables, scene, weights, distance_squared);
   tables.light_choices.resize(weights.size());
   AliasTableMaker().fill(weights, tables.light_choices);
-  for (double const weight : weights) tables.light_probabilities.push_back(float(weight / sum));
+  for (double const weight : weights) tables.light_probabilities.push_back(float(sum > 0 ? weight / sum : 0));
 }
 
 }  // namespace lichtraum

@@ -410,9 +410,9 @@ device::SceneConstants scene_constants(SceneBuffers const& scene, ShadingTables 
   constants.features = shading.features;
   constants.ray_epsilon = DEFAULT_RAY_EPSILON;
   constants.light_choice_count = device::uint(shading.light_choices.size());
+  constants.distant_importance = shading.distant_importance;
   if (!shading.light_choices.empty()) {
     constants.environment_probability = shading.light_probabilities[shading.lights.size()];
-    if (!shading.light_tree.empty()) constants.light_tree_probability = shading.light_probabilities.back();
   }
   if (shading.environment) set_environment(constants, *shading.environment_table, *shading.environment, shading.up);
   return constants;

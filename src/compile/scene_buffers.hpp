@@ -42,8 +42,9 @@ struct CompiledObject {
 
 /// What surfaces and lights are like: all of a scene that can change without a look at its shapes.
 struct ShadingTables : device::ShadingArrays {
-  device::uint features = 0;  ///< SCENE_...
-  Vec3 up{0, 1, 0};           ///< of the scene
+  device::uint features = 0;      ///< SCENE_...
+  float distant_importance = -1;  ///< see SceneConstants
+  Vec3 up{0, 1, 0};               ///< of the scene
   std::optional<EnvironmentLight> environment;
   std::shared_ptr<EnvironmentTable const> environment_table =  ///< of its map; without elements where there is none
       std::make_shared<EnvironmentTable>();

@@ -19,7 +19,8 @@ __kernel void probe_choose(SCENE_PARAMETERS, __global float4 const* positions, _
   LightTreeChoice chosen = choose_in_light_tree(&scene, lanes, position, normal, choice);
   for (uint lane = 0u; lane < LANES; ++lane) {
     numbers[first + lane] = LANE_WORD(chosen.number, lane);
-    chances[first + lane] = (float2)(LANE_FLOAT(chosen.probability, lane), LANE_FLOAT(chosen.importance, lane));
+    float const probability = LANE_MASK(chosen.is_in_tree, lane) != 0 ? LANE_FLOAT(chosen.probability, lane) : 0.f;
+    chances[first + lane] = (float2)(probability, LANE_FLOAT(chosen.importance, lane));
   }
 }
 

@@ -110,34 +110,46 @@ TEST_CASE("Light trees know how flat lights are turned", "[light_tree]") {
   CHECK(any_way <= 3);  // of the light and of what is above it
 }
 
-TEST_CASE("Lights that fall off are chosen from a tree where they are many", "[light_tree]") {
-  auto const compile = [](int count) {
+TEST_CASE("Lights that fall off are chosen from a tree where they are many, or not alone", "[light_tree]") {
+  auto const compile = [](int count, bool has_sun) {
     Registry<Light> lights;
-    lights.insert(Light::directional("sun", {0, -1, 0}, Rgb(1)));
-    lights.insert(Light::point("as bright anywhere", {0, 1, 0}, Rgb(1)));
-    for (int i = 0; i < count; ++i) lights.insert(Light::falling_off("light" + std::to_string(i), Vec3(i), Rgb(1)));
+    if (has_sun) {
+      lights.insert(Light::directional("sun", {0, -1, 0}, Rgb(1)));
+      lights.insert(Light::point("as bright anywhere", {0, 1, 0}, Rgb(3)));
+    }
+    for (int i = 0; i < count; ++i) lights.insert(Light::falling_off("light" + std::to_string(i), Vec3(i), Rgb(0.5)));
     FlatScene scene;
     scene.objects.emplace_back();
     return compile_scene(std::move(scene), lights, TreeLayout::wide);
   };
-  for (int const count : {0, 64, 65}) {
-    SceneBuffers const scene = compile(count);
+  struct Case {
+    int count;
+    bool has_sun, has_tree;
+  };
+  for (Case const c : {Case{0, true, false},
+                       {1, true, true},
+                       {65, true, true},
+                       {1, false, false},
+                       {64, false, false},
+                       {65, false, true}}) {
+    INFO(c.count << (c.has_sun ? " lights beside others" : " lights"));
+    SceneBuffers const scene = compile(c.count, c.has_sun);
     auto const& chances = scene.shading.light_probabilities;
     auto const constants = scene_constants(scene, scene.shading);
+    std::size_t const others = c.has_sun ? 2 : 0;
     CHECK(scene.shading.light_choices.size() == chances.size());
-    CHECK(std::abs(std::accumulate(chances.begin(), chances.end(), 0.0) - 1) < 1e-5);
-    if (count <= 64) {
-      CHECK(scene.shading.light_tree.empty());
-      CHECK(chances.size() == std::size_t(2 + count + 1));
-      CHECK(constants.light_tree_probability == 0);
-    } else {
-      REQUIRE(chances.size() == std::size_t(2 + count + 2));
-      // As bright at 1, which is as far as the scene is taken to reach; the others all together.
-      CHECK(std::abs(chances[0] - 1.0 / (2 + count)) < 1e-5);
-      CHECK(chances[2] == 0);
-      CHECK(constants.light_tree_probability == chances.back());
-      CHECK(std::abs(chances.back() - double(count) / (2 + count)) < 1e-5);
-      CHECK(walk(scene.shading.light_tree, [](auto const&, int) {}).size() == std::size_t(count));
+    CHECK(chances.size() == others + std::size_t(c.count) + 1);
+    bool const has_choices = c.has_sun || !c.has_tree;
+    CHECK(std::abs(std::accumulate(chances.begin(), chances.end(), 0.0) - (has_choices ? 1 : 0)) < 1e-5);
+    CHECK(scene.shading.light_tree.empty() == !c.has_tree);
+    if (!c.has_tree) {
+      CHECK(constants.distant_importance < 0);
+      continue;
     }
+    if (c.has_sun) CHECK(chances[0] == 0.25f);
+    CHECK(chances[others] == 0);
+    // What sun and constant light bring anywhere, over what the tree brings to a distance of 1.
+    CHECK(constants.distant_importance == Approx(c.has_sun ? 4 / (0.5 * c.count) : 0));
+    CHECK(walk(scene.shading.light_tree, [](auto const&, int) {}).size() == std::size_t(c.count));
   }
 }

@@ -48,6 +48,60 @@ TEST_CASE("paths: mirrors and glass of few triangles lose no light to their smoo
   CHECK(mean_of(trace(scene, request)).value == Approx(1).margin(lost));
 }
 
+TEST_CASE("paths: bodies that overlap, or lie within another, each keep their own light", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  // Along the camera's axis, in a body a that lets half of the light through a unit, and b that lets 0.8 through.
+  struct Slab {
+    double from, to;
+    char const* material;
+  };
+  struct Case {
+    char const* name;
+    std::vector<Slab> slabs;
+    double way_in_a, way_in_b;
+  };
+  Case const cases[] = {
+      // What was entered last counts where both are.
+      {"a drink that reaches into its glass", {{0, 1, "b"}, {0.9, 3.1, "a"}, {3, 4, "b"}}, 2.1, 1.9},
+      {"amber with two inclusions", {{0, 4, "a"}, {1, 1.2, "b"}, {2.8, 3, "b"}}, 3.6, 0.4},
+      {"one body after the other", {{0, 1, "a"}, {1, 2, "b"}, {2.5, 3, "a"}}, 1.5, 1},
+  };
+  for (Case const& c : cases) {
+    std::string text =
+        "define material a 0 0 0  0 0 0  0 0 0 1\ndefine material b 0 0 0  0 0 0  0 0 0 1\n"
+        "define camera eye 4\ntransform eye translate 0 0 20\n";
+    int number = 0;
+    for (Slab const& slab : c.slabs) {
+      text += fmt::format("define shape box slab{} -5 -5 {}  5 5 {} {}\n", number++, slab.from, slab.to, slab.material);
+    }
+    Scene scene = scene_of(text);
+    PbrModel body = pbr(Rgb(1), 0, 0);
+    body.transmission = body.thickness = 1;
+    body.specular = 0;
+    body.ior = 1;
+    body.attenuation_distance = 1;
+    body.attenuation_color = Rgb(0.5);
+    **scene.materials.find("a") = Material("a", body);
+    body.attenuation_color = Rgb(0.8);
+    **scene.materials.find("b") = Material("b", body);
+    scene.environment = EnvironmentLight{"made here", uniform_environment(1, 1, 1), 0, 1};
+    RenderRequest request = path_request(scene, {16, 16}, 256, 16);
+    request.background = Background::environment();
+    INFO(c.name);
+    double const expected = std::pow(0.5, c.way_in_a) * std::pow(0.8, c.way_in_b);
+    CHECK(mean_of(trace(scene, request)).value == Approx(expected).epsilon(0.01));
+    RenderRequest fewer = path_request(scene, {8, 8}, 64, 16);
+    fewer.background = Background::environment();
+    Film film;
+    auto const reference = make_renderer(reference_device());
+    reference->set_scene(scene);
+    reference->render(fewer, film);
+    double sum = 0;
+    for (float const value : film.values(FilmPlane::radiance)) sum += double(value) / (3 * 8 * 8);
+    CHECK(sum == Approx(expected).epsilon(0.05));
+  }
+}
+
 TEST_CASE("paths: what blends and is no triangle lets its share of light through each time", "[image][path]") {
   REQUIRE_OPENCL_DEVICE();
   // Below a ball, in whose shadow the floor lies.

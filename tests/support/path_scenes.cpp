@@ -373,6 +373,24 @@ define background 0.1 0.2 0.3
   return {"many lamps", std::move(scene), 4};
 }
 
+/// A lamp that hardly matters beside a sky that is unlit, so that nobody looks for it, and a light that is as bright
+/// anywhere; on the ball's far side the lamp does not matter at all.
+PathScene lamp_under_unlit_sky() {
+  Scene scene = scene_of(std::string(things) + R"(
+define shape sphere sky 0 0 0 12 a
+define shape plane floor 0 -1 0  0 1 0 floor
+define shape sphere ball 0.4 0 0 1 b
+define shape triangle lamp -2 -0.6 0.5  -2 0.6 0.5  -2 0 -0.7 d
+define light diffuse key 3 5 4  0.2 0.2 0.15
+)");
+  PbrModel sky = pbr({0.4, 0.6, 0.9}, 0, 1);
+  sky.unlit = true;
+  sky.double_sided = true;
+  set_material(scene, "a", sky);
+  let_shine(scene, "d", {6, 3, 2});
+  return {"lamp under an unlit sky", std::move(scene), 3};
+}
+
 /// Lamps that are found by their directions: a stretched ball and a block, twice each and turned, a ball that touches
 /// what it lights and a flat panel; all within a ball that shines as well.
 PathScene round_and_square_lamps() {
@@ -482,6 +500,7 @@ std::vector<PathScene> path_scenes() {
   scenes.push_back(panes_in_the_open());
   scenes.push_back(panes_on_ground());
   scenes.push_back(many_lamps());
+  scenes.push_back(lamp_under_unlit_sky());
   scenes.push_back(round_and_square_lamps());
   scenes.push_back(textures());
   scenes.push_back(on_ground_in_the_open());

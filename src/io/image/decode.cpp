@@ -1,25 +1,31 @@
 #include "io/image/decode.hpp"
 
 #include <fmt/format.h>
-#include <png.h>
 #include <turbojpeg.h>
 #include <webp/decode.h>
 
 #include <memory>
+
+#include "io/image/decode_png.hpp"
 
 namespace lichtraum {
 namespace {
 
 constexpr std::int64_t max_pixels = std::int64_t(1) << 26;
 
-/// Sets the size and takes the memory; false, with a reason, for what is empty or too large.
-bool allocate(TextureImage& image, std::int64_t width, std::int64_t height, std::string& reason) {
+/// False, with a reason, for what is empty or too large.
+bool set_size(TextureImage& image, std::int64_t width, std::int64_t height, std::string& reason) {
   if (width <= 0 || height <= 0 || width > max_pixels / height) {
-    reason = fmt::format("{} x {} pixels", width, height);
+    reason = width <= 0 || height <= 0 ? "the header gives no size" : fmt::format("{} x {} pixels", width, height);
     return false;
   }
   image.width = int(width);
   image.height = int(height);
+  return true;
+}
+
+bool allocate(TextureImage& image, std::int64_t width, std::int64_t height, std::string& reason) {
+  if (!set_size(image, width, height, reason)) return false;
   image.rgba.resize(std::size_t(width * height * 4));
   return true;
 }
@@ -58,19 +64,10 @@ bool is_webp(std::string_view bytes) {
   return bytes.substr(0, 4) == "RIFF" && bytes.size() >= 12 && bytes.substr(8, 4) == "WEBP";
 }
 
-bool decode_png(std::string_view bytes, TextureImage& image, std::string& reason) {
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  std::unique_ptr<png_image, void (*)(png_image*)> const cleanup(&png, png_image_free);
-  if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) {
-    reason = png.message;
-    return false;
-  }
-  if (!allocate(image, png.width, png.height, reason)) return false;
-  png.format = PNG_FORMAT_RGBA;
-  if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr)) return true;
-  reason = png.message;
-  return false;
+/// With the size that is foretold, as no other is accepted.
+bool decode_png_of_size(std::string_view bytes, TextureImage& image, std::string& reason) {
+  auto const [width, height] = size_of_png(bytes);
+  return set_size(image, width, height, reason) && decode_png(bytes, image, reason);
 }
 
 bool decode_jpeg(std::string_view bytes, TextureImage& image, std::string& reason) {
@@ -136,7 +133,7 @@ std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, s
   TextureImage image;
   bool is_decoded = false;
   if (is_png(bytes)) {
-    is_decoded = decode_png(bytes, image, reason);
+    is_decoded = decode_png_of_size(bytes, image, reason);
   } else if (is_jpeg(bytes)) {
     is_decoded = decode_jpeg(bytes, image, reason);
   } else if (is_webp(bytes)) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "support/catch.hpp"
 #include "support/gltf_import.hpp"
@@ -30,13 +31,15 @@ GltfWriter triangle_with_tangents() {
   return writer;
 }
 
-/// The tangents of the only mesh.
-std::vector<Float4> tangents_of(Scene const& scene) {
+/// That of the only mesh.
+MeshGeometry const& geometry_of(Scene const& scene) {
   for (auto const& shape : scene.shapes) {
-    if (auto const* mesh = dynamic_cast<Mesh const*>(shape.get())) return mesh->geometry()->tangents;
+    if (auto const* mesh = dynamic_cast<Mesh const*>(shape.get())) return *mesh->geometry();
   }
-  return {};
+  throw std::runtime_error("the scene has no mesh");
 }
+
+std::vector<Float4> tangents_of(Scene const& scene) { return geometry_of(scene).tangents; }
 
 bool are_near(std::vector<Float4> const& tangents, Float4 const& expected) {
   return tangents.size() == 3 && std::all_of(tangents.begin(), tangents.end(), [&](Float4 const& tangent) {
@@ -452,4 +455,35 @@ TEST_CASE("a skin moves vertices by their joints, and the node's own place does 
   writer.json["skins"] = {{{"joints", {1, 2}}}};
   CHECK(world_triangles(import_model(writer).scene) ==
         std::vector<Corners>{{Vec3(0, 0, 4), Vec3(1, 0, 6), Vec3(0, 1, 5)}});
+}
+
+TEST_CASE("a mirror above a skinned mesh turns its triangles over, as its vertices' joints cannot", "[unit][gltf]") {
+  // Under one armature, as programs write it: the mesh's node, which moves nothing, and the joint.
+  auto const armature = [](nlohmann::json scale) {
+    GltfWriter writer = triangle_with_tangents();
+    auto& primitive = writer.json["meshes"][0]["primitives"][0];
+    primitive["attributes"]["TEXCOORD_0"] = writer.add_accessor("VEC2", 2, std::vector<float>{0, 1, 1, 1, 0, 0});
+    primitive["targets"] = {{{"POSITION", writer.add_vec3({0, 0, 5, 0, 0, 5, 0, 0, 5})}}};
+    writer.json["meshes"][0]["weights"] = {1};
+    bind_to_joint(writer, {{"name", "joint"}});
+    writer.json["nodes"].push_back({{"children", {0, 1}}, {"scale", std::move(scale)}});
+    return writer;
+  };
+  Scene const plain = import_model(armature({1, 1, 1})).scene;
+  CHECK(world_triangles(plain) == std::vector<Corners>{{Vec3(0, 0, 5), Vec3(1, 0, 5), Vec3(0, 1, 5)}});
+  CHECK(are_near(tangents_of(plain), {1, 0, 0, -1}));
+
+  Scene const mirrored = import_model(armature({-1, 1, 1})).scene;
+  REQUIRE(world_triangles(mirrored).size() == 1);
+  CHECK(is_same_triangle(world_triangles(mirrored)[0], {Vec3(0, 0, 5), Vec3(0, 1, 5), Vec3(-1, 0, 5)}, 1e-12));
+  MeshGeometry const& geometry = geometry_of(mirrored);
+  CHECK(geometry.normals == std::vector<Float3>(3, {0, 0, 1}));  // as before: on the side that is seen
+  CHECK(are_near(geometry.tangents, {-1, 0, 0, 1}));             // bitangents stay -y
+  CHECK(geometry.texcoords == geometry_of(plain).texcoords);     // each vertex keeps its own
+  CHECK(geometry.positions[1] == Float3{-1, 0, 5});
+
+  // Two mirrors are a turn.
+  Scene const turned = import_model(armature({-1, -1, 1})).scene;
+  CHECK(is_same_triangle(world_triangles(turned).at(0), {Vec3(0, 0, 5), Vec3(-1, 0, 5), Vec3(0, -1, 5)}, 1e-12));
+  CHECK(are_near(tangents_of(turned), {-1, 0, 0, -1}));
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
+#include <utility>
 
 #include "core/float3.hpp"
 
@@ -38,6 +39,14 @@ void turn(Float4& tangent, Vec3 const& direction) {
 /// Which way normals go: the cofactors, which are there also where the inverse is not.
 Mat3 normal_matrix(Mat3 const& m) {
   return Mat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+}
+
+/// Shows the other side of its triangles. Bitangents, which are across the normal and the tangent, stay.
+void turn_over(MeshGeometry& geometry) {
+  for (std::size_t i = 0; i + 2 < geometry.indices.size(); i += 3)
+    std::swap(geometry.indices[i + 1], geometry.indices[i + 2]);
+  for (Float3& normal : geometry.normals) normal = {-normal[0], -normal[1], -normal[2]};
+  for (Float4& tangent : geometry.tangents) tangent[3] = -tangent[3];
 }
 
 }  // namespace
@@ -88,7 +97,7 @@ SkinPose pose_skin(tinygltf::Model const& model, int skin, NodeTree const& tree,
 }
 
 std::shared_ptr<MeshGeometry const> apply_skin(MeshGeometry const& geometry, std::vector<JointSet> const& joint_sets,
-                                               SkinPose const& skin) {
+                                               SkinPose const& skin, bool is_mirrored) {
   auto skinned = std::make_shared<MeshGeometry>(geometry);
   std::size_t const joints = skin.world_from_bind.size();
   for (std::size_t i = 0; i < geometry.positions.size(); ++i) {
@@ -114,6 +123,7 @@ std::shared_ptr<MeshGeometry const> apply_skin(MeshGeometry const& geometry, std
     // With normals by cofactors, which a mirror turns over, the bitangent's sign stays.
     if (!geometry.tangents.empty()) turn(skinned->tangents[i], turned_tangent);
   }
+  if (is_mirrored) turn_over(*skinned);
   return skinned;
 }
 

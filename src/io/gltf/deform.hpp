@@ -20,8 +20,9 @@ SkinPose pose_skin(tinygltf::Model const& model, int skin, NodeTree const& tree,
                    Findings& findings);
 
 /// `geometry`, a primitive's own or morphed, moved by its joints; in the world. A joint that the skin lacks counts as
-/// the first; a vertex without weights stays where it is.
+/// the first; a vertex without weights stays where it is. `is_mirrored`: the transform of the mesh's node, which moves
+/// no vertex, is one of a negative determinant; it still turns the winding of triangles over (glTF 2.0, 3.7.2.1).
 std::shared_ptr<MeshGeometry const> apply_skin(MeshGeometry const& geometry, std::vector<JointSet> const& joint_sets,
-                                               SkinPose const& skin);
+                                               SkinPose const& skin, bool is_mirrored);
 
 }  // namespace lichtraum::gltf

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/matrix.hpp>
 
 #include "core/elementary.hpp"
 #include "io/gltf/values.hpp"
@@ -165,7 +166,8 @@ SceneGraph::Children SceneGraph::deformed_shapes_of(int node, Scene& scene) {
         findings_.warn(DiagnosticCode::faulty_skin, fmt::format("/nodes/{}/skin", node),
                        "the mesh has no joints and weights for it");
       } else {
-        geometry = apply_skin(*geometry, primitives[i]->joint_sets, skin->second);
+        bool const is_mirrored = glm::determinant(Mat3(tree_.world_from_node[std::size_t(node)])) < 0;
+        geometry = apply_skin(*geometry, primitives[i]->joint_sets, skin->second, is_mirrored);
       }
     }
     shapes.push_back(add_mesh(source.mesh, i, std::move(geometry), scene));

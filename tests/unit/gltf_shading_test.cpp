@@ -13,6 +13,16 @@ namespace {
 
 std::vector<float> const triangle_positions = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
+/// A triangle and a spot light of these angles, in radians, at the origin.
+Model with_spot(double inner, double outer) {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  writer.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+      {{"type", "spot"}, {"spot", {{"innerConeAngle", inner}, {"outerConeAngle", outer}}}}};
+  writer.json["nodes"].push_back({{"name", "lamp"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  return import_model(writer);
+}
+
 }  // namespace
 
 TEST_CASE("cameras and lights stand where their nodes do", "[unit][gltf]") {
@@ -109,14 +119,45 @@ TEST_CASE("a light that an animation moves stays as bright", "[unit][gltf]") {
 }
 
 TEST_CASE("a spot light without a cone is named, and shines all around", "[unit][gltf]") {
-  GltfWriter writer;
-  writer.add_mesh(triangle_positions);
-  writer.json["extensions"]["KHR_lights_punctual"]["lights"] = {
-      {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}}}}};
-  writer.json["nodes"].push_back({{"name", "lamp"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
-  Model const model = import_model(writer);
-  CHECK(messages(model).find("/extensions/KHR_lights_punctual/lights/0/spot: ") == 0);
-  CHECK(model.scene.lights.find("lamp")->kind() == "point");
+  for (auto const& [inner, outer] : {std::pair(0.0, 0.0), std::pair(0.0, -0.5), std::pair(0.0, 1.7),
+                                     std::pair(0.5, 3.2), std::pair(4.9e-324, 4.9e-324), std::pair(0.0, 1e300)}) {
+    INFO(inner << ' ' << outer);
+    Model const model = with_spot(inner, outer);
+    CHECK(messages(model).find("/extensions/KHR_lights_punctual/lights/0/spot: ") == 0);
+    CHECK(model.scene.lights.find("lamp")->kind() == "point");
+  }
+}
+
+TEST_CASE("the angles of a spot light are brought into their range", "[unit][gltf]") {
+  double const float_right_angle = 1.5707963705062866;  // the float next to pi / 2, and above it
+  auto const degrees = [](double radians) { return radians * 180 / 3.14159265358979323846; };
+  struct Case {
+    double inner, outer, inner_degrees, outer_degrees;
+  };
+  for (Case const& c : {Case{0.5, 0.5, degrees(0.5), degrees(0.5)}, Case{0.7, 0.5, degrees(0.5), degrees(0.5)},
+                        Case{-0.1, 0.5, 0, degrees(0.5)}, Case{0.25, float_right_angle, degrees(0.25), 90},
+                        Case{float_right_angle, float_right_angle, 90, 90}, Case{1e-300, 1e-300, 0, 0}}) {
+    INFO(c.inner << ' ' << c.outer);
+    Model const model = with_spot(c.inner, c.outer);
+    CHECK(messages(model) == "");
+    Light const& lamp = *model.scene.lights.find("lamp");
+    auto const* const spot = lamp.get<SpotLight>();
+    REQUIRE(spot);
+    CHECK(spot->cone.outer_degrees == Approx(c.outer_degrees).margin(1e-12));
+    CHECK(spot->cone.outer_degrees <= 90);
+    CHECK(spot->cone.inner_degrees == Approx(c.inner_degrees).epsilon(1e-5).margin(1e-12));
+    CHECK(spot->cone.inner_degrees < spot->cone.outer_degrees);
+    Rgb const ahead = lamp.arriving_at({0, 0, -1}), behind = lamp.arriving_at({0, 0, 1});
+    CHECK(std::isfinite(ahead.r));
+    CHECK((ahead.r > 0 || c.outer < 1e-3));
+    CHECK(behind == Rgb(0));
+  }
+  // A sharp edge: bright just inside, dark just outside.
+  Model const model = with_spot(0.5, 0.5);
+  Light const& sharp = *model.scene.lights.find("lamp");
+  auto const at = [&](double angle) { return sharp.arriving_at({std::sin(angle), 0, -std::cos(angle)}).r; };
+  CHECK(at(0.49) == Approx(at(0)));
+  CHECK(at(0.51) == 0);
 }
 
 TEST_CASE("a primitive without a material is grey, or has its vertices' colours", "[unit][gltf]") {

@@ -59,9 +59,19 @@ std::optional<Camera> make_camera(tinygltf::Camera const& source, std::string na
 
 double const infinity = std::numeric_limits<double>::infinity();
 
+/// The nearest cone to the file's that there can be. Programs write the inner angle as large as the outer one
+/// (three.js, unless told otherwise), and a right angle in single precision, which is more than one. Nothing for what
+/// no clamp would bring near to what is meant.
 std::optional<SpotCone> read_cone(tinygltf::SpotLight const& spot) {
-  SpotCone const cone{glm::degrees(spot.innerConeAngle), glm::degrees(spot.outerConeAngle)};
-  bool const is_cone = cone.inner_degrees >= 0 && cone.inner_degrees < cone.outer_degrees && cone.outer_degrees <= 90;
+  constexpr double right_angle = 90, excess = 1;  // by a degree at most: that may be rounding
+  // Of the outer angle. The edge is as sharp as glTF's formula makes it anyway.
+  constexpr double largest_inner = 1 - 1e-6;
+  double const outer = glm::degrees(spot.outerConeAngle), inner = glm::degrees(spot.innerConeAngle);
+  if (!(std::isfinite(inner) && outer > 0 && outer <= right_angle + excess)) return std::nullopt;
+  SpotCone cone;
+  cone.outer_degrees = std::min(outer, right_angle);
+  cone.inner_degrees = std::clamp(inner, 0.0, largest_inner * cone.outer_degrees);
+  bool const is_cone = cone.inner_degrees < cone.outer_degrees;  // not of the least of numbers
   return is_cone ? std::optional(cone) : std::nullopt;
 }
 
@@ -152,7 +162,7 @@ std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tre
     if (source.type == "spot" && !light->get<SpotLight>()) {
       findings.warn(
           DiagnosticCode::faulty_view, fmt::format("/extensions/{}/lights/{}/spot", lights_extension, *number),
-          "its angles are not 0 <= inner < outer <= 90 degrees, or it has no direction: it shines in all directions");
+          "its outer angle is not between 0 and 90 degrees, or it has no direction: it shines in all directions");
     }
     lights.push_back(std::move(*light));
   }

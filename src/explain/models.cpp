@@ -107,6 +107,13 @@ f 1 2 3
 vn 0 0.5 1
 )",
      "lichtraum check model.obj"},
+    {DiagnosticCode::textures_halved,
+     R"(Together, the model's pictures would take more than an eighth of the memory, or
+more than 2 GiB; up to 512 MiB are always there. The largest are halved, some
+several times, until all fit. With a smaller --max-texture they are as large on
+every machine. For example, 100 pictures of 4096 x 4096 pixels.
+)",
+     "", ""},
 };
 static_assert(explains_all(model_table, "09"));
 

@@ -1,5 +1,6 @@
 #include <turbojpeg.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -64,32 +65,90 @@ TEST_CASE("what is halved keeps its last row and column, and takes the memory th
   CHECK(image->rgba[4 * 6] == 255);
   CHECK(image->rgba[0] == 0);
   for (int const largest : {8, 4, 2, 1}) {
-    CHECK(decoded_bytes(png, largest) == decode_image(png, largest, reason)->rgba.size());
-    CHECK(decoded_bytes(progressive_jpeg(), largest) == decode_image(progressive_jpeg(), largest, reason)->rgba.size());
+    CHECK(decoded_size(png, largest).bytes() == decode_image(png, largest, reason)->rgba.size());
+    CHECK(decoded_size(progressive_jpeg(), largest).bytes() ==
+          decode_image(progressive_jpeg(), largest, reason)->rgba.size());
   }
-  CHECK(decoded_bytes("no picture", 8) == 0);
-  CHECK(decoded_bytes(png.substr(0, 20), 8) == 0);
+  CHECK(decoded_size("no picture", 8) == ImageSize{});
+  CHECK(decoded_size(png.substr(0, 20), 8) == ImageSize{});
 }
 
-TEST_CASE("pictures are left out by their order, however many threads decode them", "[unit][image]") {
-  std::string const png = test::encode_png(5, 5, std::vector<std::array<std::uint8_t, 4>>(25));
-  // Headers that say 8192 x 8192 and 8192 x 4096, over data that is not so: 256 and 128 MB.
-  auto const claiming = [&](char high) {
-    std::string claims = png;
-    claims.replace(16, 8, std::string("\0\0\x20\0\0\0", 6) + high + '\0');
-    return claims;
-  };
-  std::vector<std::string> const files{claiming('\x20'), claiming('\x20'), claiming('\x10'), png};
+namespace {
+
+std::string png_of(int width, int height) {
+  return test::encode_png(width, height,
+                          std::vector<std::array<std::uint8_t, 4>>(std::size_t(width) * std::size_t(height)));
+}
+
+std::vector<ImageJob> jobs_of(std::vector<std::string> const& files) {
   std::vector<ImageJob> jobs(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     jobs[i].bytes = files[i];
     jobs[i].is_wanted = true;
   }
-  decode_images(jobs, 16384);
-  CHECK_THAT(jobs[2].reason, contains_text("a smaller --max-texture helps"));
-  CHECK_THAT(jobs[3].reason, contains_text("a smaller --max-texture helps"));
-  CHECK(jobs[0].reason.find("--max-texture") == std::string::npos);
-  CHECK(jobs[1].reason.find("--max-texture") == std::string::npos);
+  return jobs;
+}
+
+std::vector<int> widths_of(std::vector<ImageJob> const& jobs) {
+  std::vector<int> widths;
+  for (ImageJob const& job : jobs) widths.push_back(job.image ? job.image->width : 0);
+  return widths;
+}
+
+}  // namespace
+
+TEST_CASE("the largest pictures are halved until all fit, the same ones however many threads decode them",
+          "[unit][image]") {
+  // 4096, 16384, 16384, 1024 and 64 bytes; what is not wanted, or cannot be had, takes none.
+  std::vector<std::string> const files{png_of(32, 32), png_of(64, 64), png_of(64, 64),
+                                       png_of(16, 16), png_of(4, 4),   png_of(64, 64)};
+  auto const widths = [&](std::uint64_t max_bytes, int max_size = 64) {
+    std::vector<ImageJob> jobs = jobs_of(files);
+    jobs.back().is_wanted = false;
+    std::string const note = decode_images(jobs, max_size, max_bytes);
+    std::vector<int> found = widths_of(jobs);
+    CHECK(note.empty() == (found == std::vector{std::min(32, max_size), max_size, max_size, 16, 4, 0}));
+    std::uint64_t sum = 0;
+    for (ImageJob const& job : jobs) {
+      CHECK(job.reason.empty());
+      if (job.image) sum += job.image->rgba.size();
+    }
+    CHECK(sum <= std::max<std::uint64_t>(max_bytes, 20));  // five pixels are the least
+    return found;
+  };
+  CHECK(widths(37952) == std::vector{32, 64, 64, 16, 4, 0});
+  CHECK(widths(37951) == std::vector{32, 64, 32, 16, 4, 0});  // of two that are as large the last
+  CHECK(widths(25664) == std::vector{32, 64, 32, 16, 4, 0});
+  CHECK(widths(25663) == std::vector{32, 32, 32, 16, 4, 0});
+  CHECK(widths(10304) == std::vector{32, 32, 16, 16, 4, 0});
+  CHECK(widths(13376, 32) == std::vector{32, 32, 32, 16, 4, 0});  // --max-texture first
+  CHECK(widths(1) == std::vector{1, 1, 1, 1, 1, 0});
+
+  std::vector<ImageJob> jobs = jobs_of(files);
+  CHECK_THAT(decode_images(jobs, 64, 42048), contains_text("1 of the pictures are halved, the largest first"));
+}
+
+TEST_CASE("pictures of half a gigabyte are there on every machine, and of two on none", "[unit][image]") {
+  CHECK(max_picture_bytes() >= std::uint64_t(1) << 29);
+  CHECK(max_picture_bytes() <= std::uint64_t(1) << 31);
+}
+
+TEST_CASE("pictures beyond what can be decoded in good time are left out by their order", "[unit][image]") {
+  // A header that says 8192 x 8192, 256 MiB, over data that is not so: 128 of them are too many for one more.
+  std::string claim = png_of(5, 5);
+  claim.replace(16, 8, std::string("\0\0\x20\0\0\0\x20\0", 8));
+  std::vector<std::string> files(129, claim);
+  files.push_back(png_of(5, 5));
+  std::vector<ImageJob> jobs = jobs_of(files);
+  CHECK(decode_images(jobs, 16) == "");
+  CHECK(jobs[127].reason.find("can be read") == std::string::npos);
+  CHECK_THAT(jobs[128].reason, contains_text("8589934592 can be read"));
+  CHECK_THAT(jobs[129].reason, contains_text("8589934592 can be read"));
+
+  claim.replace(16, 8, std::string("\0\0\x40\0\0\0\x20\0", 8));
+  std::string reason;
+  CHECK_FALSE(decode_image(claim, 16, reason));
+  CHECK_THAT(reason, contains_text("it has 16384 x 8192 pixels"));
 }
 
 TEST_CASE("a JPEG texture that goes over its pixels again and again is refused", "[unit][image]") {

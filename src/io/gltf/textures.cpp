@@ -63,7 +63,8 @@ std::vector<std::shared_ptr<Texture const>> read_textures(Document const& docume
     jobs[i].name = document.images[i].name;
     if (jobs[i].is_wanted) fetch(document, int(i), buffers, jobs[i]);
   }
-  decode_images(jobs, max_size);
+  std::string const halved = decode_images(jobs, max_size);
+  if (!halved.empty()) findings.warn(DiagnosticCode::textures_halved, "/images", halved);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (!jobs[i].reason.empty()) {
       findings.warn(DiagnosticCode::texture_left_out, fmt::format("/images/{}", i),

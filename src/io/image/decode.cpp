@@ -4,6 +4,7 @@
 #include <turbojpeg.h>
 #include <webp/decode.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "io/image/decode_png.hpp"
@@ -16,7 +17,9 @@ constexpr std::int64_t max_pixels = std::int64_t(1) << 26;
 /// False, with a reason, for what is empty or too large.
 bool set_size(TextureImage& image, std::int64_t width, std::int64_t height, std::string& reason) {
   if (width <= 0 || height <= 0 || width > max_pixels / height) {
-    reason = width <= 0 || height <= 0 ? "the header gives no size" : fmt::format("{} x {} pixels", width, height);
+    reason = width <= 0 || height <= 0
+                 ? "the header gives no size"
+                 : fmt::format("it has {} x {} pixels, and up to 2^26 can be read (8192 x 8192)", width, height);
     return false;
   }
   image.width = int(width);
@@ -30,32 +33,28 @@ bool allocate(TextureImage& image, std::int64_t width, std::int64_t height, std:
   return true;
 }
 
-struct Size {
-  std::int64_t width = 0, height = 0;
-};
-
 /// What a PNG's header says: the first chunk is IHDR (PNG 11.2.1), or the picture is refused.
-Size size_of_png(std::string_view bytes) {
+ImageSize size_of_png(std::string_view bytes) {
   auto const number = [&](std::size_t first) {
     std::int64_t value = 0;
     for (std::size_t i = first; i < first + 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
     return value;
   };
-  return bytes.size() < 24 ? Size() : Size{number(16), number(20)};
+  return bytes.size() < 24 ? ImageSize() : ImageSize{number(16), number(20)};
 }
 
-Size size_of_jpeg(std::string_view bytes) {
+ImageSize size_of_jpeg(std::string_view bytes) {
   std::unique_ptr<void, int (*)(tjhandle)> const decoder(tjInitDecompress(), tjDestroy);
   auto const* data = reinterpret_cast<unsigned char const*>(bytes.data());
   int width = 0, height = 0, subsampling = 0, color_space = 0;
   int const error = tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &color_space);
-  return error != 0 ? Size() : Size{width, height};
+  return error != 0 ? ImageSize() : ImageSize{width, height};
 }
 
-Size size_of_webp(std::string_view bytes) {
+ImageSize size_of_webp(std::string_view bytes) {
   int width = 0, height = 0;
   bool const is_known = WebPGetInfo(reinterpret_cast<std::uint8_t const*>(bytes.data()), bytes.size(), &width, &height);
-  return is_known ? Size{width, height} : Size();
+  return is_known ? ImageSize{width, height} : ImageSize();
 }
 
 bool is_png(std::string_view bytes) { return bytes.substr(0, 4) == "\x89PNG"; }
@@ -100,14 +99,13 @@ bool decode_webp(std::string_view bytes, TextureImage& image, std::string& reaso
   return false;
 }
 
-std::int64_t half_of(std::int64_t length) { return (length + 1) / 2; }
-
 /// Half as wide and high: the mean of four pixels. The last row or column of an odd size counts twice.
 TextureImage halved(TextureImage const& image) {
   TextureImage half;
   half.name = image.name;
-  half.width = int(half_of(image.width));
-  half.height = int(half_of(image.height));
+  ImageSize const size = ImageSize{image.width, image.height}.halved();
+  half.width = int(size.width);
+  half.height = int(size.height);
   half.rgba.resize(std::size_t(half.width) * std::size_t(half.height) * 4);
   auto const at = [&](int x, int y, int channel) {
     auto const column = std::size_t(std::min(x, image.width - 1));
@@ -148,17 +146,14 @@ std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, s
   return image;
 }
 
-std::uint64_t decoded_bytes(std::string_view bytes, int max_size) {
-  auto [width, height] = is_png(bytes)    ? size_of_png(bytes)
-                         : is_jpeg(bytes) ? size_of_jpeg(bytes)
-                         : is_webp(bytes) ? size_of_webp(bytes)
-                                          : Size();
-  if (width <= 0 || height <= 0 || width > max_pixels / height) return 0;
-  while (std::max(width, height) > std::max(max_size, 1)) {
-    width = half_of(width);
-    height = half_of(height);
-  }
-  return std::uint64_t(width) * std::uint64_t(height) * 4;
+ImageSize decoded_size(std::string_view bytes, int max_size) {
+  ImageSize size = is_png(bytes)    ? size_of_png(bytes)
+                   : is_jpeg(bytes) ? size_of_jpeg(bytes)
+                   : is_webp(bytes) ? size_of_webp(bytes)
+                                    : ImageSize();
+  if (size.width <= 0 || size.height <= 0 || size.width > max_pixels / size.height) return {};
+  while (size.longer_side() > std::max(max_size, 1)) size = size.halved();
+  return size;
 }
 
 }  // namespace lichtraum

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,7 +14,16 @@ namespace lichtraum {
 /// larger than 2^26 pixels is refused before it is decoded. Says why in `reason` when there is no picture.
 std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, std::string& reason);
 
-/// What that picture takes in memory, by its header; 0 where there will be none.
-std::uint64_t decoded_bytes(std::string_view bytes, int max_size);
+struct ImageSize {
+  std::int64_t width = 0, height = 0;
+
+  std::uint64_t bytes() const { return std::uint64_t(width) * std::uint64_t(height) * 4; }
+  std::int64_t longer_side() const { return std::max(width, height); }
+  ImageSize halved() const { return {(width + 1) / 2, (height + 1) / 2}; }
+  friend bool operator==(ImageSize const&, ImageSize const&) = default;
+};
+
+/// The size that such a picture will have, by its header; 0 x 0 where there will be none.
+ImageSize decoded_size(std::string_view bytes, int max_size);
 
 }  // namespace lichtraum

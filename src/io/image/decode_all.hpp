@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -19,7 +20,12 @@ struct ImageJob {
   std::string reason;                         ///< or why there is none; a job that has one already is left alone
 };
 
-/// Decodes what is wanted, on all cores, see decode_image. All of it together may take half a gigabyte.
-void decode_images(std::span<ImageJob> jobs, int max_size);
+/// What the pictures of a model may take in memory: an eighth of the machine's, from 512 MiB, which all models can
+/// count on everywhere, to 2 GiB.
+std::uint64_t max_picture_bytes();
+
+/// Decodes what is wanted, on all cores, see decode_image. Where all of it together would take more than `max_bytes`,
+/// the largest pictures are halved until it does not. Returns what to tell people about that; empty: nothing.
+std::string decode_images(std::span<ImageJob> jobs, int max_size, std::uint64_t max_bytes = max_picture_bytes());
 
 }  // namespace lichtraum

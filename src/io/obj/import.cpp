@@ -136,7 +136,7 @@ class Importer {
       for (auto const map : mtl_textures) fetch(source->material.*map, source->library);
     }
     for (ImageJob& job : jobs_) job.bytes = job.owned;
-    decode_images(jobs_, options_.max_texture);
+    std::string const halved = decode_images(jobs_, options_.max_texture);
     MadePictures made;
     for (Source* const source : used) {
       MtlMaterial& m = source->material;
@@ -145,6 +145,7 @@ class Importer {
       materials_[m.name] = material_from_mtl(m, !file.colors.empty(), made);
     }
     diagnostics_.begin_line({});
+    if (!halved.empty()) diagnostics_.add(Severity::warning, DiagnosticCode::textures_halved, {}, halved);
     if (made.is_full()) {
       diagnostics_.add(
           Severity::warning, DiagnosticCode::texture_left_out, {},

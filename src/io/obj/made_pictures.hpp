@@ -15,7 +15,7 @@ enum class Channel { red, green, blue, alpha };
 class MadePictures {
  public:
   using Picture = std::shared_ptr<TextureImage const>;
-  static constexpr std::size_t max_bytes = std::size_t(1) << 29;  ///< as for what is decoded
+  static constexpr std::size_t max_bytes = std::size_t(1) << 29;  ///< on every machine
 
   /// `picture` (none: white) with `source` in one of its channels: how bright it is, as MTL's scalar maps are read; for
   /// alpha its own where it has any. Where the sizes differ, it has the larger width and height, and each pixel is

@@ -487,3 +487,14 @@ TEST_CASE("a mirror above a skinned mesh turns its triangles over, as its vertic
   CHECK(is_same_triangle(world_triangles(turned).at(0), {Vec3(0, 0, 5), Vec3(-1, 0, 5), Vec3(0, -1, 5)}, 1e-12));
   CHECK(are_near(tangents_of(turned), {-1, 0, 0, -1}));
 }
+
+TEST_CASE("instances of a skinned mesh are named, and one is drawn", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  bind_to_joint(writer, {{"translation", {0, 0, 2}}});
+  writer.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] =
+      writer.add_vec3({5, 0, 0, 0, 7, 0});
+  Model const model = import_model(writer);
+  CHECK_THAT(messages(model), contains_text("/nodes/0/extensions/EXT_mesh_gpu_instancing: "));
+  CHECK(world_triangles(model.scene) == std::vector<Corners>{{Vec3(0, 0, 2), Vec3(1, 0, 2), Vec3(0, 1, 2)}});
+}

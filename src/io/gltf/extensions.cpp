@@ -6,7 +6,7 @@ namespace lichtraum::gltf {
 namespace {
 
 constexpr Extension table[] = {
-    {"EXT_mesh_gpu_instancing", "instances that share one mesh"},
+    {"EXT_mesh_gpu_instancing", "instances that share one mesh; of a skinned mesh only one is drawn"},
     {"EXT_meshopt_compression", "decoded, all modes and filters"},
     {"EXT_texture_webp", "decoded"},
     {"KHR_draco_mesh_compression", "decoded"},

@@ -66,6 +66,12 @@ void SceneGraph::build(std::string const& name, Scene& scene) {
     Children children;
     if (is_skinned) {
       Children shapes = deformed_shapes_of(*node, scene);
+      // Instances would need a skeleton each: what they are to be relative to is said nowhere.
+      if (document_.model.nodes[i].extensions.contains(instancing_extension)) {
+        findings_.warn(DiagnosticCode::unsupported_extension,
+                       fmt::format("/nodes/{}/extensions/{}", *node, instancing_extension),
+                       "a mesh that a skin bends has no instances here: one is drawn");
+      }
       skinned.insert(skinned.end(), shapes.begin(), shapes.end());
     } else {
       children = shapes_of(*node, scene);

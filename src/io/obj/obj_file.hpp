@@ -15,7 +15,6 @@ struct Corner {
   std::uint32_t position = none;
   std::uint32_t texcoord = none;
   std::uint32_t normal = none;
-  friend bool operator==(Corner const&, Corner const&) = default;
 };
 
 /// Faces of one object or group and one material, as triangles.

@@ -1,23 +1,12 @@
 #include "io/obj/part_geometry.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "core/srgb.hpp"
+#include "io/distinct_keys.hpp"
 #include "io/model_scene.hpp"
 
 namespace lichtraum::obj {
-namespace {
-
-std::size_t hash_of(Corner const& corner) {
-  std::uint64_t hash = corner.position;
-  hash = (hash ^ (hash >> 32)) * 0x9E3779B97F4A7C15u + corner.texcoord;
-  hash = (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9u + corner.normal;
-  hash = (hash ^ (hash >> 32)) * 0x94D049BB133111EBu;
-  return std::size_t(hash ^ (hash >> 31));
-}
-
-}  // namespace
 
 PartGeometry::PartGeometry(ObjFile const& file)
     : file_(file), vertex_of_position_(file.positions.size(), Corner::none) {
@@ -69,20 +58,12 @@ void PartGeometry::index_positions(Part const& part, MeshGeometry& out) {
   for (Corner const& corner : part.corners) vertex_of_position_[corner.position] = Corner::none;
 }
 
-/// A hash table with open addressing, at most half full.
 void PartGeometry::index_corners(Part const& part, MeshGeometry& out) {
-  std::vector<std::uint32_t> table(std::bit_ceil(2 * part.corners.size() + 1), Corner::none);
-  std::vector<Corner> corners;  // of the vertices
-  std::size_t const mask = table.size() - 1;
+  DistinctKeys<3> vertices(part.corners.size());
   for (Corner const& corner : part.corners) {
-    std::size_t slot = hash_of(corner) & mask;
-    while (table[slot] != Corner::none && corners[table[slot]] != corner) slot = (slot + 1) & mask;
-    if (table[slot] == Corner::none) {
-      table[slot] = std::uint32_t(corners.size());
-      corners.push_back(corner);
-      add_vertex(corner, out);
-    }
-    out.indices.push_back(table[slot]);
+    auto const [vertex, is_new] = vertices.number_of({corner.position, corner.texcoord, corner.normal});
+    if (is_new) add_vertex(corner, out);
+    out.indices.push_back(vertex);
   }
 }
 

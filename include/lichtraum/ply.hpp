@@ -7,7 +7,8 @@
 
 namespace LICHTRAUM_API lichtraum {
 
-/// Reads a PLY model, in ASCII or binary of either byte order, as one Mesh. Throws what import_model throws.
+/// Reads a PLY model, in ASCII or binary of either byte order, as a Mesh for each of its pictures. Throws what
+/// import_model throws.
 Model import_ply(std::filesystem::path const& path, ModelOptions const& options = {});
 
 /// The same from the file's bytes. `name` stands for the file in messages; pictures are looked up in `folder`, or left

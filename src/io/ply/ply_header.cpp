@@ -120,7 +120,9 @@ class HeaderReader {
   }
 
   bool comment(std::string_view rest) {
-    if (next_token(rest) == "TextureFile" && header_.texture_file.empty()) header_.texture_file = trimmed(rest);
+    if (next_token(rest) != "TextureFile" || trimmed(rest).empty()) return true;
+    std::string& file = header_.texture_files.emplace_back(trimmed(rest));
+    std::replace(file.begin(), file.end(), '\\', '/');  // written on Windows
     return true;
   }
 

@@ -33,7 +33,8 @@ enum class Drawn { triangles, lines, points };
 struct Header {
   Encoding encoding = Encoding::ascii;
   std::vector<Element> elements;
-  std::string texture_file;     ///< of a "comment TextureFile", which many scanners' programs write; empty: none
+  /// Of each "comment TextureFile", which many scanners' programs write; with slashes.
+  std::vector<std::string> texture_files;
   std::size_t data_offset = 0;  ///< in bytes
   std::size_t data_line = 1;    ///< the line of the first data, counted from 1
 

@@ -1,0 +1,100 @@
+#include "io/ply/columns.hpp"
+
+#include <span>
+
+#include "core/ascii.hpp"
+
+namespace lichtraum::ply {
+namespace {
+
+using Slot = Columns::Slot;
+using enum Columns::Slot;
+
+struct SlotName {
+  std::string_view name;
+  Slot slot;
+};
+constexpr SlotName number_names[] = {
+    {"x", x},
+    {"y", y},
+    {"z", z},
+    {"nx", nx},
+    {"ny", ny},
+    {"nz", nz},
+    {"normal_x", nx},
+    {"normal_y", ny},
+    {"normal_z", nz},
+    {"u", u},
+    {"v", v},
+    {"s", u},
+    {"t", v},
+    {"texture_u", u},
+    {"texture_v", v},
+    {"texture_s", u},
+    {"texture_t", v},
+    {"texcoord_x", u},
+    {"texcoord_y", v},
+    {"red", red},
+    {"green", green},
+    {"blue", blue},
+    {"alpha", alpha},
+    {"r", red},
+    {"g", green},
+    {"b", blue},
+    {"a", alpha},
+    {"diffuse_red", red},
+    {"diffuse_green", green},
+    {"diffuse_blue", blue},
+    {"vertex1", begin},
+    {"vertex2", end},
+    {"texnumber", picture},
+};
+constexpr SlotName list_names[] = {
+    {"vertex_indices", corners},
+    {"vertex_index", corners},
+    {"texcoord", texcoords},
+};
+
+Slot slot_of(Property const& property) {
+  std::span<SlotName const> const names = property.is_list ? std::span<SlotName const>(list_names) : number_names;
+  std::string const word = to_lower_ascii(property.name);
+  for (SlotName const& known : names) {
+    if (known.name == word) return known.slot;
+  }
+  return none;
+}
+
+/// The largest value of a colour's type: 1 for floats.
+double full_scale(Type type) {
+  switch (type) {
+    case Type::int8:
+      return 127;
+    case Type::uint8:
+      return 255;
+    case Type::int16:
+      return 32767;
+    case Type::uint16:
+      return 65535;
+    case Type::int32:
+    case Type::uint32:
+      return 255;  // colours of 0..255 that were written carelessly
+    case Type::float32:
+    case Type::float64:
+      return 1;
+  }
+  return 1;
+}
+
+}  // namespace
+
+Columns::Columns(Element const& element) {
+  for (Property const& property : element.properties) {
+    Slot const slot = slot_of(property);
+    bool const is_color = slot >= red && slot <= alpha;
+    slots.push_back(slot);
+    scales.push_back(is_color ? full_scale(property.type) : 1);
+    has[slot] = true;
+  }
+}
+
+}  // namespace lichtraum::ply

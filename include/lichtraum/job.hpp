@@ -154,8 +154,16 @@ Job resolved(Job job, Scene const& scene);
 /// Same exceptions as `resolved`, also Error{usage} where the camera would look along `up`. Renderer::prepare refuses
 /// an unknown root; so does this where it has to look at what is drawn.
 /// `turn_center`: what the camera is carried around unless the job's view looks at something, for those who know it;
-/// else center_of_interest finds it, which takes a walk through the scene.
+/// else turn_center_of finds it, which takes a walk through the scene.
 RenderRequest request_of(Job const& job, Scene const& scene, std::optional<Vec3> const& turn_center = {});
+
+/// The box around what is in view of the job's camera, as bounds_of_interest has it: for a job with an orbit, which
+/// says only from which side to look, without regard to where the camera stands.
+Bounds bounds_in_view(Job const& job, Scene const& scene, Camera const& camera);
+
+/// The middle of that box, around which a job turns that looks at nothing in particular; the world's origin when
+/// nothing is drawn.
+Vec3 turn_center_of(Job const& job, Scene const& scene, Camera const& camera);
 
 /// What to look at first when someone wants to look around: the job's camera, in the size of its picture, whole, one
 /// sample a pixel unless the job says otherwise, radiance only, and black where it would be transparent.

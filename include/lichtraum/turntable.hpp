@@ -12,6 +12,10 @@ namespace LICHTRAUM_API lichtraum {
 /// nothing is drawn. Throws Error{usage} for an unknown root.
 Bounds bounds_of_interest(Scene const& scene, std::string_view root, Camera const& camera);
 
+/// The same before a camera stands anywhere: without what surrounds everything else, at least one and a half times as
+/// wide, as a floor (which is flat) or as a room. Of several around each other, all are left out.
+Bounds bounds_of_interest(Scene const& scene, std::string_view root);
+
 /// The middle of that box; the world's origin when nothing is drawn.
 Vec3 center_of_interest(Scene const& scene, std::string_view root, Camera const& camera);
 

@@ -6,7 +6,6 @@
 
 #include "app/picture_bands.hpp"
 #include "core/memory.hpp"
-#include "lichtraum/turntable.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -149,7 +148,7 @@ RenderRequest request_for(PicturePlan const& plan, Scene const& scene, std::opti
   if (plan.job.turn_degrees && !turn_center) {
     Job still = plan.job;
     still.turn_degrees.reset();
-    turn_center = center_of_interest(scene, still.root, request_of(still, scene).camera);
+    turn_center = turn_center_of(still, scene, request_of(still, scene).camera);
   }
   return request_of(plan.job, scene, turn_center);
 }

@@ -212,10 +212,19 @@ RenderRequest request_of(Job const& job, Scene const& scene, std::optional<Vec3>
   if (job.turn_degrees) {
     Vec3 const center = job.view.look_at ? *job.view.look_at
                         : turn_center    ? *turn_center
-                                         : center_of_interest(scene, job.root, camera);
+                                         : turn_center_of(job, scene, camera);
     request.camera = orbited(camera, center, *job.turn_degrees, job.view.up_or_default());
   }
   return request;
+}
+
+Bounds bounds_in_view(Job const& job, Scene const& scene, Camera const& camera) {
+  return job.view.orbit ? bounds_of_interest(scene, job.root) : bounds_of_interest(scene, job.root, camera);
+}
+
+Vec3 turn_center_of(Job const& job, Scene const& scene, Camera const& camera) {
+  Bounds const box = bounds_in_view(job, scene, camera);
+  return box.is_empty() ? Vec3(0) : box.center();
 }
 
 RenderRequest view_of(Job job, Scene const& scene) {

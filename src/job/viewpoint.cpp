@@ -49,10 +49,10 @@ Transform look_at(Vec3 const& eye, Vec3 const& target, Vec3 const& up, bool is_s
   return look_along(eye, target - eye, up);
 }
 
-/// What is in view without the job's own view: what the camera frames, else what surrounds it least.
+/// What is in view: what the camera frames, else what is so where it stands.
 Bounds subject_of(Camera const& camera, Job const& job, Scene const& scene) {
   if (camera.fit() && camera.fit()->framed) return camera.fit()->framed->box;
-  Bounds const box = bounds_of_interest(scene, job.root, camera);
+  Bounds const box = bounds_in_view(job, scene, camera);
   return box.is_empty() ? Bounds{Vec3(-1), Vec3(1)} : box;
 }
 
@@ -152,7 +152,9 @@ Camera viewpoint(Camera camera, Job const& job, Scene const& scene, Resolution c
   bool const is_automatic = fit.framed.has_value();
   Vec3 const eye = camera.world_from_camera().point(Vec3(0));
   if (view.eye) {
-    Vec3 const target = view.look_at ? *view.look_at : subject_of(camera, job, scene).center();
+    Camera moved = camera;
+    moved.set_world_from_camera(Transform::translation(*view.eye));
+    Vec3 const target = looked_at(moved, job, scene);
     camera.set_world_from_camera(look_at(*view.eye, target, up, view.look_at.has_value()));
     fit.framed.reset();
   } else if (view.orbit || (is_automatic && (view.look_at || view.up))) {

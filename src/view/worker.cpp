@@ -6,7 +6,6 @@
 
 #include "app/renderer_choice.hpp"
 #include "app/stopwatch.hpp"
-#include "lichtraum/turntable.hpp"
 #include "view/display_pixels.hpp"
 #include "view/freed_memory.hpp"
 #include "view/problem_text.hpp"
@@ -176,7 +175,7 @@ void Worker::load(Renderer& renderer) {
     scene.development = development_;
     scene.has_own_cameras = loaded.scene().has_own_cameras;
     scene.cameras.assign(loaded.scene().cameras.begin(), loaded.scene().cameras.end());
-    scene.bounds = bounds_of_interest(loaded.scene(), job_.root, scene.request.camera);
+    scene.bounds = bounds_in_view(job, loaded.scene(), scene.request.camera);
     bounds_ = scene.bounds;
     prepared_ = renderer.prepare(loaded.scene(), job_.root, prepared_);
     scene_statistics_ = renderer.set_scene(prepared_);

@@ -1,4 +1,3 @@
-#include "lichtraum/turntable.hpp"
 #include "view/worker.hpp"
 
 // How a Worker poses an animated model.
@@ -30,7 +29,7 @@ void Worker::apply_pose(Renderer& renderer) {
     Scene const scene = loaded_->pose(pose->time_seconds);
     PosedView posed{scene_number_, pose->time_seconds, view_of(loaded_job_, scene), {}, {}};
     posed.cameras.assign(scene.cameras.begin(), scene.cameras.end());
-    posed.bounds = bounds_of_interest(scene, job_.root, posed.request.camera);
+    posed.bounds = bounds_in_view(loaded_job_, scene, posed.request.camera);
     bounds_ = posed.bounds;
     prepared_ = renderer.prepare(scene, job_.root, prepared_);
     scene_statistics_ = renderer.set_scene(has_edits_ ? renderer.edit(prepared_, edits_in_place_) : prepared_);

@@ -1,5 +1,7 @@
 #include "lichtraum/turntable.hpp"
 
+#include <string>
+
 #include "lichtraum/renderer.hpp"
 #include "scene/copy_graph.hpp"
 #include "support/catch.hpp"
@@ -23,6 +25,38 @@ TEST_CASE("the centre of interest leaves out what surrounds the camera", "[unit]
   scene.shapes.insert(group);
   CHECK(is_at(Vec3(5.5, 2, 1)));
   CHECK(is_at(Vec3(9, 2, 1), "group"));
+}
+
+TEST_CASE("before a camera stands anywhere, only floors and rooms are left out", "[unit][turntable]") {
+  auto const interest = [](std::vector<Bounds> const& boxes) {
+    Scene scene;
+    for (Bounds const& box : boxes) {
+      scene.shapes.insert(std::make_shared<Box>("b" + std::to_string(scene.shapes.size()), box.min, box.max, nullptr));
+    }
+    return bounds_of_interest(scene, "");
+  };
+  auto const is = [](Bounds const& a, Bounds const& b) {  // boxes are rounded outwards
+    return glm::distance(a.min, b.min) < 1e-4 && glm::distance(a.max, b.max) < 1e-4;
+  };
+  Bounds const thing{Vec3(-1, 0, -1), Vec3(1, 2, 1)}, beside{Vec3(2, 0, 0), Vec3(3, 1, 1)};
+  Bounds const both{Vec3(-1, 0, -1), Vec3(3, 2, 1)};
+  Bounds const floor{Vec3(-20, -1, -20), Vec3(20, 0, 20)}, room{Vec3(-25, -2, -25), Vec3(25, 9, 25)};
+  CHECK(is(interest({thing}), thing));
+  CHECK(is(interest({thing, beside}), both));
+  CHECK(is(interest({floor, thing, beside}), both));
+  CHECK(is(interest({thing, room, beside}), both));
+  CHECK(is(interest({room, thing, floor, beside}), both));
+  Bounds const ceiling{Vec3(-20, 8, -20), Vec3(20, 8.1, 20)};
+  CHECK(is(interest({ceiling, thing, floor, beside}), both));
+  CHECK(is(interest({floor}), floor));
+  CHECK(is(interest({floor, room}), room));  // hardly wider: it may be a thing
+  CHECK(
+      is(interest({thing, {Vec3(-1.2, -0.1, -1.2), Vec3(1.2, 0, 1.2)}}), {Vec3(-1.2, -0.1, -1.2), Vec3(1.2, 2, 1.2)}));
+  Bounds const outside{Vec3(22, 0, 0), Vec3(23, 1, 1)};  // a floor that ends before it is no floor of the whole
+  CHECK(is(interest({thing, floor, outside}), {Vec3(-20, -1, -20), Vec3(23, 2, 20)}));
+  Bounds const pedestal{Vec3(-3, -8, -3), Vec3(3, 0, 3)};  // not flat, and no room
+  CHECK(is(interest({thing, pedestal}), {Vec3(-3, -8, -3), Vec3(3, 2, 3)}));
+  CHECK(interest({}).is_empty());
 }
 
 TEST_CASE("an orbited camera keeps its distance, height and what it looks at", "[unit][turntable]") {

@@ -298,6 +298,28 @@ TEST_CASE("where a job says from where to look, a scene needs no camera", "[unit
   CHECK(eye_of(seen_from({.orbit = JobView::Orbit{}}, scene)).z > -4);
 }
 
+TEST_CASE("what is framed is independent of where the camera stood before", "[unit][view]") {
+  // The origin, where a camera that nobody placed stands, is inside of the large ball.
+  Scene const scene =
+      scene_of(red + "define shape sphere large 0 0 0 2 red\ndefine shape sphere small 3 0 0 0.5 red\n");
+  Bounds const both{Vec3(-2), Vec3(3.5, 2, 2)};
+  Vec3 const middle = both.center();
+  double const largest = extent(seen_from({.orbit = JobView::Orbit{35, 20, {}}}, scene), {640, 480}, both);
+  CHECK((largest < 0.98 && largest > 0.75));
+  Camera const above = seen_from({.eye = Vec3(0, 0, 15)}, scene);
+  CHECK(is_near(axis_of(above, {0, 0, -1}), glm::normalize(middle - Vec3(0, 0, 15)), 1e-5));
+  // Inside of the large ball, that is where it looks from, not at.
+  CHECK(is_near(axis_of(seen_from({.eye = Vec3(0)}, scene), {0, 0, -1}), {1, 0, 0}, 1e-5));
+  // It turns around what it frames, also high above the large ball.
+  Job job;
+  job.scene = "s.sdf";
+  job.view = View{.orbit = JobView::Orbit{0, 89, 9}}.view();
+  job.turn_degrees = 180;
+  Vec3 const eye = eye_of(request_of(job, scene).camera);
+  job.turn_degrees = 0;
+  CHECK(is_near((eye + eye_of(request_of(job, scene).camera)) / 2.0, {middle.x, eye.y, middle.z}, 1e-5));
+}
+
 TEST_CASE("a turned view goes around what it looks at, and its own up", "[unit][view]") {
   Job job;
   job.scene = "s.sdf";

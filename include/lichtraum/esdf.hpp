@@ -52,6 +52,8 @@ struct EsdfOptions : EsdfDialect {
   std::function<void(Scene&)> adjust;
   /// Told of each such statement when it is executed, so by `play` once more; may be empty.
   std::function<void(EsdfStatement const&)> on_statement;
+  /// The caller has a size for pictures that have none of their own: a `render` without one is no mistake.
+  bool has_size = false;
 };
 
 /// A checked eSDF file. eSDF is imperative: a `render` draws the scene as defined up to its line.

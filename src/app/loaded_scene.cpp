@@ -7,6 +7,7 @@ void LoadOptions::set_drawing(Job const& job, DeviceKind drawing_device) {
   device = drawing_device;
   integrator = asked_integrator(job);
   up = job.view.up;
+  has_size = job.size.has_value();
 }
 
 LoadedScene::LoadedScene(GltfAnimation animation, std::optional<double> time_seconds, std::vector<double> times_seconds,

@@ -26,6 +26,7 @@ struct LoadOptions {
   std::vector<double> times_seconds;
   std::optional<double> whole_animation_rate;  ///< a model's whole animation, at that many pictures a second
   bool is_posed_later = false;                 ///< see LoadedScene::pose
+  bool has_size = false;                       ///< see EsdfOptions
 
   /// What of it depends on who draws, and how that was asked for. Throws Error{usage} for a view that no camera has.
   void set_drawing(Job const& job, DeviceKind drawing_device);

@@ -25,6 +25,7 @@ QuickLook::QuickLook(RenderOptions const& options, Console const& console) {
   Job job = source.job(options.job);
   LoadOptions load;
   load.set_drawing(job, renderer_->device().kind);
+  load.has_size = true;  // its pictures are made to fit somewhere; only their proportions are the scene's
   LoadedScene loaded = source.load(job.reading, load);
   console.show(loaded.diagnostics());
   bool const has_sampling = job.sampling.has_value();

@@ -149,7 +149,8 @@ LoadedScene SceneSource::read(SceneReading const& reading, LoadOptions const& gi
                            options.models,
                            find_map,
                            adjust,
-                           {}};
+                           {},
+                           options.has_size};
     return LoadedScene(bytes_ ? EsdfScript::from_text(*bytes_, name_, esdf) : EsdfScript::from_file(name_, esdf));
   }
   auto const adjusted = [&](Model model) {

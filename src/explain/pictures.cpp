@@ -79,7 +79,7 @@ render eye picture.png 320 240 integrator=path
 )"},
     {DiagnosticCode::no_resolution,
      R"(Nothing says how many pixels the picture has: neither 'render' nor its camera.
-Write width and height at the end of 'render'.
+Write width and height at the end of 'render', or draw with --size 640x480.
 )",
      R"(define camera eye 45
 render eye picture.png

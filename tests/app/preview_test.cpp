@@ -73,6 +73,8 @@ TEST_CASE("half blocks show the picture's pixels", "[app][preview]") {
   Blocks const low = read_blocks(lichtraum(words + "--size 40x5").out);
   CHECK(low.width == 20);
   CHECK(low.height == 10);
+  lichtraum.folder.write("ball.sdf", "define camera eye 60\nrender eye a.png\n");  // a size of none
+  CHECK(read_blocks(lichtraum(words + "--size 40x30").out).width == 40);
 }
 
 TEST_CASE("a terminal that shows graphics gets them", "[app][preview]") {

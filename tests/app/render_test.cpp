@@ -63,6 +63,10 @@ TEST_CASE("size: command line over render statement over camera over default", "
   CHECK(size("", sized_camera) == std::pair(20, 10));
   CHECK(size("", camera + "define resolution 12 8\n") == std::pair(12, 8));
   CHECK(size("", camera) == std::pair(640, 480));
+  CHECK(size("--size 7x5", camera + "render eye a.ppm\n") == std::pair(7, 5));
+  auto const nowhere = lichtraum.render("-", camera + "render eye a.ppm\n");
+  CHECK(nowhere.exit_code == 65);
+  CHECK_THAT(nowhere.err, contains_text("[E0808]") && contains_text("--size chooses one"));
 }
 
 TEST_CASE("samples and depth: command line over render statement over default", "[app][render]") {

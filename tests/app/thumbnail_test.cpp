@@ -46,6 +46,10 @@ TEST_CASE("a thumbnail fits into a square and keeps the picture's proportions", 
   CHECK(size_of(9999, 2) == std::pair(256, 1));
   CHECK(size_of(200, 100, {"--size", "32"}) == std::pair(32, 16));
   CHECK(size_of(200, 100, {"--size", "1"}) == std::pair(1, 1));
+  lichtraum.folder.write("scene.sdf", "define camera eye 60\nrender eye a.png\n");  // a size of none
+  REQUIRE(thumbnail(lichtraum, {"scene.sdf", "small.png"}).exit_code == 0);
+  auto const picture = decode(lichtraum.folder.read("small.png"));
+  CHECK(std::pair(picture.width, picture.height) == std::pair(256, 192));
 }
 
 TEST_CASE("a thumbnail is the scene's first picture, antialiased", "[app][thumbnail]") {

@@ -242,9 +242,11 @@ void render(Interpreter& interpreter, Statement const& whole) {
   }
   if (!read_keys(interpreter, whole, first_key, keys, std::string(render_usage)) || !camera) return;
   command.camera = camera->name();
-  if (!command.resolution && !camera->resolution() && !interpreter.scene.resolution) {
+  bool const has_resolution = command.resolution || camera->resolution() || interpreter.scene.resolution;
+  if (!has_resolution && !interpreter.options.has_size) {
     interpreter.error(Code::no_resolution, place_after(statement.last()),
-                      "render: neither this statement nor the camera has a resolution", std::string(render_usage));
+                      "render: neither this statement nor the camera has a resolution",
+                      "render <camera> <file> <width> <height>; or --size chooses one");
     return;
   }
   interpreter.render(std::move(command), parts.file.empty() ? whole.keyword : parts.file.front());

@@ -14,6 +14,16 @@ std::string encode(Drawn const& drawn, ImageFormat const& format, ImageEncoding 
 
 }  // namespace
 
+void remove_partial(Output const& output) {
+  if (output.is_standard_output()) return;
+  std::error_code ignored;
+  std::filesystem::path const partial = output.partial_path();
+  if (!std::filesystem::is_regular_file(partial, ignored)) return;
+  auto const read_fingerprint = output.format->read_fingerprint;
+  if (read_fingerprint && !read_fingerprint(partial).empty()) return;
+  std::filesystem::remove(partial, ignored);
+}
+
 void PictureWriter::write(Drawn const& drawn, PictureReport& picture) {
   Stopwatch const stopwatch;
   Output const& output = picture.plan.output;
@@ -31,6 +41,7 @@ void PictureWriter::write(Drawn const& drawn, PictureReport& picture) {
     picture.written_to = output.shown;
   } else if (picture.is_complete) {
     write_file_atomically(output.path, bytes);
+    remove_partial(output);
     picture.written_to = output.shown;
   } else {
     Output shown = output;

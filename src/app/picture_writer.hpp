@@ -13,6 +13,10 @@ namespace lichtraum::app {
 /// something to look at.
 using Drawn = std::variant<Film, Image>;
 
+/// Removes what an interruption left of a picture that is whole now. A whole picture of that name stays, as far as its
+/// format tells.
+void remove_partial(Output const& output);
+
 /// Puts pictures where their plans say: files, standard output, or one film.
 class PictureWriter {
  public:

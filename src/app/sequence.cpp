@@ -208,6 +208,7 @@ class Sequence {
       picture.write_ms += stopwatch.milliseconds();
     }
     writer.finish();
+    remove_partial(picture.plan.output);
     picture.is_complete = true;
     picture.written_to = picture.plan.output.shown;
     warn_of_samples_left_out(picture);

@@ -329,6 +329,9 @@ TEST_CASE("an interrupted sequence is resumed", "[app][sequence][resume]") {
     if (name.find(".png") != std::string::npos && name.find("partial") == std::string::npos) ++whole;
     CHECK(name.find(".tmp") == std::string::npos);
   }
+  // What is left of a picture goes when it is whole, and nothing else of such a name.
+  lichtraum.folder.write("ball_0399.partial.png", "the beginning of a picture");
+  REQUIRE(lichtraum.render("ball.sdf -o ball_0398.partial.png").exit_code == 0);
   REQUIRE(whole > 0);
   REQUIRE(whole < 400);
   int const before = drawn(Json::parse(first.out));
@@ -337,6 +340,11 @@ TEST_CASE("an interrupted sequence is resumed", "[app][sequence][resume]") {
   CHECK(drawn(Json::parse(second.out)) == 400 - int(whole));
   CHECK((before == int(whole) || before == int(whole) + 1));  // the one interrupted is in the report
   CHECK(values(lichtraum, "ball_0400.png").size() == 32 * 24 * 3);
+  std::vector<std::string> beside;
+  for (std::string const& name : lichtraum.folder.names()) {
+    if (name.find("partial") != std::string::npos) beside.push_back(name);
+  }
+  CHECK(beside == std::vector<std::string>{"ball_0398.partial.png"});
 }
 
 TEST_CASE("the two programs that write an animation write the same good scene", "[app][sequence][docs]") {

@@ -59,7 +59,9 @@ void Console::labelled(std::string_view label, std::string_view color, std::stri
 
 void Console::data(std::string_view text) const { write_standard_error(text); }
 
-void Console::error(std::string_view message) const { labelled("error:", red, message); }
+void Console::error(std::string_view message) const {
+  if (verbosity_ != Verbosity::silent) labelled("error:", red, message);
+}
 
 void Console::warning(std::string_view message) const {
   if (!is_quiet()) labelled("warning:", magenta, message);
@@ -75,7 +77,7 @@ void Console::detail(std::string_view message) const {
 
 void Console::show(std::vector<Diagnostic> const& diagnostics) const {
   for (Diagnostic const& diagnostic : diagnostics) {
-    if (diagnostic.severity == Severity::warning && is_quiet()) continue;
+    if (verbosity_ == Verbosity::silent || (diagnostic.severity == Severity::warning && is_quiet())) continue;
     if (diagnostic.severity == Severity::note && !is_verbose()) continue;
     std::string text = format_diagnostic(diagnostic);
     if (diagnostic.location.file.empty()) text.insert(0, "lichtraum: ");
@@ -102,7 +104,7 @@ void Console::show(Error const& error) const {
   }
 }
 
-void Console::fault(std::string_view what) const { error(fault_report(what, command_line_)); }
+void Console::fault(std::string_view what) const { labelled("error:", red, fault_report(what, command_line_)); }
 
 void write_standard_output(std::string_view bytes) {
   while (!bytes.empty()) {

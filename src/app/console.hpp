@@ -8,7 +8,8 @@
 
 namespace lichtraum::app {
 
-enum class Verbosity { quiet, normal, verbose };
+/// `silent`: nothing but faults, for what is told in another way.
+enum class Verbosity { silent, quiet, normal, verbose };
 
 /// What the program says while it works. All of it goes to standard error: standard output is for results. Coloured on
 /// a terminal, unless NO_COLOR is set (https://no-color.org).
@@ -19,16 +20,16 @@ class Console {
 
   void set_verbosity(Verbosity verbosity) { verbosity_ = verbosity; }
   bool is_verbose() const { return verbosity_ == Verbosity::verbose; }
-  bool is_quiet() const { return verbosity_ == Verbosity::quiet; }
+  bool is_quiet() const { return verbosity_ <= Verbosity::quiet; }
   bool is_terminal() const { return is_terminal_; }
 
   void data(std::string_view text) const;        ///< as it is, always
-  void error(std::string_view message) const;    ///< always shown
+  void error(std::string_view message) const;    ///< not when silent
   void warning(std::string_view message) const;  ///< not with --quiet
   void info(std::string_view message) const;     ///< not with --quiet
   void detail(std::string_view message) const;   ///< only with --verbose
 
-  /// Errors always, warnings unless --quiet, notes only with --verbose. What is of no file is the program's.
+  /// Errors unless silent, warnings unless --quiet, notes only with --verbose. What is of no file is the program's.
   void show(std::vector<Diagnostic> const& diagnostics) const;
   /// A scene's diagnostics, the message of others; a report of a fault for ErrorKind::internal.
   void show(Error const& error) const;

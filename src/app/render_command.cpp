@@ -96,11 +96,15 @@ int render_command(Arguments const& arguments, Console& console) {
   options.load.set_drawing(options.job, renderer->device().kind);
   RunReport report;
   report.device = renderer->device();
-  int const code = draw_sequence(inputs, options, names, *renderer, console, report);
+  // The report follows on standard error, where nothing else belongs that it tells, too.
+  bool const is_report_on_error = options.json && options.output.file == "-";
+  Console of_drawing = console;
+  if (is_report_on_error && !console.is_verbose()) of_drawing.set_verbosity(Verbosity::silent);
+  int const code = draw_sequence(inputs, options, names, *renderer, of_drawing, report);
   report.total_ms = stopwatch.milliseconds();
   if (options.json) {
     std::string const json = to_json(report);
-    options.output.file == "-" ? console.data(json) : write_standard_output(json);
+    is_report_on_error ? console.data(json) : write_standard_output(json);
   }
   if (options.show && code == 0) {
     window_arguments.push_back(inputs.front());

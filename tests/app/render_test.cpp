@@ -294,9 +294,16 @@ TEST_CASE("--json tells what was measured", "[app][render]") {
   CHECK(rays["total"] == int(rays["camera"]) + int(rays["shadow"]) + int(rays["secondary"]));
   CHECK(picture["mrays_per_second"] > 0);
   // A picture on standard output leaves standard error for it.
-  auto const piped = lichtraum.render("a.sdf -o - --json -q");
+  auto const piped = lichtraum.render("a.sdf -o - --json");
   CHECK(decode(piped.out).width == 32);
   CHECK(Json::parse(piped.err)["scenes"][0]["pictures"][0]["output"] == "standard output");
+  Json const faulty = Json::parse(lichtraum.render("bad.sdf -o - --json").err);
+  CHECK(faulty["scenes"][0]["exit_status"] == 65);
+  CHECK(faulty["scenes"][0]["diagnostics"].size() > 0);
+  Json const warned = Json::parse(lichtraum.render("a.sdf -o - --json --both-sides").err);
+  CHECK(warned["scenes"][0]["diagnostics"].size() == 1);
+  CHECK_THAT(lichtraum.render("a.sdf -o - --json -v").err, contains_text("standard output"));
+  CHECK_THAT(lichtraum.render("a.sdf --json").err, contains_text("ball.ppm"));
 }
 
 TEST_CASE("quiet says nothing, verbose says more", "[app][render]") {

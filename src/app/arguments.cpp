@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "app/values.hpp"
 #include "core/edit_distance.hpp"
@@ -44,6 +46,17 @@ std::vector<std::string> option_names(CLI::App const& parser) {
   return names;
 }
 
+/// What an option of other programs is called in this one; empty for others.
+std::string name_here(std::string_view option) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> names{{{"--width", "--size"},
+                                                                                {"--height", "--size"},
+                                                                                {"--spp", "--samples"},
+                                                                                {"--out", "--output"},
+                                                                                {"--output-file", "--output"}}};
+  auto const name = std::ranges::find(names, option, [](auto const& pair) { return pair.first; });
+  return name == names.end() ? std::string() : std::string(name->second);
+}
+
 [[noreturn]] void fail(CLI::App const& parser, std::string const& what) {
   throw Error(ErrorKind::usage, fmt::format("{} ({} --help shows how)", what, parser.get_name()));
 }
@@ -54,7 +67,9 @@ void refuse_unknown_options(CLI::App const& parser) {
   if (unknown.empty()) return;
   std::string const option = unknown.front().substr(0, unknown.front().find('='));
   if (option.empty() || option.front() != '-') fail(parser, fmt::format("unexpected argument '{}'", option));
-  std::string const suggestion = nearest(option, option_names(parser));
+  auto const names = option_names(parser);
+  std::string suggestion = name_here(option);
+  if (std::ranges::find(names, suggestion) == names.end()) suggestion = nearest(option, names);
   if (suggestion.empty()) fail(parser, fmt::format("there is no option '{}'", option));
   fail(parser, fmt::format("there is no option '{}': did you mean {}?", option, suggestion));
 }
@@ -152,12 +167,12 @@ void add_language_options(CLI::App& parser, SceneReading& reading) {
 
 void add_model_options(CLI::App& parser, ModelChoice& choice) {
   std::string const group = "Models";
-  add_value(parser, "--scene", choice.scene, parse_name, "NAME", "Scene of the file: name or number", group);
+  add_value(parser, "--scene", choice.scene, parse_name, "NAME", "Scene of the file: name, or number from 0", group);
   add_value(parser, "--variant", choice.variant, parse_name, "NAME",
-            "Variant of the materials: name or number\n(default: as the meshes are)", group);
+            "Variant of the materials: name, or number from 0\n(default: as the meshes are)", group);
   add_value(parser, "--time", choice.time_seconds, parse_time, "SECONDS", "Show the animation at this time", group);
   add_value(parser, "--animation", choice.animation, parse_name, "NAME",
-            "Animation that --time, --frames and films show:\nname or number (default: the first)", group);
+            "Animation that --time, --frames and films show:\nname, or number from 0 (default: the first)", group);
   parser
       .add_flag("--both-sides", choice.both_sides,
                 "Show the camera the backs of single-sided\nsurfaces (paths; glTF hides them)")

@@ -19,7 +19,9 @@ std::vector<std::string> matches(std::string const& pattern) {
   } found;
   int const code = ::glob(pattern.c_str(), GLOB_NOSORT | GLOB_NOESCAPE, nullptr, &found.list);
   if (code == GLOB_NOMATCH) {
-    throw Error(ErrorKind::no_input, fmt::format("no file matches '{}'", pattern));
+    bool const is_deep = pattern.find("**") != std::string::npos;
+    throw Error(ErrorKind::no_input, fmt::format("no file matches '{}'{}", pattern,
+                                                 is_deep ? ": * stays within one folder, and so does **" : ""));
   }
   if (code != 0) throw Error(ErrorKind::no_input, fmt::format("cannot look for '{}'", pattern));
   std::vector<std::string> files(found.list.gl_pathv, found.list.gl_pathv + found.list.gl_pathc);

@@ -27,8 +27,8 @@ void refuse_grounds(std::vector<std::string> const& scenes) {
 }  // namespace
 
 void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string const& group) {
-  add_value(parser, "--camera", options.job.camera, parse_name, "NAME", "Look through this camera: name or number",
-            group);
+  add_value(parser, "--camera", options.job.camera, parse_name, "NAME",
+            "Look through this camera: name, or number from 0", group);
   JobView& view = options.job.view;
   add_value(parser, "--eye", view.eye, parse_point, "X,Y,Z", "Put the camera there", group);
   add_value(parser, "--look-at", view.look_at, parse_point, "X,Y,Z",
@@ -94,8 +94,8 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
             group);
   add_value(parser, "--seed", options.job.seed, parse_seed, "N", "Seed of the random samples (default: 0)", group);
   add_value(parser, "--background", options.job.background, parse_background, "COLOR",
-            "Radiance where nothing is hit: R,G,B (linear; the\ntone map applies), two of these (top,bottom),\n"
-            "environment, or none for transparent (default: the\nscene's)",
+            "Radiance where nothing is hit: R,G,B (linear; the\ntone map applies) or '#rrggbb' (sRGB), two of\n"
+            "these (top,bottom), environment, or none for\ntransparent (default: the scene's)",
             group);
   add_flag_or_value(parser, "--ground", options.job.ground, parse_ground,
                     "Stand the scene on a ground that shows its\nshadows; --ground=glossy mirrors it, too", group);

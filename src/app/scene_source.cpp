@@ -134,6 +134,12 @@ LoadedScene SceneSource::load(SceneReading const& reading, LoadOptions const& gi
 }
 
 LoadedScene SceneSource::read(SceneReading const& reading, LoadOptions const& given) const {
+  std::error_code ignored;
+  if (!bytes_ && std::filesystem::is_directory(name_, ignored)) {
+    std::string const pattern = (std::filesystem::path(name_) / "*.sdf").string();
+    throw Error(ErrorKind::no_input,
+                fmt::format("cannot open '{}': it is a folder; the scenes in it are '{}'", name_, pattern));
+  }
   LoadOptions options = given;
   if (!options.environments) options.environments = std::make_shared<EnvironmentMaps>();
   bool const is_model = is_model_file(name_);

@@ -11,6 +11,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "core/srgb.hpp"
 #include "lichtraum/words.hpp"
 
 namespace lichtraum::app {
@@ -42,6 +43,28 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     if (end == std::string_view::npos) return parts;
     text.remove_prefix(end + 1);
   }
+}
+
+/// Takes a colour from the front: red, green and blue, or one as "#rrggbb" (sRGB). Nothing where there is none.
+std::optional<Rgb> take_color(std::vector<std::string_view>& parts) {
+  auto const drop = [&](std::ptrdiff_t count) { parts.erase(parts.begin(), parts.begin() + count); };
+  Rgb color(0);
+  if (!parts.empty() && parts[0].starts_with('#')) {
+    std::string_view const digits = parts[0].substr(1);
+    std::uint32_t value = 0;
+    auto const [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    if (digits.size() != 6 || error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+    for (int i = 0; i < 3; ++i) color[i] = linear_from_srgb(((value >> (16 - 8 * i)) & 0xff) / 255.0);
+    drop(1);
+    return color;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto const share = i < parts.size() ? number<double>(parts[i]) : std::nullopt;
+    if (!share || !std::isfinite(*share) || *share < 0) return std::nullopt;
+    color[int(i)] = *share;
+  }
+  drop(3);
+  return color;
 }
 
 /// Finite numbers with commas between; false where the text is anything else.
@@ -175,16 +198,15 @@ PlaneSet parse_planes(std::string_view text) {
 JobBackground parse_background(std::string_view text) {
   if (text == "none") return {};
   if (text == "environment") return {Background::environment()};
-  std::array<double, 6> c{};
-  bool const is_one = read_numbers(text, std::span(c.data(), 3));
-  bool const is_good = (is_one || read_numbers(text, c)) && std::ranges::all_of(c, [](double v) { return v >= 0; });
-  if (!is_good) {
+  auto parts = split(text, ',');
+  auto const top = take_color(parts);
+  auto const bottom = top && !parts.empty() ? take_color(parts) : top;
+  if (!bottom || !parts.empty()) {
     throw std::invalid_argument(
-        "expected environment, none, red, green and blue, such as 0.2,0.3,0.5, or these twice: for the picture's upper "
-        "edge and its lower one");
+        "expected environment, none, a colour as red, green and blue, such as 0.2,0.3,0.5, or as '#336699', or two of "
+        "them: for the picture's upper edge and its lower one");
   }
-  Rgb const top(c[0], c[1], c[2]);
-  return {Background(top, is_one ? top : Rgb(c[3], c[4], c[5]))};
+  return {Background(*top, *bottom)};
 }
 
 Vec3 parse_point(std::string_view text) {
@@ -249,6 +271,7 @@ double parse_noise(std::string_view text) {
 }
 
 double parse_exposure(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   auto const stops = number<double>(text);
   constexpr double most = job_limits::exposure_ev;
   if (!stops || !(std::abs(*stops) <= most)) {

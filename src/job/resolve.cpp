@@ -56,9 +56,13 @@ RenderCommand command_of(Job const& job, Scene const& scene) {
   return scene.renders.empty() ? RenderCommand() : scene.renders[std::size_t(job.picture)];
 }
 
+/// With their numbers, by which they may be chosen.
 std::string list_cameras(Scene const& scene) {
   std::string list;
-  for (Camera const& camera : scene.cameras) list += fmt::format("{}{}", list.empty() ? "" : ", ", camera.name());
+  int number = 0;
+  for (Camera const& camera : scene.cameras) {
+    list += fmt::format("{}{} {}", list.empty() ? "" : ", ", number++, camera.name());
+  }
   return list;
 }
 

@@ -92,7 +92,19 @@ TEST_CASE("64: what makes no sense is refused in one line that says what to do",
   refused("render two.sdf -o a.png --device reference", "-o picture-%04d.png");
   refused("render a.sdf two.sdf -o a.png", "-o picture-%04d.png");
   refused("render - - -o -", "more than once");
-  refused("render a.sdf --camera nose --device reference", "there are: eye");
+  refused("render a.sdf --camera nose --device reference", "there are: 0 eye");
+  refused("render a.sdf --width 64", "there is no option '--width': did you mean --size?");
+  refused("render a.sdf --height=64", "did you mean --size?");
+  refused("render a.sdf --spp 4", "did you mean --samples?");
+  refused("render a.sdf --out b.png", "did you mean --output?");
+  refused("render a.sdf --output-file b.png", "did you mean --output?");
+  for (char const* const color :
+       {"#12345", "#1234567", "#12345g", "123456", "#123456,1", "1,2,3,#123456,1", "-1,0,0"}) {
+    refused(std::string("render a.sdf --background ") + color, "or as '#336699'");
+  }
+  for (char const* const stops : {"+", "++1", "+-1", "-+1"}) {
+    refused(std::string("render a.sdf --exposure ") + stops, "--exposure: ");
+  }
   refused("render a.sdf --root nose --device reference",
           "a.sdf: --root: the scene has no shape called 'nose'; there is ball");
   refused("render a.sdf --root bal --device reference", "did you mean 'ball'?");

@@ -238,6 +238,24 @@ TEST_CASE("camera, root, depth, tone map and transfer have their effect", "[app]
   CHECK(red_in_the_middle(draw(lichtraum, "--tonemap none", bright)) == 128);
 }
 
+TEST_CASE("a background may be a colour of sRGB", "[app][render]") {
+  Lichtraum const lichtraum;
+  auto const corners = [&](std::string const& words) {  // of a picture with the ball in the middle
+    DecodedImage const image = draw(lichtraum, "--transfer srgb --tonemap none " + words);
+    std::vector<float> values;
+    for (int const y : {0, 23}) {
+      for (int channel = 0; channel < 3; ++channel) values.push_back(image.at(0, y, channel));
+    }
+    return values;
+  };
+  CHECK(corners("--background #336699") == std::vector<float>{0x33, 0x66, 0x99, 0x33, 0x66, 0x99});
+  auto const gradient = corners("--background #FFeedd,0,0,0");  // its edges are half a pixel away
+  CHECK((gradient[0] > 250 && gradient[1] < gradient[0] && gradient[2] < gradient[1] && gradient[3] < 60));
+  CHECK(corners("--background 0,0,0,#ff0000")[3] > 250);
+  // A stop is a factor of two, with or without its sign.
+  CHECK(corners("--background 0.25,0.25,0.25 --exposure +1") == corners("--background 0.5,0.5,0.5"));
+}
+
 TEST_CASE("language options change how a scene is read", "[app][render]") {
   Lichtraum const lichtraum;
   std::string const start =

@@ -135,7 +135,13 @@ TEST_CASE("a pattern is the files that it matches, in the order of their numbers
 
   auto const none = lichtraum.render("nothing/*.sdf");
   CHECK(none.exit_code == 66);
-  CHECK_THAT(none.err, contains_text("no file matches 'nothing/*.sdf'"));
+  CHECK_THAT(none.err, contains_text("no file matches 'nothing/*.sdf' ["));
+  auto const deep = lichtraum.render("nothing/**/*.sdf");
+  CHECK(deep.exit_code == 66);
+  CHECK_THAT(deep.err, contains_text("no file matches 'nothing/**/*.sdf': * stays within one folder"));
+  auto const folder = lichtraum.render("frames");
+  CHECK(folder.exit_code == 66);
+  CHECK_THAT(folder.err, contains_text("cannot open 'frames': it is a folder; the scenes in it are 'frames/*.sdf'"));
   // A file whose name looks like a pattern is not one.
   lichtraum.folder.write("ball[1].sdf", scene_with_ball_at(0));
   CHECK(lichtraum.render("ball[1].sdf").exit_code == 0);

@@ -278,6 +278,12 @@ TEST_CASE("a variant gives primitives the materials that they have in it", "[uni
   CHECK(shown("2") == "cab");
   CHECK_THROWS_WITH(shown("moon"),
                     contains_text("there is no variant 'moon' in the model; it has: 0 'beach', 1 'street', 2 '1'"));
+  writer.json["scenes"] = {{{"nodes", {0}}}, {{"nodes", {1}}}};
+  ModelOptions other_scene;
+  other_scene.scene = "7";
+  CHECK_THROWS_WITH(import_model(writer, other_scene),
+                    contains_text("there is no scene '7' in the model; it has: 0 (unnamed), 1 (unnamed)"));
+  writer.json.erase("scenes");
   writer.json.erase("extensions");
-  CHECK_THROWS_WITH(shown("beach"), contains_text("it has: none"));
+  CHECK_THROWS_WITH(shown("beach"), contains_text("there is no variant 'beach': the model has no variants"));
 }

@@ -225,7 +225,7 @@ TEST_CASE("what a job cannot have", "[unit][job]") {
     CHECK(kind == ErrorKind::usage);
     CHECK(message.find(what) != std::string::npos);
   };
-  expect([](Job& job) { job.camera = "nose"; }, "s.sdf: there is no camera 'nose'; there are: eye, side");
+  expect([](Job& job) { job.camera = "nose"; }, "s.sdf: there is no camera 'nose'; there are: 0 eye, 1 side");
   expect([](Job& job) { job.camera = "2"; }, "there is no camera '2'");
   expect([](Job& job) { job.picture = 2; }, "s.sdf: there is no picture 2: the scene has 2, counted from 0");
   expect([](Job& job) { job.picture = -1; }, "there is no picture -1");

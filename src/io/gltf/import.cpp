@@ -48,10 +48,13 @@ int select(List const& list, std::string const& selector, char const* kind) {
   std::string known;
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (name_of(list[i]) == selector) return int(i);
-    known += fmt::format("{}{} '{}'", i == 0 ? "" : ", ", i, name_of(list[i]));
+    std::string const& name = name_of(list[i]);
+    known += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, name.empty() ? "(unnamed)" : fmt::format("'{}'", name));
   }
-  throw Error(ErrorKind::usage, fmt::format("there is no {} '{}' in the model; it has: {}", kind, selector,
-                                            known.empty() ? "none" : known));
+  if (known.empty()) {
+    throw Error(ErrorKind::usage, fmt::format("there is no {0} '{1}': the model has no {0}s", kind, selector));
+  }
+  throw Error(ErrorKind::usage, fmt::format("there is no {} '{}' in the model; it has: {}", kind, selector, known));
 }
 
 bool has_parts_without_material(tinygltf::Model const& model) {

@@ -20,7 +20,7 @@ enum class ErrorKind {
   internal,       ///< a fault in lichtraum (70)
   cannot_create,  ///< an output cannot be created (73)
   io,             ///< reading or writing failed half-way (74)
-  try_again,      ///< what may go well later: a disk is full, parts are missing (75)
+  try_again,      ///< what may succeed later: a disk is full, parts are missing (75)
   interrupted,    ///< stopped by the user (130)
 };
 

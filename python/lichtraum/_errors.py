@@ -55,7 +55,7 @@ class JobError(Error):
 
     def __init__(self, message: str, status: int) -> None:
         super().__init__(message)
-        #: That of the program: 75 where the same may go well later, 65 where it never will.
+        #: That of the program: 75 where the same may succeed later, 65 where it never will.
         self.status = status
 
     def __reduce__(self) -> tuple[Any, ...]:

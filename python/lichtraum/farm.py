@@ -166,7 +166,7 @@ def _parser() -> argparse.ArgumentParser:
         prog="python -m lichtraum.farm",
         description="Draws what is missing of the job in the folder DIR, on the workers of a Dask scheduler. "
         "All machines need the same lichtraum[dask], and the folder under the same path. "
-        "Ends with status 75 where the same command may go well later, with 65 where it never will.",
+        "Ends with status 75 where the same command may succeed later, with 65 where it never will.",
     )
     parser.add_argument("folder", metavar="DIR", help="what 'lichtraum job plan' has made")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, such as tcp://head:8786 "

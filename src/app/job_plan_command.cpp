@@ -53,7 +53,7 @@ bool parse_job_plan(Arguments const& arguments, JobPlanOptions& options, Console
   add_encoding_options(*parser, render, "Picture");
   add_sequence_options(*parser, render);
   add_environment_options(*parser, render.job.reading.environment);
-  add_quality_options(*parser, render, "1, with a lens 64;\nby path 64, and 16 for models");
+  add_quality_options(*parser, render, "1; 64 with a lens or by path;\n16 for models");
   add_denoise_option(*parser, render.job.denoising);
   add_language_options(*parser, render.job.reading);
   add_model_options(*parser, render.job.reading.model);

@@ -60,7 +60,7 @@ last=$((first + {}))
 [ "$last" -lt {} ] || last={}
 lichtraum job work {} -q --units "$first..$last"
 status=$?
-# It may go well later; and above 128 the worker was killed.
+# It may succeed later; and above 128 the worker was killed.
 if {{ [ "$status" -eq 75 ] || [ "$status" -gt 128 ]; }} && [ "${{SLURM_RESTART_COUNT:-0}}" -lt 5 ]; then
   scontrol requeue "${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID"
 fi

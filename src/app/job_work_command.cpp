@@ -25,7 +25,7 @@ constexpr char const* job_work_description =
     "Draws units of the plan in the folder DIR: those that are not there yet. Any\n"
     "number of machines may do so at once, may be stopped at any time, and begun\n"
     "again: a unit is there whole or not at all. Ends with status 75 where the same\n"
-    "command may go well later, with 65 where it never will.";
+    "command may succeed later, with 65 where it never will.";
 
 constexpr char const* job_work_examples =
     "  lichtraum job work shared\n"

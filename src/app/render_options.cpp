@@ -32,7 +32,7 @@ void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string
   JobView& view = options.job.view;
   add_value(parser, "--eye", view.eye, parse_point, "X,Y,Z", "Put the camera there", group);
   add_value(parser, "--look-at", view.look_at, parse_point, "X,Y,Z",
-            "Turn it to that point (default, where it is moved:\nthe middle of what is in view)", group);
+            "Point it there (default, if the camera is moved:\nthe middle of what is in view)", group);
   add_value(parser, "--up", view.up, parse_point, "X,Y,Z",
             "Which way is up: of the camera, of --orbit, of a\nmodel's environment and --ground, and of what a\nwindow "
             "turns (default: 0,1,0)",
@@ -41,8 +41,8 @@ void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string
             "Put it at azimuth A to the right of the front\n(+z), elevation E, in degrees; at distance D, or\nwhere it "
             "sees everything",
             group);
-  add_value(parser, "--fov-x", view.fov_x_degrees, parse_fov, "DEG", "Its opening angle across the picture", group);
-  add_value(parser, "--fov-y", view.fov_y_degrees, parse_fov, "DEG", "The same from top to bottom", group);
+  add_value(parser, "--fov-x", view.fov_x_degrees, parse_fov, "DEG", "The camera's horizontal field of view", group);
+  add_value(parser, "--fov-y", view.fov_y_degrees, parse_fov, "DEG", "The camera's vertical field of view", group);
   parser
       .add_flag("--orthographic", view.orthographic,
                 "Parallel rays: nothing looks smaller for being\nfar away, as in a plan")
@@ -126,7 +126,7 @@ void add_picture_options(CLI::App& parser, RenderOptions& options) {
 
 void add_drawing_options(CLI::App& parser, RenderOptions& options) {
   add_environment_options(parser, options.job.reading.environment);
-  add_quality_options(parser, options, "1, with a lens 64;\nby path 64, and 16 for models");
+  add_quality_options(parser, options, "1; 64 with a lens or by path;\n16 for models");
   add_value(parser, "--noise", options.job.noise, parse_noise, "X",
             "Stop once the noise is below this share of the\nbrightness, such as 0.05; then --samples is the\nmost "
             "(default: 4096)",

@@ -75,7 +75,7 @@ EnvironmentMap decode_environment(EnvironmentFile const& file) {
                                  "file"
                                : "it is not a Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) file, as environments "
                                  "must be: other pictures cannot hold bright light. 'convert sky.jpg sky.hdr' "
-                                 "(ImageMagick) makes one of them, without bright light");
+                                 "(ImageMagick) converts the picture, but cannot restore its bright light");
 }
 
 EnvironmentMap read_environment(std::filesystem::path const& path) {

@@ -26,6 +26,7 @@ std::uint64_t max_picture_bytes();
 
 /// Decodes what is wanted, on all cores, see decode_image. Where all of it together would take more than `max_bytes`,
 /// the largest pictures are halved until it does not. Returns what to tell people about that; empty: nothing.
-std::string decode_images(std::span<ImageJob> jobs, int max_size, std::uint64_t max_bytes = max_picture_bytes());
+[[nodiscard]] std::string decode_images(std::span<ImageJob> jobs, int max_size,
+                                        std::uint64_t max_bytes = max_picture_bytes());
 
 }  // namespace lichtraum

@@ -58,7 +58,8 @@ Pictures read_pictures(std::span<std::string const> files, TrianglesOfPictures c
     if (bytes) job.owned = std::move(*bytes);
     job.bytes = job.owned;
   }
-  decode_images(jobs, options.max_texture);
+  std::string const halved = decode_images(jobs, options.max_texture);
+  if (!halved.empty()) diagnostics.add(Severity::warning, DiagnosticCode::textures_halved, {}, halved);
   Pictures pictures;
   for (ImageJob const& job : jobs) {
     pictures.push_back(job.image);

@@ -107,6 +107,14 @@ bool lies_within(std::uint64_t offset, std::uint64_t count, std::uint64_t stride
   return stride == 0 || (count - 1) <= (available - offset - size) / stride;
 }
 
+/// Where element `number` is among those that are kept.
+std::optional<std::size_t> place_of(std::uint32_t number, std::vector<std::uint32_t> const* kept) {
+  if (!kept) return number;
+  auto const found = std::lower_bound(kept->begin(), kept->end(), number);
+  if (found == kept->end() || *found != number) return std::nullopt;
+  return std::size_t(found - kept->begin());
+}
+
 }  // namespace
 
 /// What an accessor says of itself, checked.
@@ -168,11 +176,12 @@ void Accessors::charge(std::uint64_t bytes, std::string_view pointer) {
 }
 
 template <class T, class Allocate, class Convert>
-bool Accessors::read(int index, std::size_t components, std::string_view pointer, Allocate const& allocate,
-                     Convert const& convert) {
+bool Accessors::read(int index, std::size_t components, std::string_view pointer, Numbers const* kept,
+                     Allocate const& allocate, Convert const& convert) {
   auto const layout = layout_of(index, components, pointer);
   if (!layout) return false;
   tinygltf::Accessor const& accessor = document_.model.accessors[std::size_t(index)];
+  std::size_t const count = kept ? kept->size() : layout->count;  // of what is given back
   T* values = nullptr;
   if (accessor.bufferView < 0) {
     // Zeros cost the file nothing, so they may not cost memory without limit either.
@@ -182,8 +191,8 @@ bool Accessors::read(int index, std::size_t components, std::string_view pointer
                      fmt::format("accessor {} has no buffer view and declares {} zeros", index, layout->count));
       return false;
     }
-    charge(layout->count * layout->components * sizeof(T), pointer);
-    values = allocate(layout->count, layout->components);
+    charge(count * layout->components * sizeof(T), pointer);
+    values = allocate(count, layout->components);
   } else {
     auto const view = buffers_.view(accessor.bufferView);
     if (!view) {
@@ -206,17 +215,24 @@ bool Accessors::read(int index, std::size_t components, std::string_view pointer
                                  index, layout->count, accessor.byteOffset, accessor.bufferView, view->size()));
       return false;
     }
-    charge(layout->count * layout->components * sizeof(T), pointer);
-    values = allocate(layout->count, layout->components);
-    read_elements(accessor.componentType, view->data() + accessor.byteOffset, layout->count, stride, layout->components,
-                  convert, values);
+    charge(count * layout->components * sizeof(T), pointer);
+    values = allocate(count, layout->components);
+    char const* const first = view->data() + accessor.byteOffset;
+    if (kept) {
+      for (std::size_t i = 0; i < count; ++i) {
+        read_elements(accessor.componentType, first + (*kept)[i] * stride, 1, stride, layout->components, convert,
+                      values + i * layout->components);
+      }
+    } else {
+      read_elements(accessor.componentType, first, count, stride, layout->components, convert, values);
+    }
   }
-  return !accessor.sparse.isSparse || apply_sparse(index, *layout, pointer, convert, values);
+  return !accessor.sparse.isSparse || apply_sparse(index, *layout, pointer, kept, convert, values);
 }
 
 template <class T, class Convert>
-bool Accessors::apply_sparse(int index, Layout const& layout, std::string_view pointer, Convert const& convert,
-                             T* values) {
+bool Accessors::apply_sparse(int index, Layout const& layout, std::string_view pointer, Numbers const* kept,
+                             Convert const& convert, T* values) {
   tinygltf::Accessor const& accessor = document_.model.accessors[std::size_t(index)];
   auto const& sparse = accessor.sparse;
   auto const fail = [&](std::string const& message) {
@@ -253,11 +269,11 @@ bool Accessors::apply_sparse(int index, Layout const& layout, std::string_view p
   std::size_t out_of_range = 0;
   char const* source = value_view->data() + sparse.values.byteOffset;
   for (std::uint32_t const i : indices) {
-    if (i < layout.count) {
-      read_elements(accessor.componentType, source, 1, layout.element_bytes, layout.components, convert,
-                    values + i * layout.components);
-    } else {
+    if (i >= layout.count) {
       ++out_of_range;
+    } else if (auto const place = place_of(i, kept)) {
+      read_elements(accessor.componentType, source, 1, layout.element_bytes, layout.components, convert,
+                    values + *place * layout.components);
     }
     source += layout.element_bytes;
   }
@@ -274,7 +290,8 @@ bool Accessors::is_normalized(int accessor) const {
   return accessor >= 0 && std::size_t(accessor) < list.size() && list[std::size_t(accessor)].normalized;
 }
 
-std::optional<FloatElements> Accessors::floats(int accessor, std::size_t components, std::string_view pointer) {
+std::optional<FloatElements> Accessors::floats(int accessor, std::size_t components, std::string_view pointer,
+                                               Numbers const* kept) {
   FloatElements elements;
   auto const allocate = [&](std::size_t count, std::size_t found) {
     elements.components = found;
@@ -283,12 +300,13 @@ std::optional<FloatElements> Accessors::floats(int accessor, std::size_t compone
   };
   bool const normalized = is_normalized(accessor);
   auto const convert = [=](auto v) { return to_float(v, normalized); };
-  if (!read<float>(accessor, components, pointer, allocate, convert)) return std::nullopt;
+  if (!read<float>(accessor, components, pointer, kept, allocate, convert)) return std::nullopt;
   return elements;
 }
 
 template <std::size_t N>
-std::optional<std::vector<std::array<float, N>>> Accessors::vectors(int accessor, std::string_view pointer) {
+std::optional<std::vector<std::array<float, N>>> Accessors::vectors(int accessor, std::string_view pointer,
+                                                                    Numbers const* kept) {
   std::vector<std::array<float, N>> elements;
   auto const allocate = [&](std::size_t count, std::size_t) {
     reserve_in_huge_pages(elements, count);
@@ -297,13 +315,13 @@ std::optional<std::vector<std::array<float, N>>> Accessors::vectors(int accessor
   };
   bool const normalized = is_normalized(accessor);
   auto const convert = [=](auto v) { return to_float(v, normalized); };
-  if (!read<float>(accessor, N, pointer, allocate, convert)) return std::nullopt;
+  if (!read<float>(accessor, N, pointer, kept, allocate, convert)) return std::nullopt;
   return elements;
 }
 
-template std::optional<std::vector<std::array<float, 2>>> Accessors::vectors(int, std::string_view);
-template std::optional<std::vector<std::array<float, 3>>> Accessors::vectors(int, std::string_view);
-template std::optional<std::vector<std::array<float, 4>>> Accessors::vectors(int, std::string_view);
+template std::optional<std::vector<std::array<float, 2>>> Accessors::vectors(int, std::string_view, Numbers const*);
+template std::optional<std::vector<std::array<float, 3>>> Accessors::vectors(int, std::string_view, Numbers const*);
+template std::optional<std::vector<std::array<float, 4>>> Accessors::vectors(int, std::string_view, Numbers const*);
 
 std::optional<std::vector<std::uint32_t>> Accessors::integers(int accessor, std::size_t components,
                                                               std::string_view pointer) {
@@ -323,7 +341,7 @@ std::optional<std::vector<std::uint32_t>> Accessors::integers(int accessor, std:
     return elements.data();
   };
   auto const convert = [](auto v) { return std::uint32_t(v); };
-  if (!read<std::uint32_t>(accessor, components, pointer, allocate, convert)) return std::nullopt;
+  if (!read<std::uint32_t>(accessor, components, pointer, nullptr, allocate, convert)) return std::nullopt;
   return elements;
 }
 

@@ -25,11 +25,17 @@ class Accessors {
   Accessors(Document const& document, Buffers& buffers, Findings& findings)
       : document_(document), buffers_(buffers), findings_(findings) {}
 
-  /// Nothing when the accessor cannot be read, or when `components` is not 0 and not what it holds.
-  std::optional<FloatElements> floats(int accessor, std::size_t components, std::string_view pointer);
-  /// The same as vectors of exactly N components.
+  using Numbers = std::vector<std::uint32_t>;
+
+  /// Nothing when the accessor cannot be read, or when `components` is not 0 and not what it holds. Of `kept` only, as
+  /// for vectors().
+  std::optional<FloatElements> floats(int accessor, std::size_t components, std::string_view pointer,
+                                      Numbers const* kept = nullptr);
+  /// The same as vectors of exactly N components. Of `kept` only, in this order, if it is not null: numbers below
+  /// count(accessor), ascending.
   template <std::size_t N>
-  std::optional<std::vector<std::array<float, N>>> vectors(int accessor, std::string_view pointer);
+  std::optional<std::vector<std::array<float, N>>> vectors(int accessor, std::string_view pointer,
+                                                           Numbers const* kept = nullptr);
   /// Unsigned scalars of any width.
   std::optional<std::vector<std::uint32_t>> integers(int accessor, std::size_t components, std::string_view pointer);
 
@@ -43,9 +49,11 @@ class Accessors {
   struct Layout;
   /// `allocate(elements, components)` returns the place for that many T, zeroed.
   template <class T, class Allocate, class Convert>
-  bool read(int accessor, std::size_t components, std::string_view pointer, Allocate const&, Convert const&);
+  bool read(int accessor, std::size_t components, std::string_view pointer, Numbers const* kept, Allocate const&,
+            Convert const&);
   template <class T, class Convert>
-  bool apply_sparse(int accessor, Layout const& layout, std::string_view pointer, Convert const& convert, T* values);
+  bool apply_sparse(int accessor, Layout const& layout, std::string_view pointer, Numbers const* kept,
+                    Convert const& convert, T* values);
   std::optional<Layout> layout_of(int accessor, std::size_t components, std::string_view pointer);
   /// Counts what is read against what the files may ask for; fails the import beyond it.
   void charge(std::uint64_t bytes, std::string_view pointer);

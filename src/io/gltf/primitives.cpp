@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "io/faulty_geometry.hpp"
 #include "io/gltf/draco.hpp"
@@ -26,6 +27,25 @@ std::vector<std::array<float, N>> to_vectors(FloatElements const& elements) {
   return result;
 }
 
+/// Of a vertex buffer that many primitives share, each names a small part: keeps only that part, and makes `indices`
+/// count in it. The numbers of the vertices kept, ascending; null: all are. Most primitives name each of their vertices
+/// several times, so the first look ends it.
+std::shared_ptr<Accessors::Numbers const> keep_what_is_named(std::vector<std::uint32_t>& indices,
+                                                             std::size_t vertex_count) {
+  if (indices.size() >= vertex_count) return nullptr;
+  Accessors::Numbers kept = indices;
+  std::sort(kept.begin(), kept.end());
+  kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+  while (!kept.empty() && kept.back() >= vertex_count) kept.pop_back();
+  if (kept.empty() || kept.size() > vertex_count / 2) return nullptr;
+  for (std::uint32_t& index : indices) {
+    auto const found = std::lower_bound(kept.begin(), kept.end(), index);
+    bool const is_out_of_range = found == kept.end();
+    index = is_out_of_range ? std::numeric_limits<std::uint32_t>::max() : std::uint32_t(found - kept.begin());
+  }
+  return std::make_shared<Accessors::Numbers const>(std::move(kept));
+}
+
 /// Sets what is not a number to zero: shading then falls back to the triangle's own normal.
 template <std::size_t N>
 void remove_non_finite(std::vector<std::array<float, N>>& vectors) {
@@ -41,7 +61,13 @@ struct Primitives::Source {
   tinygltf::Primitive const& primitive;
   std::string pointer;
   std::optional<DracoPrimitive> draco = std::nullopt;
+  std::vector<std::uint32_t> indices = {};  ///< into what is kept
+  std::size_t vertex_count = 0;             ///< of what its accessors hold
+  std::shared_ptr<Accessors::Numbers const> kept = nullptr;
 
+  /// Of what is kept.
+  std::size_t count() const { return kept ? kept->size() : vertex_count; }
+  bool is_indexed() const { return draco || primitive.indices >= 0; }
   int accessor(std::string const& name) const {
     auto const found = primitive.attributes.find(name);
     return found == primitive.attributes.end() ? -1 : found->second;
@@ -68,17 +94,18 @@ std::optional<Primitive> Primitives::read(int mesh, std::size_t number) {
   Primitive result;
   result.material = source_primitive.material;
   if (known != known_.end()) {
-    result.geometry = known->second;
+    result.geometry = known->second.geometry;
+    source.vertex_count = known->second.vertex_count;
+    source.kept = known->second.kept;
   } else {
     result.geometry = read_geometry(source);
-    known_.emplace(key, result.geometry);
+    known_.emplace(key, Known{result.geometry, source.vertex_count, source.kept});
   }
   if (!result.geometry) return std::nullopt;
-  std::size_t const count = result.geometry->positions.size();
-  result.targets = read_targets(source, count);
+  result.targets = read_targets(source);
   if (source.accessor("JOINTS_0") >= 0) {
     if (!source.draco) decompress(source);  // the geometry was known
-    result.joint_sets = read_joint_sets(source, count);
+    result.joint_sets = read_joint_sets(source);
   }
   return result;
 }
@@ -111,10 +138,20 @@ bool Primitives::decompress(Source& source) {
 }
 
 template <std::size_t N>
-std::vector<std::array<float, N>> Primitives::read_attribute(Source const& source, std::string const& name,
-                                                             std::size_t count) {
+std::optional<std::vector<std::array<float, N>>> Primitives::read_vectors(Source const& source, int accessor,
+                                                                          std::string const& place) {
+  return accessors_.vectors<N>(accessor, place, kept_in(source, accessor));
+}
+
+Accessors::Numbers const* Primitives::kept_in(Source const& source, int accessor) const {
+  return accessors_.count(accessor) < source.vertex_count ? nullptr : source.kept.get();
+}
+
+template <std::size_t N>
+std::vector<std::array<float, N>> Primitives::read_attribute(Source const& source, std::string const& name) {
   if (!source.has(name)) return {};
   std::vector<std::array<float, N>> result;
+  std::size_t found = 0;
   if (source.draco && source.draco->attributes.contains(name)) {
     FloatElements const& elements = source.draco->attributes.at(name);
     if (elements.components != N) {
@@ -123,51 +160,61 @@ std::vector<std::array<float, N>> Primitives::read_attribute(Source const& sourc
       return {};
     }
     result = to_vectors<N>(elements);
-  } else if (auto vectors = accessors_.vectors<N>(source.accessor(name), source.place(name))) {
+    found = result.size();
+  } else if (auto vectors = read_vectors<N>(source, source.accessor(name), source.place(name))) {
     result = std::move(*vectors);
+    found = accessors_.count(source.accessor(name));
   }
-  if (count != 0 && !result.empty() && result.size() != count) {
+  if (!result.empty() && found != source.vertex_count) {
     findings_.warn(DiagnosticCode::unreadable_accessor, source.place(name),
-                   fmt::format("{} elements for {} positions", result.size(), count));
-    if (result.size() < count) return {};
-    result.resize(count);
+                   fmt::format("{} elements for {} positions", found, source.vertex_count));
+    if (found < source.vertex_count) return {};
+    result.resize(source.count());
   }
   return result;
 }
 
-std::vector<Float4> Primitives::read_colors(Source const& source, std::size_t count) {
+std::vector<Float4> Primitives::read_colors(Source const& source) {
   std::string const name = "COLOR_0";
   if (!source.has(name)) return {};
   bool const is_draco = source.draco && source.draco->attributes.contains(name);
+  int const accessor = source.accessor(name);
   std::optional<FloatElements> const elements =
-      is_draco ? source.draco->attributes.at(name) : accessors_.floats(source.accessor(name), 0, source.place(name));
+      is_draco ? source.draco->attributes.at(name)
+               : accessors_.floats(accessor, 0, source.place(name), kept_in(source, accessor));
   if (!elements) return {};
-  if ((elements->components != 3 && elements->components != 4) || elements->count() < count) {
+  std::size_t const found = is_draco ? elements->count() : accessors_.count(accessor);
+  if ((elements->components != 3 && elements->components != 4) || found < source.vertex_count) {
     findings_.warn(
         DiagnosticCode::unreadable_accessor, source.place(name),
-        fmt::format("{} elements of {} components for {} positions", elements->count(), elements->components, count));
+        fmt::format("{} elements of {} components for {} positions", found, elements->components, source.vertex_count));
     return {};
   }
-  std::vector<Float4> colors(count, Float4{0, 0, 0, 1});
-  for (std::size_t i = 0; i < count; ++i) {
+  std::vector<Float4> colors(source.count(), Float4{0, 0, 0, 1});
+  for (std::size_t i = 0; i < colors.size(); ++i) {
     std::copy_n(elements->values.data() + i * elements->components, elements->components, colors[i].begin());
   }
   remove_non_finite(colors);
   return colors;
 }
 
-std::optional<std::vector<std::uint32_t>> Primitives::read_indices(Source const& source, std::size_t vertex_count) {
-  if (source.draco) return source.draco->indices;
-  std::vector<std::uint32_t> indices;
-  if (source.primitive.indices >= 0) {
+bool Primitives::read_indices(Source& source) {
+  if (source.draco) {
+    source.indices = std::move(source.draco->indices);
+  } else if (source.primitive.indices >= 0) {
     auto read = accessors_.integers(source.primitive.indices, 1, source.pointer + "/indices");
-    if (!read) return std::nullopt;
-    indices = std::move(*read);
-  } else {
-    indices.resize(vertex_count);
-    for (std::size_t i = 0; i < vertex_count; ++i) indices[i] = std::uint32_t(i);
+    if (!read) return false;
+    source.indices = std::move(*read);
+    source.kept = keep_what_is_named(source.indices, source.vertex_count);
   }
-  return indices;
+  return true;
+}
+
+std::vector<std::uint32_t> Primitives::take_indices(Source& source) {
+  if (source.is_indexed()) return std::move(source.indices);
+  std::vector<std::uint32_t> all(source.vertex_count);
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
 }
 
 std::shared_ptr<MeshGeometry const> Primitives::read_geometry(Source& source) {
@@ -176,25 +223,27 @@ std::shared_ptr<MeshGeometry const> Primitives::read_geometry(Source& source) {
     findings_.warn(DiagnosticCode::undrawn_primitive, source.pointer + "/attributes", "POSITION is missing");
     return nullptr;
   }
+  bool const is_draco = source.draco && source.draco->attributes.contains("POSITION");
+  source.vertex_count =
+      is_draco ? source.draco->attributes.at("POSITION").count() : accessors_.count(source.accessor("POSITION"));
+  if (!read_indices(source)) return nullptr;
   auto geometry = std::make_shared<MeshGeometry>();
-  geometry->positions = read_attribute<3>(source, "POSITION", 0);
+  geometry->positions = read_attribute<3>(source, "POSITION");
   if (geometry->positions.empty()) return nullptr;
   if (source.primitive.mode == TINYGLTF_MODE_POINTS) return read_points(source, std::move(geometry));
   if (source.primitive.mode <= TINYGLTF_MODE_LINE_STRIP) return read_lines(source, std::move(geometry));
-  std::size_t const count = geometry->positions.size();
-  auto indices = read_indices(source, count);
-  if (!indices) return nullptr;
-  geometry->indices = source.draco ? std::move(*indices) : to_triangle_list(std::move(*indices), source.primitive.mode);
+  auto indices = take_indices(source);
+  geometry->indices = source.draco ? std::move(indices) : to_triangle_list(std::move(indices), source.primitive.mode);
 
-  geometry->normals = read_attribute<3>(source, "NORMAL", count);
+  geometry->normals = read_attribute<3>(source, "NORMAL");
   remove_non_finite(geometry->normals);
-  if (!geometry->normals.empty()) geometry->tangents = read_attribute<4>(source, "TANGENT", count);
+  if (!geometry->normals.empty()) geometry->tangents = read_attribute<4>(source, "TANGENT");
   remove_non_finite(geometry->tangents);
   for (int set = 0; source.has(fmt::format("TEXCOORD_{}", set)); ++set) {
-    geometry->texcoords.push_back(read_attribute<2>(source, fmt::format("TEXCOORD_{}", set), count));
+    geometry->texcoords.push_back(read_attribute<2>(source, fmt::format("TEXCOORD_{}", set)));
     remove_non_finite(geometry->texcoords.back());
   }
-  geometry->colors = read_colors(source, count);
+  geometry->colors = read_colors(source);
 
   return remove_faulty_parts(source, geometry->indices, 3, "triangle", geometry->positions) ? geometry : nullptr;
 }
@@ -205,7 +254,7 @@ bool Primitives::remove_faulty_parts(Source const& source, std::vector<std::uint
   if (faults.out_of_range > 0) {
     findings_.warn(DiagnosticCode::geometry_left_out, source.pointer + "/indices",
                    left_out_message(faults.out_of_range,
-                                    fmt::format("an index that is out of range ({})", positions.size()), noun));
+                                    fmt::format("an index that is out of range ({})", source.vertex_count), noun));
   }
   if (faults.non_finite > 0) {
     findings_.warn(DiagnosticCode::geometry_left_out, source.place("POSITION"),
@@ -219,7 +268,7 @@ bool Primitives::remove_faulty_parts(Source const& source, std::vector<std::uint
 
 std::shared_ptr<MeshGeometry const> Primitives::read_points(Source const& source,
                                                             std::shared_ptr<MeshGeometry> geometry) {
-  geometry->colors = read_colors(source, geometry->positions.size());
+  geometry->colors = read_colors(source);
   auto const is_finite = [](Float3 const& p) { return std::isfinite(p[0] + p[1] + p[2]); };
   auto const finite = std::count_if(geometry->positions.begin(), geometry->positions.end(), is_finite);
   if (std::size_t const lost = geometry->positions.size() - std::size_t(finite); lost > 0) {
@@ -227,13 +276,11 @@ std::shared_ptr<MeshGeometry const> Primitives::read_points(Source const& source
                    fmt::format("points that are not finite are left out: {}", lost));
   }
   if (finite == 0) return nullptr;
-  if (source.primitive.indices < 0) return geometry;
-  auto const indices = accessors_.integers(source.primitive.indices, 1, source.pointer + "/indices");
-  if (!indices) return nullptr;
+  if (!source.is_indexed()) return geometry;
   // What no index names is put where nothing is drawn: morph targets and joints count all positions.
   std::vector<bool> is_named(geometry->positions.size(), false);
   std::size_t out_of_range = 0;
-  for (std::uint32_t const index : *indices) {
+  for (std::uint32_t const index : source.indices) {
     if (index < is_named.size()) {
       is_named[index] = true;
     } else {
@@ -241,8 +288,9 @@ std::shared_ptr<MeshGeometry const> Primitives::read_points(Source const& source
     }
   }
   if (out_of_range > 0) {
-    findings_.warn(DiagnosticCode::geometry_left_out, source.pointer + "/indices",
-                   fmt::format("points left out whose index is out of range ({}): {}", is_named.size(), out_of_range));
+    findings_.warn(
+        DiagnosticCode::geometry_left_out, source.pointer + "/indices",
+        fmt::format("points left out whose index is out of range ({}): {}", source.vertex_count, out_of_range));
   }
   for (std::size_t i = 0; i < is_named.size(); ++i) {
     if (!is_named[i]) geometry->positions[i].fill(std::numeric_limits<float>::quiet_NaN());
@@ -250,17 +298,13 @@ std::shared_ptr<MeshGeometry const> Primitives::read_points(Source const& source
   return geometry;
 }
 
-std::shared_ptr<MeshGeometry const> Primitives::read_lines(Source const& source,
-                                                           std::shared_ptr<MeshGeometry> geometry) {
-  std::size_t const count = geometry->positions.size();
-  geometry->colors = read_colors(source, count);
-  auto indices = read_indices(source, count);
-  if (!indices) return nullptr;
-  geometry->lines = to_line_list(std::move(*indices), source.primitive.mode);
+std::shared_ptr<MeshGeometry const> Primitives::read_lines(Source& source, std::shared_ptr<MeshGeometry> geometry) {
+  geometry->colors = read_colors(source);
+  geometry->lines = to_line_list(take_indices(source), source.primitive.mode);
   return remove_faulty_parts(source, geometry->lines, 2, "line", geometry->positions) ? geometry : nullptr;
 }
 
-std::vector<MorphTarget> Primitives::read_targets(Source const& source, std::size_t count) {
+std::vector<MorphTarget> Primitives::read_targets(Source const& source) {
   std::vector<MorphTarget> targets;
   for (std::size_t i = 0; i < source.primitive.targets.size(); ++i) {
     auto const& attributes = source.primitive.targets[i];
@@ -268,11 +312,12 @@ std::vector<MorphTarget> Primitives::read_targets(Source const& source, std::siz
       auto const found = attributes.find(name);
       if (found == attributes.end()) return {};
       std::string const place = fmt::format("{}/targets/{}/{}", source.pointer, i, name);
-      auto vectors = accessors_.vectors<3>(found->second, place);
+      auto vectors = read_vectors<3>(source, found->second, place);
       if (!vectors) return {};
-      if (vectors->size() != count) {
+      std::size_t const count = accessors_.count(found->second);
+      if (count != source.vertex_count) {
         findings_.warn(DiagnosticCode::unreadable_accessor, place,
-                       fmt::format("{} elements for {} positions", vectors->size(), count));
+                       fmt::format("{} elements for {} positions", count, source.vertex_count));
         return {};
       }
       remove_non_finite(*vectors);
@@ -283,13 +328,14 @@ std::vector<MorphTarget> Primitives::read_targets(Source const& source, std::siz
   return targets;
 }
 
-std::vector<JointSet> Primitives::read_joint_sets(Source const& source, std::size_t count) {
+std::vector<JointSet> Primitives::read_joint_sets(Source const& source) {
+  std::size_t const count = source.count();
   std::vector<JointSet> sets;
   for (int set = 0; source.has(fmt::format("JOINTS_{}", set)); ++set) {
     JointSet result;
-    result.weights = read_attribute<4>(source, fmt::format("WEIGHTS_{}", set), count);
+    result.weights = read_attribute<4>(source, fmt::format("WEIGHTS_{}", set));
     std::string const name = fmt::format("JOINTS_{}", set);
-    std::vector<Float4> const joints = read_attribute<4>(source, name, count);
+    std::vector<Float4> const joints = read_attribute<4>(source, name);
     if (joints.size() != count || result.weights.size() != count) {
       findings_.warn(DiagnosticCode::unreadable_accessor, source.place(name), "joints or weights cannot be read");
       break;

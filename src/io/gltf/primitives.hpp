@@ -37,8 +37,14 @@ struct Primitive {
 /// Reads primitives; those that name the same data share one geometry.
 class Primitives {
  public:
+  /// What has been read, and from which of the vertices that its accessors count.
+  struct Known {
+    std::shared_ptr<MeshGeometry const> geometry;
+    std::size_t vertex_count = 0;
+    std::shared_ptr<Accessors::Numbers const> kept;  ///< their numbers, ascending; null: all
+  };
   /// By everything that decides it: attributes, indices, mode, compressed view.
-  using Geometries = std::map<std::string, std::shared_ptr<MeshGeometry const>>;
+  using Geometries = std::map<std::string, Known>;
 
   /// `known`: what was read before; what is read now is added.
   Primitives(Document const& document, Buffers& buffers, Accessors& accessors, Findings& findings, Geometries& known)
@@ -53,17 +59,24 @@ class Primitives {
   std::shared_ptr<MeshGeometry const> read_geometry(Source& source);
   bool decompress(Source& source);
   std::shared_ptr<MeshGeometry const> read_points(Source const& source, std::shared_ptr<MeshGeometry> geometry);
-  std::shared_ptr<MeshGeometry const> read_lines(Source const& source, std::shared_ptr<MeshGeometry> geometry);
+  std::shared_ptr<MeshGeometry const> read_lines(Source& source, std::shared_ptr<MeshGeometry> geometry);
   /// Of `indices`, `corners` for each triangle or line, as `noun` says. False: none is left.
   bool remove_faulty_parts(Source const& source, std::vector<std::uint32_t>& indices, std::size_t corners,
                            char const* noun, std::vector<Float3> const& positions);
-  /// As they stand; without any, all vertices in their order.
-  std::optional<std::vector<std::uint32_t>> read_indices(Source const& source, std::size_t vertex_count);
+  /// Into `source`, with what is kept for them. False where there are some that cannot be read.
+  bool read_indices(Source& source);
+  /// Without any, all vertices in their order.
+  static std::vector<std::uint32_t> take_indices(Source& source);
+  /// What of an accessor is read; null: all, also where it has too few elements.
+  Accessors::Numbers const* kept_in(Source const& source, int accessor) const;
   template <std::size_t N>
-  std::vector<std::array<float, N>> read_attribute(Source const& source, std::string const& name, std::size_t count);
-  std::vector<Float4> read_colors(Source const& source, std::size_t count);
-  std::vector<MorphTarget> read_targets(Source const& source, std::size_t count);
-  std::vector<JointSet> read_joint_sets(Source const& source, std::size_t count);
+  std::optional<std::vector<std::array<float, N>>> read_vectors(Source const& source, int accessor,
+                                                                std::string const& place);
+  template <std::size_t N>
+  std::vector<std::array<float, N>> read_attribute(Source const& source, std::string const& name);
+  std::vector<Float4> read_colors(Source const& source);
+  std::vector<MorphTarget> read_targets(Source const& source);
+  std::vector<JointSet> read_joint_sets(Source const& source);
 
   Document const& document_;
   Buffers& buffers_;

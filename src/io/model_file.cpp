@@ -9,9 +9,10 @@
 
 namespace lichtraum {
 
-std::optional<std::string> read_model_file(std::optional<std::filesystem::path> const& folder,
-                                           std::span<std::filesystem::path const> allowed, FileObserver const& on_read,
-                                           std::string const& name, std::string& reason) {
+std::optional<std::filesystem::path> find_model_file(std::optional<std::filesystem::path> const& folder,
+                                                     std::span<std::filesystem::path const> allowed,
+                                                     FileObserver const& on_read, std::string const& name,
+                                                     std::string& reason) {
   if (!folder) {
     reason =
         fmt::format("cannot use {}: the model comes from no file, so there is no folder to look in", in_quotes(name));
@@ -28,12 +29,23 @@ std::optional<std::string> read_model_file(std::optional<std::filesystem::path> 
     reason = fmt::format("cannot use {}: it is not a regular file", in_quotes(name));
     return std::nullopt;
   }
+  return path.path;
+}
+
+std::optional<std::string> read_found_file(std::filesystem::path const& path, std::string& reason) {
   try {
-    return read_file(path.path);
+    return read_file(path);
   } catch (Error const& failure) {
     reason = failure.what();
     return std::nullopt;
   }
+}
+
+std::optional<std::string> read_model_file(std::optional<std::filesystem::path> const& folder,
+                                           std::span<std::filesystem::path const> allowed, FileObserver const& on_read,
+                                           std::string const& name, std::string& reason) {
+  auto const path = find_model_file(folder, allowed, on_read, name, reason);
+  return path ? read_found_file(*path, reason) : std::nullopt;
 }
 
 }  // namespace lichtraum

@@ -9,8 +9,18 @@
 
 namespace lichtraum {
 
-/// Reads a file that a model names: a regular one in `folder`, below it, or in one of the allowed folders; none where
-/// the model has no folder. Nothing when it may not or cannot be read; `reason` then says why.
+/// Where a file is that a model names: a regular one in `folder`, below it, or in one of the allowed folders; none
+/// where the model has no folder. Nothing when it may not be read; `reason` then says why. The path is the same however
+/// the file is named.
+std::optional<std::filesystem::path> find_model_file(std::optional<std::filesystem::path> const& folder,
+                                                     std::span<std::filesystem::path const> allowed,
+                                                     FileObserver const& on_read, std::string const& name,
+                                                     std::string& reason);
+
+/// Reads what find_model_file gives. Nothing when it cannot be read; `reason` then says why.
+std::optional<std::string> read_found_file(std::filesystem::path const& path, std::string& reason);
+
+/// Both.
 std::optional<std::string> read_model_file(std::optional<std::filesystem::path> const& folder,
                                            std::span<std::filesystem::path const> allowed, FileObserver const& on_read,
                                            std::string const& name, std::string& reason);

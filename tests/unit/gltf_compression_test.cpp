@@ -164,6 +164,29 @@ TEST_CASE("what meshoptimizer cannot have packed is named", "[unit][gltf]") {
   }
 }
 
+TEST_CASE("views that unpack one piece of data again and again are refused", "[unit][gltf]") {
+  constexpr std::size_t count = 500'000, stride = 16;
+  GltfWriter writer;
+  int const first =
+      add_packed_view(writer, packed_vertices(std::string(count * stride, '\0'), stride), "ATTRIBUTES", count, stride);
+  auto& model = writer.json;
+  Json const view = model["bufferViews"][std::size_t(first)];
+  auto const import_with = [&](std::size_t views) {
+    model["bufferViews"] = model["accessors"] = Json::array();
+    model["meshes"] = {{{"primitives", Json::array()}}};
+    model["nodes"] = {{{"mesh", 0}}};
+    for (std::size_t i = 0; i < views; ++i) {
+      model["bufferViews"].push_back(view);
+      model["accessors"].push_back({{"bufferView", i}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}});
+      model["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", i}}}});
+    }
+  };
+  import_with(2);
+  CHECK(messages(import_model(writer)) == "");
+  import_with(100);  // of 8 MB each
+  CHECK_THAT(refusal(writer), contains_text("the model unfolds to more than"));
+}
+
 TEST_CASE("Draco's triangles are unpacked", "[unit][gltf]") {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(2);

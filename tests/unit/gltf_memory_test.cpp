@@ -139,3 +139,118 @@ TEST_CASE("many primitives may share one large vertex buffer", "[unit][gltf]") {
   CHECK(messages(model) == "");
   CHECK(world_triangles(model.scene).size() == 1000);
 }
+
+namespace {
+
+/// Why it cannot be imported; "" where it can.
+std::string refusal(GltfWriter const& writer) {
+  try {
+    import_model(writer);
+    return "";
+  } catch (SceneError const& error) {
+    return error.what();
+  }
+}
+
+constexpr char const* unfolds = "the model unfolds to more than";
+
+/// A mesh of `count` vertices that take no bytes, with a target that moves nothing.
+void add_zeros(GltfWriter& writer, std::size_t count) {
+  writer.json["accessors"].push_back({{"componentType", 5126}, {"count", count}, {"type", "VEC3"}});
+  auto const zeros = writer.json["accessors"].size() - 1;
+  nlohmann::json const attributes = {{"POSITION", zeros}};
+  writer.json["meshes"].push_back({{"primitives", {{{"attributes", attributes}, {"targets", {attributes}}}}}});
+}
+
+}  // namespace
+
+TEST_CASE("copies that nodes deform take no more memory than the file may ask for", "[unit][gltf]") {
+  GltfWriter writer;
+  add_zeros(writer, 1'000'000);
+  auto const import_with = [&](std::size_t nodes, nlohmann::json const& node) {
+    writer.json["nodes"] = std::vector<nlohmann::json>(nodes, node);
+    return refusal(writer);
+  };
+  CHECK(import_with(2, {{"mesh", 0}, {"weights", {1}}}) == "");
+  CHECK(import_with(50, {{"mesh", 0}}) == "");  // one shape
+  CHECK(import_with(50, {{"mesh", 0}, {"weights", {0}}}) == "");
+  CHECK(import_with(50, {{"mesh", 0}, {"weights", {1}}}).find(unfolds) != std::string::npos);
+}
+
+TEST_CASE("copies that joints move take no more memory than the file may ask for", "[unit][gltf]") {
+  GltfWriter writer;
+  add_zeros(writer, 1'000'000);
+  writer.json["accessors"].push_back({{"componentType", 5121}, {"count", 1'000'000}, {"type", "VEC4"}});
+  auto& attributes = writer.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = attributes["WEIGHTS_0"] = 1;
+  writer.json["skins"] = {{{"joints", {0}}}};
+  auto const import_with = [&](std::size_t nodes) {
+    writer.json["nodes"] = std::vector<nlohmann::json>(nodes, {{"mesh", 0}, {"skin", 0}});
+    return refusal(writer);
+  };
+  CHECK(import_with(2) == "");
+  CHECK(import_with(50).find(unfolds) != std::string::npos);
+}
+
+TEST_CASE("instances take no more memory than the file may ask for", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh({0, 0, 0, 1, 0, 0, 0, 1, 0});
+  auto const import_with = [&](std::size_t count, std::string const& name) {
+    writer.json["accessors"][1] = {{"componentType", 5126}, {"count", count}, {"type", "VEC3"}};
+    writer.json["nodes"][0]["name"] = name;
+    writer.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = 1;
+    return refusal(writer);
+  };
+  CHECK(import_with(1000, "node") == "");
+  CHECK(import_with(1'048'576, "node").find(unfolds) != std::string::npos);
+  CHECK(import_with(10'000, std::string(100'000, 'n')).find(unfolds) != std::string::npos);
+}
+
+TEST_CASE("long names of primitives take no more memory than the file may ask for", "[unit][gltf]") {
+  GltfWriter writer;
+  nlohmann::json const primitive = writer.add_mesh({0, 0, 0, 1, 0, 0, 0, 1, 0});
+  writer.json["meshes"][0]["primitives"] = std::vector<nlohmann::json>(10'000, primitive);
+  CHECK(refusal(writer) == "");
+  writer.json["meshes"][0]["name"] = std::string(100'000, 'n');
+  CHECK(refusal(writer).find(unfolds) != std::string::npos);
+}
+
+TEST_CASE("poses made one after the other share no budget", "[unit][gltf]") {
+  GltfWriter writer;
+  add_zeros(writer, 1'000'000);
+  writer.json["nodes"] = {{{"mesh", 0}, {"weights", {1}}}};
+  TemporaryFolder const folder;
+  GltfAnimation animation(folder.write("model.gltf", writer.text()), {});
+  for (int i = 0; i < 50; ++i) CHECK_NOTHROW(animation.pose(std::nullopt));
+}
+
+TEST_CASE("files that are named again and again are read once", "[unit][gltf]") {
+  constexpr std::size_t count = 300;
+  TemporaryFolder const folder;
+  GltfWriter triangle;
+  triangle.add_mesh({0, 0, 0, 1, 0, 0, 0, 1, 0});
+  folder.write("shared.bin", triangle.buffer() + std::string(4'000'000, '\0'));
+  nlohmann::json model = triangle.json;
+  model["buffers"] = model["bufferViews"] = model["accessors"] = nlohmann::json::array();
+  auto& primitives = model["meshes"][0]["primitives"];
+  primitives.clear();
+  for (std::size_t i = 0; i < count; ++i) {  // by names that differ
+    std::string name = "shared.bin";
+    for (std::size_t k = 0; k < i; ++k) name.insert(0, "./");
+    model["buffers"].push_back({{"byteLength", 36}, {"uri", name}});
+    model["bufferViews"].push_back({{"buffer", i}, {"byteLength", 36}});
+    model["accessors"].push_back({{"bufferView", i}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}});
+    primitives.push_back({{"attributes", {{"POSITION", i}}}});
+  }
+  // What files hold, zeros without a view may take: 1,048,576 and one for each byte.
+  auto const import_with_zeros = [&](std::size_t zeros) {
+    model["accessors"].push_back({{"componentType", 5126}, {"count", zeros}, {"type", "VEC3"}});
+    primitives.push_back({{"attributes", {{"POSITION", count}}}});
+    std::string const found = messages(import_gltf(folder.write("model.gltf", model.dump())));
+    model["accessors"].erase(count);
+    primitives.erase(count);
+    return found;
+  };
+  CHECK(import_with_zeros(4'000'000) == "");
+  CHECK(import_with_zeros(8'000'000).find("declares 8000000 zeros") != std::string::npos);
+}

@@ -162,19 +162,6 @@ std::optional<Accessors::Layout> Accessors::layout_of(int index, std::size_t com
   return Layout{accessor.count, found, found * size};
 }
 
-void Accessors::charge(std::uint64_t bytes, std::string_view pointer) {
-  // A few bytes of JSON can name the same data again and again.
-  constexpr std::uint64_t always_allowed = std::uint64_t(1) << 29;
-  constexpr std::uint64_t per_byte = 32;
-  charged_ += bytes;
-  std::uint64_t const limit = always_allowed + per_byte * buffers_.bytes_read();
-  if (charged_ > limit) {
-    findings_.fail(
-        DiagnosticCode::unfolds_too_far, pointer,
-        fmt::format("the model unfolds to more than {} bytes, from files of {} bytes", limit, buffers_.bytes_read()));
-  }
-}
-
 template <class T, class Allocate, class Convert>
 bool Accessors::read(int index, std::size_t components, std::string_view pointer, Numbers const* kept,
                      Allocate const& allocate, Convert const& convert) {
@@ -186,12 +173,12 @@ bool Accessors::read(int index, std::size_t components, std::string_view pointer
   if (accessor.bufferView < 0) {
     // Zeros cost the file nothing, so they may not cost memory without limit either.
     constexpr std::size_t always_allowed = std::size_t(1) << 20;
-    if (layout->count > always_allowed + buffers_.bytes_read()) {
+    if (layout->count > always_allowed + budget_.file_bytes()) {
       findings_.warn(DiagnosticCode::unreadable_accessor, pointer,
                      fmt::format("accessor {} has no buffer view and declares {} zeros", index, layout->count));
       return false;
     }
-    charge(count * layout->components * sizeof(T), pointer);
+    budget_.charge(count * layout->components * sizeof(T), pointer);
     values = allocate(count, layout->components);
   } else {
     auto const view = buffers_.view(accessor.bufferView);
@@ -215,7 +202,7 @@ bool Accessors::read(int index, std::size_t components, std::string_view pointer
                                  index, layout->count, accessor.byteOffset, accessor.bufferView, view->size()));
       return false;
     }
-    charge(count * layout->components * sizeof(T), pointer);
+    budget_.charge(count * layout->components * sizeof(T), pointer);
     values = allocate(count, layout->components);
     char const* const first = view->data() + accessor.byteOffset;
     if (kept) {

@@ -22,8 +22,8 @@ struct FloatElements {
 /// without a view (zeros). All bounds are checked; what cannot be read is a finding at the place that wanted it.
 class Accessors {
  public:
-  Accessors(Document const& document, Buffers& buffers, Findings& findings)
-      : document_(document), buffers_(buffers), findings_(findings) {}
+  Accessors(Document const& document, Buffers& buffers, Budget& budget, Findings& findings)
+      : document_(document), buffers_(buffers), budget_(budget), findings_(findings) {}
 
   using Numbers = std::vector<std::uint32_t>;
 
@@ -55,13 +55,11 @@ class Accessors {
   bool apply_sparse(int accessor, Layout const& layout, std::string_view pointer, Numbers const* kept,
                     Convert const& convert, T* values);
   std::optional<Layout> layout_of(int accessor, std::size_t components, std::string_view pointer);
-  /// Counts what is read against what the files may ask for; fails the import beyond it.
-  void charge(std::uint64_t bytes, std::string_view pointer);
 
   Document const& document_;
   Buffers& buffers_;
+  Budget& budget_;
   Findings& findings_;
-  std::uint64_t charged_ = 0;
 };
 
 }  // namespace lichtraum::gltf

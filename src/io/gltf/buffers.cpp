@@ -16,20 +16,32 @@ constexpr char const* meshopt_extensions[] = {"EXT_meshopt_compression", "KHR_me
 
 }  // namespace
 
-std::optional<std::string> read_external_file(Document const& document, std::string_view uri, std::string& reason) {
-  if (has_scheme(uri)) {
-    reason = fmt::format("cannot use {}: only files beside the model are read", in_quotes(uri));
-    return std::nullopt;
-  }
-  return read_model_file(document.folder, document.allowed_paths, document.on_read, decode_percent(uri), reason);
-}
-
-Buffers::Buffers(Document const& document, Findings& findings)
+Buffers::Buffers(Document const& document, Budget& budget, Findings& findings)
     : document_(document),
+      budget_(budget),
       findings_(findings),
       buffers_(document.buffers.size()),
-      views_(document.model.bufferViews.size()),
-      bytes_read_(document.bytes.size()) {}
+      views_(document.model.bufferViews.size()) {
+  budget_.add_file(document.bytes.size());
+}
+
+Buffers::Bytes Buffers::file(std::string_view uri, std::string& reason) {
+  if (has_scheme(uri)) {
+    reason = fmt::format("cannot use {}: only files beside the model are read", in_quotes(uri));
+    return nullptr;
+  }
+  auto const path =
+      find_model_file(document_.folder, document_.allowed_paths, document_.on_read, decode_percent(uri), reason);
+  if (!path) return nullptr;
+  auto& known = files_[*path];
+  if (auto bytes = known.lock()) return bytes;
+  auto content = read_found_file(*path, reason);
+  if (!content) return nullptr;
+  budget_.add_file(content->size());
+  auto bytes = std::make_shared<std::string const>(std::move(*content));
+  known = bytes;
+  return bytes;
+}
 
 std::optional<std::string_view> Buffers::view(int index) {
   if (index < 0 || std::size_t(index) >= views_.size()) return std::nullopt;
@@ -66,18 +78,16 @@ void Buffers::load_buffer(int index, Entry& entry) {
       findings_.warn(DiagnosticCode::unreadable_buffer, pointer + "/uri", "the data URI is malformed");
       return;
     }
-    entry.owned = std::move(*decoded);
-    entry.bytes = entry.owned;
+    entry.owned = std::make_shared<std::string const>(std::move(*decoded));
+    entry.bytes = *entry.owned;
   } else {
     std::string reason;
-    auto content = read_external_file(document_, *source.uri, reason);
-    if (!content) {
+    entry.owned = file(*source.uri, reason);
+    if (!entry.owned) {
       findings_.warn(DiagnosticCode::unreadable_buffer, pointer + "/uri", reason);
       return;
     }
-    entry.owned = std::move(*content);
-    entry.bytes = entry.owned;
-    bytes_read_ += entry.owned.size();
+    entry.bytes = *entry.owned;
   }
   entry.is_usable = true;
   if (entry.bytes.size() < source.byte_length) {
@@ -129,12 +139,14 @@ void Buffers::decompress(int index, char const* extension, tinygltf::Value const
   auto const compressed = slice(*buffer_index, integer_of(parameters, "byteOffset").value_or(0), *length, pointer);
   if (!compressed) return;
   std::string reason;
-  entry.owned = decode_meshopt(parameters, *compressed, reason);
+  auto const take = [&](std::uint64_t bytes) { budget_.charge_for_good(bytes, pointer); };
+  std::string decoded = decode_meshopt(parameters, *compressed, take, reason);
   if (!reason.empty()) {
     findings_.warn(DiagnosticCode::unreadable_buffer, pointer, reason);
     return;
   }
-  entry.bytes = entry.owned;
+  entry.owned = std::make_shared<std::string const>(std::move(decoded));
+  entry.bytes = *entry.owned;
   entry.is_usable = true;
 }
 

@@ -51,11 +51,15 @@ void turn_over(MeshGeometry& geometry) {
 
 }  // namespace
 
-std::shared_ptr<MeshGeometry const> morph(Primitive const& primitive, std::vector<double> const& weights) {
+bool is_morphed(Primitive const& primitive, std::vector<double> const& weights) {
   std::size_t const count = std::min(weights.size(), primitive.targets.size());
-  bool const any = std::any_of(weights.begin(), weights.begin() + std::ptrdiff_t(count),
-                               [](double w) { return w != 0 && std::isfinite(w); });
-  if (!any) return primitive.geometry;
+  return std::any_of(weights.begin(), weights.begin() + std::ptrdiff_t(count),
+                     [](double w) { return w != 0 && std::isfinite(w); });
+}
+
+std::shared_ptr<MeshGeometry const> morph(Primitive const& primitive, std::vector<double> const& weights) {
+  if (!is_morphed(primitive, weights)) return primitive.geometry;
+  std::size_t const count = std::min(weights.size(), primitive.targets.size());
   auto morphed = std::make_shared<MeshGeometry>(*primitive.geometry);
   for (std::size_t i = 0; i < count; ++i) {
     if (weights[i] == 0 || !std::isfinite(weights[i])) continue;

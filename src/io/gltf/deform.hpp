@@ -7,7 +7,9 @@
 
 namespace lichtraum::gltf {
 
-/// The geometry with its morph targets added, each times its weight. The same pointer when no weight counts.
+/// Whether a weight counts.
+bool is_morphed(Primitive const& primitive, std::vector<double> const& weights);
+/// The geometry with its morph targets added, each times its weight. The same pointer where it is not morphed.
 std::shared_ptr<MeshGeometry const> morph(Primitive const& primitive, std::vector<double> const& weights);
 
 /// A skin's joints in the pose asked for.

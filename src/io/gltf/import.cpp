@@ -92,7 +92,7 @@ struct GltfAnimation::State {
     document.bytes = std::move(bytes);
     parse_document(document, findings);
     check_extensions(document.model, findings);
-    buffers.emplace(document, findings);
+    buffers.emplace(document, budget, findings);
     if (!options.animation.empty()) {
       animation = select(document.model.animations, options.animation, "animation");
     } else if (!document.model.animations.empty()) {
@@ -110,7 +110,8 @@ struct GltfAnimation::State {
   }
 
   Model pose_at(std::optional<double> seconds) {
-    Accessors accessors(document, *buffers, findings);
+    budget.begin_pose();
+    Accessors accessors(document, *buffers, budget, findings);
     std::vector<NodePose> pose = rest_pose(document.model, findings);
     if (seconds && animation) {
       apply_animation(document.model, *animation, *seconds, accessors, findings, pose);
@@ -121,9 +122,9 @@ struct GltfAnimation::State {
 
     Model result;
     for (auto const& material : own_materials) result.scene.materials.insert(material);
-    Primitives primitives(document, *buffers, accessors, findings, geometries);
+    Primitives primitives(document, *buffers, accessors, budget, findings, geometries);
     Names names;
-    SceneGraph graph(document, tree, pose, primitives, accessors, materials, names, findings);
+    SceneGraph graph(document, tree, pose, primitives, accessors, materials, names, budget, findings);
     std::string const scene_name = scene_number >= 0 ? document.model.scenes[std::size_t(scene_number)].name : "";
     graph.build(scene_name.empty() ? document.path.stem().string() : scene_name, result.scene);
     if (graph.drawn() == 0) {
@@ -186,13 +187,15 @@ struct GltfAnimation::State {
 
   double duration_seconds() {
     if (!animation) return 0;
-    Accessors accessors(document, *buffers, findings);
+    budget.begin_pose();
+    Accessors accessors(document, *buffers, budget, findings);
     return animation_seconds(document.model.animations[std::size_t(*animation)], accessors,
                              fmt::format("/animations/{}", *animation));
   }
 
   ModelOptions options;
   Findings findings;
+  Budget budget{findings};
   Document document;
   std::optional<Buffers> buffers;
   Primitives::Geometries geometries;

@@ -22,7 +22,8 @@ bool decode(std::string const& mode, std::size_t count, std::size_t stride, std:
 
 }  // namespace
 
-std::string decode_meshopt(tinygltf::Value const& parameters, std::string_view compressed, std::string& reason) {
+std::string decode_meshopt(tinygltf::Value const& parameters, std::string_view compressed,
+                           std::function<void(std::uint64_t)> const& take, std::string& reason) {
   std::string const mode = string_of(parameters, "mode");
   std::string const filter = string_of(parameters, "filter");
   auto const count = integer_of(parameters, "count");
@@ -58,6 +59,7 @@ std::string decode_meshopt(tinygltf::Value const& parameters, std::string_view c
 
   // As std::string is not aligned for the filters, which read whole words.
   std::size_t const size = std::size_t(*count) * std::size_t(*stride);
+  take(size);
   auto const words = std::make_unique<std::uint64_t[]>(size / sizeof(std::uint64_t) + 1);
   if (!decode(mode, std::size_t(*count), std::size_t(*stride), compressed, words.get())) {
     reason = "the compressed data is damaged";

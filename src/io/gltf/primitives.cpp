@@ -27,6 +27,12 @@ std::vector<std::array<float, N>> to_vectors(FloatElements const& elements) {
   return result;
 }
 
+std::uint64_t bytes_of(DracoPrimitive const& primitive) {
+  std::uint64_t numbers = primitive.indices.size();
+  for (auto const& [name, elements] : primitive.attributes) numbers += elements.values.size();
+  return numbers * sizeof(float);
+}
+
 /// Of a vertex buffer that many primitives share, each names a small part: keeps only that part, and makes `indices`
 /// count in it. The numbers of the vertices kept, ascending; null: all are. Most primitives name each of their vertices
 /// several times, so the first look ends it.
@@ -132,6 +138,7 @@ bool Primitives::decompress(Source& source) {
   if (auto const bytes = buffers_.view(*view)) {
     reason.clear();
     source.draco = decode_draco(*bytes, wanted, reason);
+    if (source.draco) budget_.charge(bytes_of(*source.draco), pointer);
   }
   if (!reason.empty()) findings_.warn(DiagnosticCode::unreadable_accessor, pointer, reason);
   return source.draco.has_value();

@@ -47,8 +47,14 @@ class Primitives {
   using Geometries = std::map<std::string, Known>;
 
   /// `known`: what was read before; what is read now is added.
-  Primitives(Document const& document, Buffers& buffers, Accessors& accessors, Findings& findings, Geometries& known)
-      : document_(document), buffers_(buffers), accessors_(accessors), findings_(findings), known_(known) {}
+  Primitives(Document const& document, Buffers& buffers, Accessors& accessors, Budget& budget, Findings& findings,
+             Geometries& known)
+      : document_(document),
+        buffers_(buffers),
+        accessors_(accessors),
+        budget_(budget),
+        findings_(findings),
+        known_(known) {}
 
   /// Nothing when it has no triangles, lines or points that can be read: a finding says why. The geometry of lines and
   /// of points has no indices.
@@ -81,6 +87,7 @@ class Primitives {
   Document const& document_;
   Buffers& buffers_;
   Accessors& accessors_;
+  Budget& budget_;
   Findings& findings_;
   Geometries& known_;
 };

@@ -32,11 +32,16 @@ std::optional<Transform> transform_of(NodePose const& pose) {
   }
 }
 
+std::string primitive_pointer(int mesh, std::size_t primitive) {
+  return fmt::format("/meshes/{}/primitives/{}", mesh, primitive);
+}
+
 }  // namespace
 
 SceneGraph::SceneGraph(Document const& document, NodeTree const& tree, std::vector<NodePose> const& pose,
                        Primitives& primitives, Accessors& accessors,
-                       std::vector<std::shared_ptr<Material const>> const& materials, Names& names, Findings& findings)
+                       std::vector<std::shared_ptr<Material const>> const& materials, Names& names, Budget& budget,
+                       Findings& findings)
     : document_(document),
       tree_(tree),
       pose_(pose),
@@ -44,6 +49,7 @@ SceneGraph::SceneGraph(Document const& document, NodeTree const& tree, std::vect
       accessors_(accessors),
       materials_(materials),
       names_(names),
+      budget_(budget),
       findings_(findings) {}
 
 std::string SceneGraph::node_name(int node) const {
@@ -134,11 +140,22 @@ std::vector<double> const& SceneGraph::weights_of(int node) const {
   return own.empty() ? document_.model.meshes[std::size_t(document_.model.nodes[std::size_t(node)].mesh)].weights : own;
 }
 
+void SceneGraph::charge_copy(int mesh, std::size_t primitive, MeshGeometry const& geometry) {
+  std::uint64_t const vertices = geometry.positions.size();
+  std::uint64_t numbers = geometry.indices.size() + geometry.lines.size();
+  for (std::size_t const count : {geometry.positions.size(), geometry.normals.size()}) numbers += 3 * count;
+  for (std::size_t const count : {geometry.tangents.size(), geometry.colors.size()}) numbers += 4 * count;
+  numbers += 2 * vertices * geometry.texcoords.size();
+  budget_.charge(sizeof(float) * numbers, primitive_pointer(mesh, primitive));
+}
+
 std::shared_ptr<Shape> SceneGraph::add_mesh(int mesh, std::size_t primitive,
                                             std::shared_ptr<MeshGeometry const> geometry, Scene& scene) {
   auto const& source = document_.model.meshes[std::size_t(mesh)];
   std::string name = source.name.empty() ? fmt::format("mesh_{}", mesh) : source.name;
   if (source.primitives.size() > 1) name += fmt::format(".{}", primitive);
+  // A long name, for each primitive and each node: there in the shape, and among the names.
+  budget_.charge(2 * name.size(), primitive_pointer(mesh, primitive));
   int const material = source.primitives[primitive].material;
   auto shape = make_shape(names_.unique(name), std::move(geometry),
                           material >= 0 ? materials_[std::size_t(material)] : materials_.back());
@@ -152,7 +169,9 @@ SceneGraph::Children const& SceneGraph::shared_shapes_of(int mesh, Scene& scene)
     auto const& primitives = primitives_of(mesh);
     auto const& weights = document_.model.meshes[std::size_t(mesh)].weights;
     for (std::size_t i = 0; i < primitives.size(); ++i) {
-      if (primitives[i]) found->second.push_back(add_mesh(mesh, i, morph(*primitives[i], weights), scene));
+      if (!primitives[i]) continue;
+      if (is_morphed(*primitives[i], weights)) charge_copy(mesh, i, *primitives[i]->geometry);
+      found->second.push_back(add_mesh(mesh, i, morph(*primitives[i], weights), scene));
     }
   }
   return found->second;
@@ -164,6 +183,10 @@ SceneGraph::Children SceneGraph::deformed_shapes_of(int node, Scene& scene) {
   auto const& primitives = primitives_of(source.mesh);
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     if (!primitives[i]) continue;
+    bool const is_skinned = source.skin >= 0 && !primitives[i]->joint_sets.empty();
+    if (is_skinned || is_morphed(*primitives[i], weights_of(node))) {
+      charge_copy(source.mesh, i, *primitives[i]->geometry);
+    }
     auto geometry = morph(*primitives[i], weights_of(node));
     if (source.skin >= 0) {
       auto const [skin, is_new] = skins_.try_emplace(source.skin);
@@ -213,6 +236,10 @@ SceneGraph::Children SceneGraph::instances_of(int node, Children const& shapes, 
     findings_.warn(DiagnosticCode::faulty_node, pointer, "the instances cannot be read; one is drawn");
     return shapes;
   }
+  // A composite, its transform, and its entries among the scene's shapes and the names, as it was measured.
+  constexpr std::uint64_t instance_bytes = 512;
+  std::string const& name = node_names_[std::size_t(node)];
+  budget_.charge(count * (instance_bytes + 2 * name.size() + sizeof(std::shared_ptr<Shape>) * shapes.size()), pointer);
   Children instances;
   std::size_t left_out = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -232,8 +259,7 @@ SceneGraph::Children SceneGraph::instances_of(int node, Children const& shapes, 
       ++left_out;
       continue;
     }
-    auto composite =
-        std::make_shared<Composite>(names_.unique(fmt::format("{}.{}", node_names_[std::size_t(node)], i)), shapes);
+    auto composite = std::make_shared<Composite>(names_.unique(fmt::format("{}.{}", name, i)), shapes);
     composite->set_world_from_object(*transform);
     scene.shapes.insert(composite);
     instances.push_back(std::move(composite));

@@ -17,7 +17,7 @@ class SceneGraph {
  public:
   SceneGraph(Document const& document, NodeTree const& tree, std::vector<NodePose> const& pose, Primitives& primitives,
              Accessors& accessors, std::vector<std::shared_ptr<Material const>> const& materials, Names& names,
-             Findings& findings);
+             Budget& budget, Findings& findings);
 
   /// Adds everything to `scene`, children before parents, below one root called `name`.
   void build(std::string const& name, Scene& scene);
@@ -36,6 +36,8 @@ class SceneGraph {
   Children shapes_of(int node, Scene& scene);
   Children deformed_shapes_of(int node, Scene& scene);
   Children instances_of(int node, Children const& shapes, Scene& scene);
+  /// Counts a copy of a primitive's geometry.
+  void charge_copy(int mesh, std::size_t primitive, MeshGeometry const& geometry);
   std::shared_ptr<Shape> add_mesh(int mesh, std::size_t primitive, std::shared_ptr<MeshGeometry const> geometry,
                                   Scene& scene);
   std::vector<double> const& weights_of(int node) const;
@@ -48,6 +50,7 @@ class SceneGraph {
   Accessors& accessors_;
   std::vector<std::shared_ptr<Material const>> const& materials_;
   Names& names_;
+  Budget& budget_;
   Findings& findings_;
   std::map<int, std::vector<std::optional<Primitive>>> meshes_;
   std::map<int, Children> shared_shapes_;

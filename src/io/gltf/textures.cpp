@@ -34,14 +34,14 @@ void fetch(Document const& document, int index, Buffers& buffers, ImageJob& job)
     job.reason = "it has neither uri nor bufferView";
     return;
   }
-  auto content =
-      is_data_uri(*source.uri) ? decode_data_uri(*source.uri) : read_external_file(document, *source.uri, job.reason);
-  if (!content) {
-    if (job.reason.empty()) job.reason = "the data URI is malformed";
-    return;
+  if (!is_data_uri(*source.uri)) {
+    job.owned = buffers.file(*source.uri, job.reason);
+  } else if (auto decoded = decode_data_uri(*source.uri)) {
+    job.owned = std::make_shared<std::string const>(std::move(*decoded));
+  } else {
+    job.reason = "the data URI is malformed";
   }
-  job.owned = std::move(*content);
-  job.bytes = job.owned;
+  if (job.owned) job.bytes = *job.owned;
 }
 
 TextureWrap wrap(int mode) {

@@ -14,7 +14,7 @@ namespace lichtraum {
 struct ImageJob {
   std::string name;  ///< for people
   bool is_wanted = false;
-  std::string owned;                          ///< when nobody else keeps `bytes`; freed after decoding
+  std::shared_ptr<std::string const> owned;   ///< what keeps `bytes`, if nobody else does; let go after decoding
   std::string_view bytes;                     ///< of a PNG, JPEG or WebP
   std::shared_ptr<TextureImage const> image;  ///< the result
   std::string reason;                         ///< or why there is none; a job that has one already is left alone

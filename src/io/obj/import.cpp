@@ -135,7 +135,6 @@ class Importer {
     for (Source const* source : used) {
       for (auto const map : mtl_textures) fetch(source->material.*map, source->library);
     }
-    for (ImageJob& job : jobs_) job.bytes = job.owned;
     std::string const halved = decode_images(jobs_, options_.max_texture);
     MadePictures made;
     for (Source* const source : used) {
@@ -173,7 +172,10 @@ class Importer {
     job.name = texture.file;
     job.is_wanted = true;
     auto bytes = read_model_file(folder_, options_.allowed_paths, options_.on_read, found->first, job.reason);
-    if (bytes) job.owned = std::move(*bytes);
+    if (bytes) {
+      job.owned = std::make_shared<std::string const>(std::move(*bytes));
+      job.bytes = *job.owned;
+    }
     jobs_.push_back(std::move(job));
   }
 

@@ -55,8 +55,9 @@ Pictures read_pictures(std::span<std::string const> files, TrianglesOfPictures c
     job.is_wanted = triangles.contains(std::uint32_t(i));
     if (!job.is_wanted) continue;
     auto bytes = read_model_file(folder, options.allowed_paths, options.on_read, job.name, job.reason);
-    if (bytes) job.owned = std::move(*bytes);
-    job.bytes = job.owned;
+    if (!bytes) continue;
+    job.owned = std::make_shared<std::string const>(std::move(*bytes));
+    job.bytes = *job.owned;
   }
   std::string const halved = decode_images(jobs, options.max_texture);
   if (!halved.empty()) diagnostics.add(Severity::warning, DiagnosticCode::textures_halved, {}, halved);

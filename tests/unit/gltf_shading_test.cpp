@@ -213,6 +213,63 @@ TEST_CASE("an index of refraction of 0 stands for an infinite one, others below 
   }
 }
 
+TEST_CASE("a texture of specular-glossiness is the highlight's colour, and its alpha makes roughness", "[unit][gltf]") {
+  auto const png = [](std::array<std::uint8_t, 4> const& left, std::array<std::uint8_t, 4> const& right) {
+    std::array<std::uint8_t, 4> const pixels[] = {left, right};
+    return "data:image/png;base64," + testing::encode_base64(test::encode_png(2, 1, pixels));
+  };
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions)["material"] = 0;
+  writer.json["images"] = {{{"uri", png({56, 57, 58, 255}, {10, 20, 30, 51})}},
+                           {{"uri", png({1, 2, 3, 51}, {4, 5, 6, 51})}}};
+  writer.json["textures"] = {{{"source", 0}, {"sampler", 0}}, {{"source", 1}}};
+  writer.json["samplers"] = {{{"wrapS", 33071}}};
+  auto const material = [](char const* name, nlohmann::json const& more) {
+    nlohmann::json properties = {{"diffuseFactor", {0.5, 0.25, 0.125, 0.5}}, {"specularFactor", {1, 0.5, 2}}};
+    properties.update(more);
+    return nlohmann::json{{"name", name}, {"extensions", {{"KHR_materials_pbrSpecularGlossiness", properties}}}};
+  };
+  nlohmann::json const picture = {{"index", 0}, {"texCoord", 1}};
+  writer.json["materials"] = {
+      material("half", {{"glossinessFactor", 0.5}, {"specularGlossinessTexture", picture}}),
+      material("same", {{"glossinessFactor", 0.5}, {"specularGlossinessTexture", {{"index", 0}}}}),
+      material("full", {{"specularGlossinessTexture", picture}}),
+      material("even", {{"glossinessFactor", 0.5}, {"specularGlossinessTexture", {{"index", 1}}}}),
+      material("bare", {{"glossinessFactor", 0.25}, {"specularFactor", {0.04, 0.04, 0.04}}})};
+  Model const model = import_model(writer);
+  CHECK(messages(model) == "");
+  auto const pbr = [&](char const* name) { return *(*model.scene.materials.find(name))->pbr(); };
+
+  PbrModel const half = pbr("half");
+  CHECK(half.base_color == Rgb(0.5, 0.25, 0.125));
+  CHECK(half.alpha == 0.5);
+  CHECK(half.metallic == 0);
+  CHECK(half.ior == 0);  // all of the specular colour
+  CHECK(half.specular == 1);
+  CHECK(half.specular_color == Rgb(1, 0.5, 1));
+  REQUIRE(half.specular_color_texture);
+  CHECK(half.specular_color_texture.texcoord == 1);
+  CHECK(half.specular_color_texture.texture->image->rgba[0] == 56);
+  CHECK(half.roughness == 1);
+  TextureSlot const& made = half.metallic_roughness_texture;
+  REQUIRE(made);
+  CHECK(made.texcoord == 1);
+  CHECK(made.texture->wrap_s == TextureWrap::clamp_to_edge);
+  CHECK(made.texture->image->width == 2);
+  CHECK(made.texture->image->height == 1);
+  CHECK(made.texture->image->rgba == std::vector<std::uint8_t>{255, 128, 255, 255, 255, 230, 255, 255});
+
+  CHECK(pbr("same").metallic_roughness_texture.texture->image == made.texture->image);  // made once
+  CHECK(pbr("full").metallic_roughness_texture.texture->image->rgba[5] == 204);
+  CHECK(pbr("even").roughness == Approx(0.9));
+  CHECK(!pbr("even").metallic_roughness_texture);
+  CHECK(pbr("even").specular_color_texture);
+
+  CHECK(pbr("bare").ior == 1.5);
+  CHECK(pbr("bare").metallic == Approx(0).margin(1e-9));
+  CHECK(pbr("bare").roughness == 0.75);
+}
+
 TEST_CASE("a thin film's factor, index, range of thickness and textures are read", "[unit][gltf]") {
   GltfWriter writer;
   writer.add_mesh(triangle_positions)["material"] = 0;

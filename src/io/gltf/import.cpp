@@ -103,7 +103,7 @@ struct GltfAnimation::State {
       int const variant = select(variant_names(document.model), options.variant, "variant");
       apply_variant(document.model, std::size_t(variant));
     }
-    auto const own = read_materials(document, options, *buffers, findings);
+    auto const own = read_materials(document, options, *buffers, budget, findings);
     own_materials.assign(own.begin(), has_parts_without_material(document.model) ? own.end() : own.end() - 1);
     materials.assign(own.begin(), own.end());
     if (options.material) std::fill(materials.begin(), materials.end(), options.material);

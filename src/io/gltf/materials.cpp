@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "io/gltf/roughness_pictures.hpp"
 #include "io/gltf/textures.hpp"
 #include "io/gltf/values.hpp"
 #include "io/model_scene.hpp"
@@ -22,11 +23,12 @@ class Reader {
   using FindTexture = std::function<std::shared_ptr<Texture const>(int)>;
 
   Reader(tinygltf::Material const& source, std::string pointer, std::size_t texture_count, FindTexture find_texture,
-         Findings* findings)
+         RoughnessPictures& roughness_pictures, Findings* findings)
       : source_(source),
         pointer_(std::move(pointer)),
         texture_count_(texture_count),
         find_texture_(std::move(find_texture)),
+        roughness_pictures_(roughness_pictures),
         findings_(findings) {}
 
   PbrModel read() {
@@ -94,10 +96,51 @@ class Reader {
     m.double_sided = source_.doubleSided;
   }
 
-  // The conversion of the extension's own appendix, with the metal's share solved for.
   void read_specular_glossiness(Value const& e, PbrModel& m) {
+    double alpha = 1;
+    if (e.Has("diffuseFactor") && e.Get("diffuseFactor").ArrayLen() == 4) {
+      Value const& last = e.Get("diffuseFactor").Get(3);
+      if (last.IsNumber()) alpha = last.GetNumberAsDouble();
+    }
+    m.alpha = std::clamp(alpha, 0.0, 1.0);
+    m.base_color_texture = slot(e, "diffuseTexture");
+    m.metallic_roughness_texture = {};
     Rgb const diffuse = color(e, "diffuseFactor", Rgb(1));
     Rgb const specular = color(e, "specularFactor", Rgb(1));
+    double const glossiness = fraction(e, "glossinessFactor", 1);
+    if (TextureSlot const picture = slot(e, "specularGlossinessTexture")) {
+      read_specular_picture(picture, diffuse, specular, glossiness, m);
+    } else {
+      m.roughness = 1 - glossiness;
+      convert_to_metallic(diffuse, specular, m);
+    }
+  }
+
+  // The extension's own model, as KHR_materials_ior and KHR_materials_specular have it: a dielectric of an infinite
+  // index, whose specular colour is what it reflects. A metal's share, as below, would need both pictures in one.
+  void read_specular_picture(TextureSlot const& picture, Rgb const& diffuse, Rgb const& specular, double glossiness,
+                             PbrModel& m) {
+    for (int c = 0; c < 3; ++c) m.base_color[c] = std::min(diffuse[c], 1.0);
+    m.metallic = 0;
+    m.ior = 0;
+    for (int c = 0; c < 3; ++c) m.specular_color[c] = std::min(specular[c], 1.0);
+    m.specular_color_texture = picture;
+    auto const roughness = roughness_pictures_.roughness_from(picture.texture->image, glossiness);
+    m.roughness = roughness.factor;
+    if (roughness.picture) {
+      Texture texture = *picture.texture;
+      texture.image = roughness.picture;
+      m.metallic_roughness_texture = picture;
+      m.metallic_roughness_texture.texture = std::make_shared<Texture const>(std::move(texture));
+    }
+    if (roughness.is_average && findings_) {
+      findings_->warn(DiagnosticCode::texture_left_out, pointer_,
+                      "there is no room for a picture of the glossiness: its average counts");
+    }
+  }
+
+  // The conversion of the extension's own appendix, with the metal's share solved for.
+  void convert_to_metallic(Rgb const& diffuse, Rgb const& specular, PbrModel& m) {
     constexpr double dielectric = 0.04;
     double const strongest = std::max({specular.r, specular.g, specular.b});
     double const diffuse_brightness = brightness(diffuse);
@@ -111,17 +154,8 @@ class Reader {
     Rgb const from_diffuse = diffuse * ((1 - strongest) / (1 - dielectric) / std::max(1 - metallic, 1e-6));
     Rgb const from_specular = (specular - Rgb(dielectric) * (1 - metallic)) / std::max(metallic, 1e-6);
     Rgb const base = from_diffuse * (1 - metallic * metallic) + from_specular * (metallic * metallic);
-    double alpha = 1;
-    if (e.Has("diffuseFactor") && e.Get("diffuseFactor").ArrayLen() == 4) {
-      Value const& last = e.Get("diffuseFactor").Get(3);
-      if (last.IsNumber()) alpha = last.GetNumberAsDouble();
-    }
     for (int c = 0; c < 3; ++c) m.base_color[c] = std::clamp(base[c], 0.0, 1.0);
-    m.alpha = std::clamp(alpha, 0.0, 1.0);
     m.metallic = metallic;
-    m.roughness = 1 - fraction(e, "glossinessFactor", 1);
-    m.base_color_texture = slot(e, "diffuseTexture");
-    m.metallic_roughness_texture = {};
   }
 
   // ITU-R BT.601 over squares, as the appendix has it: how bright a colour is perceived.
@@ -207,6 +241,7 @@ class Reader {
   std::string pointer_;
   std::size_t texture_count_;
   FindTexture find_texture_;
+  RoughnessPictures& roughness_pictures_;
   Findings* findings_;
 };
 
@@ -222,15 +257,16 @@ bool has_colors_alone(tinygltf::Model const& model) {
 }  // namespace
 
 std::vector<std::shared_ptr<Material>> read_materials(Document const& document, ModelChoice const& choice,
-                                                      Buffers& buffers, Findings& findings) {
+                                                      Buffers& buffers, Budget& budget, Findings& findings) {
   auto const& model = document.model;
+  RoughnessPictures roughness_pictures(budget);
   std::vector<bool> wanted(model.textures.size(), false);
   for (auto const& source : model.materials) {
     auto const note = [&](int texture) -> std::shared_ptr<Texture const> {
       wanted[std::size_t(texture)] = true;
       return nullptr;
     };
-    Reader(source, "", wanted.size(), note, nullptr).read();
+    Reader(source, "", wanted.size(), note, roughness_pictures, nullptr).read();
   }
   auto const textures = read_textures(document, wanted, choice.max_texture, buffers, findings);
 
@@ -239,7 +275,7 @@ std::vector<std::shared_ptr<Material>> read_materials(Document const& document, 
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     auto const& source = model.materials[i];
     auto const find = [&](int texture) { return textures[std::size_t(texture)]; };
-    Reader reader(source, fmt::format("/materials/{}", i), textures.size(), find, &findings);
+    Reader reader(source, fmt::format("/materials/{}", i), textures.size(), find, roughness_pictures, &findings);
     std::string name = names.unique(source.name.empty() ? fmt::format("material_{}", i) : source.name);
     PbrModel read = reader.read();
     read.double_sided = read.double_sided || choice.both_sides;

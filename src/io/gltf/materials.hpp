@@ -13,6 +13,6 @@ namespace lichtraum::gltf {
 /// The model's materials, by their numbers, and after them the one for primitives that name none. Pictures larger than
 /// choice.max_texture on a side are made smaller; with choice.both_sides all are double-sided.
 std::vector<std::shared_ptr<Material>> read_materials(Document const& document, ModelChoice const& choice,
-                                                      Buffers& buffers, Findings& findings);
+                                                      Buffers& buffers, Budget& budget, Findings& findings);
 
 }  // namespace lichtraum::gltf

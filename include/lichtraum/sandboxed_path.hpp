@@ -12,6 +12,7 @@ namespace LICHTRAUM_API lichtraum {
 struct SandboxedPath {
   std::filesystem::path path;  ///< absolute and without symbolic links; its last parts need not exist
   std::string reason;          ///< empty when the path may be used; reads on after "cannot use 'x': "
+  bool is_outside = false;     ///< that it lies outside is why: one more allowed folder would do
   explicit operator bool() const { return reason.empty(); }
 };
 

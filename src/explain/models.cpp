@@ -114,6 +114,27 @@ several times, until all fit. With a smaller --max-texture they are as large on
 every machine. For example, 100 pictures of 4096 x 4096 pixels.
 )",
      "", ""},
+    {DiagnosticCode::file_elsewhere,
+     R"(A picture or an MTL file is not where the model says, for example as that is a
+folder of another machine. One of the same name beside the model, in its folder
+textures, tex or maps, or called like the model is used instead. Is it the one
+that was meant? lichtraum check --verbose names all of them.
+)",
+     R"(mtllib C:\work\steel.mtl
+usemtl steel
+v 0 0 0
+v 1 0 0
+v 0 1 0
+f 1 2 3
+)",
+     R"(mtllib steel.mtl
+usemtl steel
+v 0 0 0
+v 1 0 0
+v 0 1 0
+f 1 2 3
+)",
+     "lichtraum check model.obj"},
 };
 static_assert(explains_all(model_table, "09"));
 

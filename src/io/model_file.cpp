@@ -48,4 +48,10 @@ std::optional<std::string> read_model_file(std::optional<std::filesystem::path> 
   return path ? read_found_file(*path, reason) : std::nullopt;
 }
 
+std::string hint_for_place(std::optional<std::filesystem::path> const& folder,
+                           std::span<std::filesystem::path const> allowed, std::string const& name) {
+  bool const is_outside = folder && resolve_sandboxed(*folder, name, allowed).is_outside;
+  return is_outside ? "--allow-path <folder> permits files outside of the model's folder" : "";
+}
+
 }  // namespace lichtraum

@@ -25,4 +25,8 @@ std::optional<std::string> read_model_file(std::optional<std::filesystem::path> 
                                            std::span<std::filesystem::path const> allowed, FileObserver const& on_read,
                                            std::string const& name, std::string& reason);
 
+/// What helps where read_model_file refuses a file for its place; empty where nothing does.
+std::string hint_for_place(std::optional<std::filesystem::path> const& folder,
+                           std::span<std::filesystem::path const> allowed, std::string const& name);
+
 }  // namespace lichtraum

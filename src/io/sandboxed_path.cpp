@@ -73,7 +73,8 @@ std::optional<fs::path> real_folder(fs::path const& folder) {
 }  // namespace
 
 SandboxedPath resolve_sandboxed(fs::path const& base, fs::path const& requested, std::span<fs::path const> allowed) {
-  auto const refuse = [](std::string reason) { return SandboxedPath{{}, std::move(reason)}; };
+  auto const refuse = [](std::string reason) { return SandboxedPath{{}, std::move(reason), false}; };
+  auto const refuse_outside = [](std::string reason) { return SandboxedPath{{}, std::move(reason), true}; };
   if (requested.empty()) return refuse("it is empty");
   if (requested.native().find('\0') != std::string::npos) return refuse("it contains a NUL character");
 
@@ -85,13 +86,13 @@ SandboxedPath resolve_sandboxed(fs::path const& base, fs::path const& requested,
 
   for (fs::path const& other : allowed) {
     std::optional<fs::path> const real = real_folder(other);
-    if (real && is_below(*path, *real)) return {*path, {}};
+    if (real && is_below(*path, *real)) return {*path, {}, false};
   }
-  if (requested.is_absolute()) return refuse("it is an absolute path");
-  if (std::find(requested.begin(), requested.end(), "..") != requested.end()) return refuse("it contains '..'");
+  if (requested.is_absolute()) return refuse_outside("it is an absolute path");
+  if (std::find(requested.begin(), requested.end(), "..") != requested.end()) return refuse_outside("it contains '..'");
   if (*path == *folder) return refuse("it is the folder itself");
-  if (!is_below(*path, *folder)) return refuse("a symbolic link leads out of '" + folder->string() + "'");
-  return {*path, {}};
+  if (!is_below(*path, *folder)) return refuse_outside("a symbolic link leads out of '" + folder->string() + "'");
+  return {*path, {}, false};
 }
 
 }  // namespace lichtraum

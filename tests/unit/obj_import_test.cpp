@@ -409,6 +409,136 @@ TEST_CASE("OBJ: no file outside the model's folder is read", "[unit][obj]") {
   }
 }
 
+TEST_CASE("MTL: pictures that are called otherwise, or lie elsewhere, are found", "[unit][obj]") {
+  struct Case {
+    char const* description;
+    std::string named;  // in mtl/m.mtl, of m.obj
+    std::string file;   // that is there
+    std::string found;  // as told; empty: not found
+    bool is_warned = true;
+  };
+  Case const cases[] = {
+      {"as it is", "map_Kd tex.png", "mtl/tex.png", "mtl/tex.png", false},
+      {"quotes", "map_Kd \"my tex.png\"", "mtl/my tex.png", "mtl/my tex.png", false},
+      {"options after it", "map_Kd my tex.png -bm 0.1 -clamp on", "mtl/my tex.png", "mtl/my tex.png", false},
+      {"letter case", "map_Kd Sub\\TEX.PNG", "mtl/sUb/tex.Png", "mtl/sUb/tex.Png", false},
+      {"from the .obj", "map_Kd sub/tex.png", "SUB/tex.png", "SUB/tex.png"},
+      {"a folder of Windows", "map_Kd C:\\Users\\bob\\Tex.png", "mtl/tex.png", "mtl/tex.png"},
+      {"a folder of Linux", "map_Kd /home/bob/tex.png", "tex.PNG", "tex.PNG"},
+      {"a folder above", "map_Kd ../../pictures/tex.png", "mtl/tex.png", "mtl/tex.png"},
+      {"in textures", "map_Kd C:\\tex.png", "mtl/Textures/tex.png", "mtl/Textures/tex.png"},
+      {"in tex", "map_Kd tex.png", "TEX/tex.png", "TEX/tex.png"},
+      {"in maps", "map_Kd nowhere/tex.png", "maps/TEX.png", "maps/TEX.png"},
+      {"its folder is there", "map_Kd other/tex.png", "mtl/tex.png", ""},
+      {"in another folder", "map_Kd C:\\tex.png", "images/tex.png", ""},
+      {"a folder of that name", "map_Kd C:\\other", "mtl/tex.png", ""},
+  };
+  auto const png = test::encode_png(1, 1, std::vector<std::array<std::uint8_t, 4>>{{50, 60, 70, 255}});
+  for (Case const& c : cases) {
+    INFO(c.description);
+    TemporaryFolder const folder;
+    std::filesystem::create_directories(folder / "mtl/other");
+    std::filesystem::create_directories((folder / c.file).parent_path());
+    folder.write(c.file, png);
+    folder.write("mtl/m.mtl", "newmtl a\n" + c.named + "\n");
+    folder.write("m.obj", "mtllib mtl/m.mtl\nusemtl a\n" + triangle);
+    Model const model = import_obj(folder / "m.obj");
+    Material const& material = **model.scene.materials.find("a");
+    CHECK((material.pbr() && material.pbr()->base_color_texture) == !c.found.empty());
+    bool const is_told = std::string(c.description) != "as it is";
+    REQUIRE(model.diagnostics.size() == (is_told ? 1u : 0u));
+    if (!is_told) continue;
+    Diagnostic const& told = model.diagnostics[0];
+    CHECK(told.location.line == 2);
+    if (c.found.empty()) {
+      CHECK(told.code == DiagnosticCode::texture_left_out);
+    } else {
+      CHECK(told.severity == (c.is_warned ? Severity::warning : Severity::note));
+      CHECK(told.code == (c.is_warned ? DiagnosticCode::file_elsewhere : DiagnosticCode::none));
+      INFO(told.message);
+      CHECK(told.message.ends_with(", '" + c.found + "' is used"));
+    }
+  }
+}
+
+TEST_CASE("MTL: the options of a picture count after its name as well", "[unit][obj]") {
+  TemporaryFolder const folder;
+  folder.write("my a.png", test::encode_png(1, 1, std::vector<std::array<std::uint8_t, 4>>{{120, 130, 250, 255}}));
+  folder.write("m.mtl", "newmtl a\nmap_Bump -s 2 2 my a.png -bm 0.25 -o 0.5 0.5\n");
+  folder.write("m.obj", triangle_of_each({"a"}));
+  Model const model = import_obj(folder / "m.obj");
+  REQUIRE((*model.scene.materials.find("a"))->pbr());
+  PbrModel const pbr = *(*model.scene.materials.find("a"))->pbr();
+  CHECK(pbr.normal_scale == 0.25);
+  REQUIRE(pbr.normal_texture);
+  CHECK(pbr.normal_texture.scale == glm::dvec2(2));
+}
+
+TEST_CASE("MTL: one warning stands for all pictures that are elsewhere; notes name them", "[unit][obj]") {
+  TemporaryFolder const folder;
+  std::string mtl;
+  for (std::string const name : {"a", "b", "c"}) {
+    folder.write(name + ".png", test::encode_png(1, 1, std::vector<std::array<std::uint8_t, 4>>{{1, 2, 3, 255}}));
+    mtl += "newmtl " + name + "\nmap_Kd C:\\" + name + ".png\nmap_Ke C:\\" + name + ".png\n";
+  }
+  folder.write("m.mtl", mtl);
+  folder.write("m.obj", triangle_of_each({"a", "b", "c"}));
+  auto const found = import_obj(folder / "m.obj").diagnostics;
+  REQUIRE(found.size() == 3);
+  CHECK(found[0].message == "instead of 'C:/a.png', 'a.png' is used (and in 2 more lines)");
+  CHECK(found[1].message == "instead of 'C:/b.png', 'b.png' is used");
+  CHECK(found[2].severity == Severity::note);
+}
+
+TEST_CASE("OBJ: an MTL file that is called otherwise is found, or the one called like the model", "[unit][obj]") {
+  struct Case {
+    std::string obj;
+    std::string file;
+    std::string told;
+  };
+  std::string const use = "usemtl a\n";
+  Case const cases[] = {
+      {"mtllib \"my stuff.mtl\"\n" + use, "my stuff.mtl", "instead of '\"my stuff.mtl\"', 'my stuff.mtl' is used"},
+      {"mtllib My Stuff.MTL\n" + use, "my stuff.mtl", "instead of 'My Stuff.MTL', 'my stuff.mtl' is used"},
+      {"mtllib C:\\My Documents\\a.mtl\n" + use, "a.mtl", "instead of 'C:/My Documents/a.mtl', 'a.mtl' is used"},
+      {"mtllib nowhere.mtl\n" + use, "model.mtl", "instead of 'nowhere.mtl', 'model.mtl' is used"},
+      {use, "Model.mtl", "no mtllib names an MTL file: 'Model.mtl' is used"},
+      {"mtllib b.mtl A.mtl a.mtl\n" + use, "a.mtl", "instead of 'A.mtl', 'a.mtl' is used"},
+      {"mtllib b.mtl a.mtl A.mtl\n" + use, "a.mtl", ""},
+  };
+  for (Case const& c : cases) {
+    INFO(c.obj);
+    TemporaryFolder const folder;
+    folder.write("b.mtl", "newmtl b\n");
+    folder.write(c.file, "newmtl a\nKd 0.25 0 0\n");
+    folder.write("model.obj", c.obj + triangle);
+    Model const model = import_obj(folder / "model.obj");
+    REQUIRE(model.scene.materials.find("a"));
+    CHECK((*model.scene.materials.find("a"))->kd() == Rgb(0.25, 0, 0));
+    std::string const told = shown(model.diagnostics);
+    CHECK(told.substr(std::min(told.find(": ") + 2, told.size())) == (c.told.empty() ? "" : c.told + "\n"));
+  }
+  TemporaryFolder const folder;
+  folder.write("model.mtl", "newmtl a\nwibble\n");
+  folder.write("model.obj", triangle);
+  CHECK(shown(import_obj(folder / "model.obj").diagnostics) == "");  // it is not looked for
+}
+
+TEST_CASE("OBJ: a file that is refused for its place has a hint", "[unit][obj]") {
+  TemporaryFolder const folder;
+  std::filesystem::create_directories(folder / "model");
+  folder.write("model/n.mtl", "newmtl a\nmap_Kd ../tex.png\nmap_Ke nowhere.png\n");
+  folder.write("model/m.obj", "mtllib n.mtl ../o.mtl /o.mtl o.mtl\nusemtl a\n" + triangle);
+  auto const found = import_obj(folder / "model/m.obj").diagnostics;
+  REQUIRE(found.size() == 5);
+  std::string const hint = "--allow-path <folder> permits files outside of the model's folder";
+  CHECK(found[0].hint == hint);
+  CHECK(found[1].hint == hint);
+  CHECK(found[2].hint == "");
+  CHECK(found[3].hint == hint);
+  CHECK(found[4].hint == "");
+}
+
 TEST_CASE("OBJ: hostile sizes end soon", "[unit][obj]") {
   std::string same = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";  // one position with many texture coordinates
   for (int i = 1; i <= 100000; ++i) same += "vt " + std::to_string(i) + "\nf 1/" + std::to_string(i) + " 2/1 3/1\n";

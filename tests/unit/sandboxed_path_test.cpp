@@ -74,6 +74,16 @@ TEST_CASE("paths that leave the folder are refused, with the reason", "[unit][pa
   CHECK_FALSE(reason("to_base2/x").empty());
 }
 
+TEST_CASE("what one more allowed folder would permit is told apart", "[unit][path]") {
+  Tree const tree;
+  for (char const* const requested : {"/etc/passwd", "../outside/secret.glb", "to_secret"}) {
+    CHECK(resolve_sandboxed(tree.base, requested).is_outside);
+  }
+  for (char const* const requested : {"", ".", "loop_a", "file.glb"}) {
+    CHECK_FALSE(resolve_sandboxed(tree.base, requested).is_outside);
+  }
+}
+
 TEST_CASE("allowed folders may be reached in every way", "[unit][path]") {
   Tree const tree;
   std::vector<fs::path> const allowed{tree.outside};

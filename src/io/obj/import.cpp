@@ -6,12 +6,13 @@
 #include <new>
 #include <set>
 
+#include "core/ascii.hpp"
 #include "core/read_file.hpp"
-#include "io/image/decode_all.hpp"
 #include "io/model_file.hpp"
 #include "io/model_scene.hpp"
 #include "io/obj/material_from_mtl.hpp"
 #include "io/obj/part_geometry.hpp"
+#include "io/obj/pictures.hpp"
 #include "lichtraum/obj.hpp"
 
 namespace lichtraum {
@@ -27,7 +28,12 @@ constexpr std::size_t max_library_bytes = std::size_t(1) << 26;
 class Importer {
  public:
   Importer(std::string const& name, std::optional<fs::path> const& folder, ModelOptions const& options)
-      : name_(name), folder_(folder), options_(options), diagnostics_(name, max_findings) {}
+      : name_(name),
+        folder_(folder),
+        options_(options),
+        diagnostics_(name, max_findings),
+        finder_(folder, options.allowed_paths),
+        pictures_(folder, options, finder_) {}
 
   Model run(std::string text) {
     normalise_line_breaks(text);
@@ -70,41 +76,78 @@ class Importer {
   }
 
   void read_libraries(ObjFile const& file) {
-    std::set<std::string> known;
-    std::size_t bytes = 0;
+    bool const is_one_used = !file.used_materials.empty();
     for (Mention const& mention : file.libraries) {
       diagnostics_.begin_line(mention.line);
       for (std::string const& name : names_of_libraries(mention.word)) {
-        if (!known.insert(name).second) continue;
-        if (known.size() > max_libraries || bytes > max_library_bytes) {
+        if (!known_libraries_.insert(name).second) continue;
+        if (known_libraries_.size() > max_libraries || library_bytes_ > max_library_bytes) {
           return diagnostics_.add(Severity::warning, DiagnosticCode::unreadable_mtl, mention.word,
                                   "too many material files: this one is left out");
         }
-        std::string reason;
-        if (auto text = read_model_file(folder_, options_.allowed_paths, options_.on_read, name, reason)) {
-          bytes += text->size();
-          read_library(name, std::move(*text));
-        } else {
-          diagnostics_.add(Severity::warning, DiagnosticCode::unreadable_mtl, mention.word, reason);
-        }
+        read_library_named(name, mention.word, is_one_used);
       }
     }
+    if (file.libraries.empty() && is_one_used) read_namesake(file.used_materials.front());
   }
 
-  /// Several names, or one with blanks in it: then there is such a file.
+  /// Several names, or one with blanks in it: then there is such a file, or none but its end ends like a name.
   std::vector<std::string> names_of_libraries(std::string_view words) const {
     std::string whole(words);
     std::replace(whole.begin(), whole.end(), '\\', '/');
     std::error_code error;
-    bool const has_blanks = whole.find_first_of(" \t") != std::string::npos;
-    if (!has_blanks || (folder_ && fs::exists(*folder_ / whole, error))) return {whole};
+    if (folder_ && fs::exists(*folder_ / whole, error)) return {whole};
     std::vector<std::string> names;
     std::string_view rest = whole;
     for (Token name = next_token(rest); !name.empty(); name = next_token(rest)) names.emplace_back(name);
-    return names;
+    auto const ends_like_name = [](std::string const& name) { return to_lower_ascii(name).ends_with(".mtl"); };
+    bool const are_several = std::any_of(names.begin(), names.end() - 1, ends_like_name);
+    return are_several ? names : std::vector{whole};
+  }
+
+  std::optional<std::string> text_of(std::string const& name, std::string& reason) const {
+    return read_model_file(folder_, options_.allowed_paths, options_.on_read, name, reason);
+  }
+
+  void read_library_named(std::string const& name, Token at, bool is_one_used) {
+    std::string reason;
+    auto text = text_of(name, reason);
+    if (text) return read_library(name, std::move(*text));
+    fs::path const homes[] = {""};
+    auto found = finder_.find(name, homes);
+    if (found && known_libraries_.contains(found->path)) return;  // named twice, in two ways
+    if (!found && is_one_used) found = namesake();
+    if (found) text = text_of(found->path, reason);
+    if (!text) {
+      std::string hint = hint_for_place(folder_, options_.allowed_paths, name);
+      return diagnostics_.add(Severity::warning, DiagnosticCode::unreadable_mtl, at, reason, std::move(hint));
+    }
+    diagnostics_.add(found->is_elsewhere ? Severity::warning : Severity::note, DiagnosticCode::file_elsewhere, at,
+                     used_instead(name, *found));
+    known_libraries_.insert(found->path);
+    read_library(found->path, std::move(*text));
+  }
+
+  /// The MTL file that is called like the model, unless it was read: programs write both.
+  std::optional<FoundFile> namesake() {
+    auto const path = finder_.in_any_case("", fs::path(name_).stem().concat(".mtl"));
+    if (!path || known_libraries_.contains(path->string())) return std::nullopt;
+    return FoundFile{path->string(), true};
+  }
+
+  void read_namesake(Mention const& material) {
+    auto const found = namesake();
+    std::string reason;
+    auto text = found ? text_of(found->path, reason) : std::nullopt;
+    if (!text) return;
+    diagnostics_.begin_line(material.line);
+    diagnostics_.add(Severity::warning, DiagnosticCode::file_elsewhere, material.word,
+                     fmt::format("no mtllib names an MTL file: {} is used", in_quotes(found->path)));
+    read_library(found->path, std::move(*text));
   }
 
   void read_library(std::string const& name, std::string text) {
+    library_bytes_ += text.size();
     normalise_line_breaks(text);
     libraries_.push_back({(fs::path(name_).parent_path() / name).string(),
                           fs::path(name).parent_path(),
@@ -133,13 +176,16 @@ class Importer {
       }
     }
     for (Source const* source : used) {
-      for (auto const map : mtl_textures) fetch(source->material.*map, source->library);
+      for (auto const map : mtl_textures) pictures_.read(source->material.*map, libraries_[source->library].folder);
     }
-    std::string const halved = decode_images(jobs_, options_.max_texture);
+    std::string const halved = pictures_.decode();
     MadePictures made;
     for (Source* const source : used) {
       MtlMaterial& m = source->material;
-      for (auto const map : mtl_textures) (m.*map).image = picture_of(m.*map, source->library);
+      Library& library = libraries_[source->library];
+      for (auto const map : mtl_textures) {
+        (m.*map).image = pictures_.image_of(m.*map, library.folder, *library.findings);
+      }
       if (m.map_kd.image) pictured_.insert(m.name);
       materials_[m.name] = material_from_mtl(m, !file.colors.empty(), made);
     }
@@ -158,38 +204,6 @@ class Importer {
     }
   }
 
-  /// As seen from the model's folder.
-  std::string path_of(MtlTexture const& texture, std::size_t library) const {
-    fs::path const path = texture.file;
-    return path.is_absolute() ? texture.file : (libraries_[library].folder / path).string();
-  }
-
-  void fetch(MtlTexture const& texture, std::size_t library) {
-    if (texture.file.empty()) return;
-    auto const [found, is_new] = job_numbers_.emplace(path_of(texture, library), jobs_.size());
-    if (!is_new) return;
-    ImageJob job;
-    job.name = texture.file;
-    job.is_wanted = true;
-    auto bytes = read_model_file(folder_, options_.allowed_paths, options_.on_read, found->first, job.reason);
-    if (bytes) {
-      job.owned = std::make_shared<std::string const>(std::move(*bytes));
-      job.bytes = *job.owned;
-    }
-    jobs_.push_back(std::move(job));
-  }
-
-  std::shared_ptr<TextureImage const> picture_of(MtlTexture const& texture, std::size_t library) {
-    if (texture.file.empty()) return nullptr;
-    ImageJob const& job = jobs_[job_numbers_.at(path_of(texture, library))];
-    if (!job.image) {
-      libraries_[library].findings->begin_line(texture.line);
-      libraries_[library].findings->add(Severity::warning, DiagnosticCode::texture_left_out, {},
-                                        fmt::format("the picture is left out: {}", job.reason));
-    }
-    return job.image;
-  }
-
   struct Library {
     std::string shown;  // in messages
     fs::path folder;    // in the model's
@@ -205,13 +219,15 @@ class Importer {
   std::optional<fs::path> const& folder_;
   ModelOptions const& options_;
   Diagnostics diagnostics_;
+  FileFinder finder_;
+  Pictures pictures_;
+  std::set<std::string> known_libraries_;  // names and paths
+  std::size_t library_bytes_ = 0;          // read so far
   std::vector<Library> libraries_;
   std::vector<Diagnostic> of_libraries_;
   std::map<std::string, Source> sources_;
   std::map<std::string, std::shared_ptr<Material>> materials_;
   std::set<std::string> pictured_;  // materials whose colours a picture gives
-  std::vector<ImageJob> jobs_;
-  std::map<std::string, std::size_t> job_numbers_;
 };
 
 }  // namespace

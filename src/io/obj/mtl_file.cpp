@@ -110,35 +110,55 @@ class MtlReader {
   void texture(std::string_view rest, MtlTexture& out) {
     out = {};
     out.line = diagnostics_.line();
-    for (;;) {
-      std::string_view after = rest;
-      Token const option = next_token(after);
-      if (option == "-clamp") {
-        out.clamp = next_token(after) == "on";
-      } else if (option == "-o") {
-        vector(after, out.offset);
-      } else if (option == "-s") {
-        vector(after, out.scale);
-      } else if (option == "-bm") {
-        std::optional<double> multiplier;
-        number(after, multiplier);
-        out.multiplier = multiplier.value_or(1);
-      } else if (option == "-t") {
-        glm::dvec2 ignored(0);
-        vector(after, ignored);
-      } else if (option == "-mm") {
-        next_token(after);
-        next_token(after);
-      } else if (option.size() > 1 && option[0] == '-' && is_option(option)) {
-        next_token(after);
-      } else {
-        break;
-      }
-      rest = after;
+    while (take_option(rest, out)) continue;
+    std::string_view const file = trimmed(rest);
+    out.file = with_slashes(file);
+    out.bare_file = out.file;
+    if (out.file.empty()) return warn(DiagnosticCode::missing_obj_word, place_after(rest), "expected a file");
+    // Options belong before the name, and a name may have blanks in it. Some programs write options after it.
+    for (next_token(rest); !rest.empty(); next_token(rest)) {
+      std::string_view const before = file.substr(0, std::size_t(rest.data() - file.data()));
+      if (!take_option(rest, out)) continue;
+      out.bare_file = with_slashes(trimmed(before));
+      while (take_option(rest, out)) continue;
+      return;
     }
-    out.file = trimmed(rest);
-    std::replace(out.file.begin(), out.file.end(), '\\', '/');  // written on Windows
-    if (out.file.empty()) warn(DiagnosticCode::missing_obj_word, place_after(rest), "expected a file");
+  }
+
+  /// As written on Windows, too.
+  static std::string with_slashes(std::string_view file) {
+    std::string result(file);
+    std::replace(result.begin(), result.end(), '\\', '/');
+    return result;
+  }
+
+  /// False where the next word is none.
+  bool take_option(std::string_view& rest, MtlTexture& out) {
+    std::string_view after = rest;
+    Token const option = next_token(after);
+    if (option == "-clamp") {
+      out.clamp = next_token(after) == "on";
+    } else if (option == "-o") {
+      vector(after, out.offset);
+    } else if (option == "-s") {
+      vector(after, out.scale);
+    } else if (option == "-bm") {
+      std::optional<double> multiplier;
+      number(after, multiplier);
+      out.multiplier = multiplier.value_or(1);
+    } else if (option == "-t") {
+      glm::dvec2 ignored(0);
+      vector(after, ignored);
+    } else if (option == "-mm") {
+      next_token(after);
+      next_token(after);
+    } else if (is_option(option)) {
+      next_token(after);
+    } else {
+      return false;
+    }
+    rest = after;
+    return true;
   }
 
   static bool is_option(Token word) {

@@ -12,8 +12,9 @@ namespace lichtraum::obj {
 
 /// A picture as an MTL file names it, with those of its options that are used.
 struct MtlTexture {
-  std::string file;  ///< empty: none
-  Line line;         ///< where it is named, for messages
+  std::string file;       ///< empty: none
+  std::string bare_file;  ///< without what may be options after it, where they do not belong
+  Line line;              ///< where it is named, for messages
   glm::dvec2 offset{0};
   glm::dvec2 scale{1};
   bool clamp = false;

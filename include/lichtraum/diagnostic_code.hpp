@@ -127,6 +127,7 @@ namespace LICHTRAUM_API lichtraum {
   CODE(W, 1107, missing_obj_word, "a line of OBJ or MTL that lacks a word")                             \
   CODE(W, 1108, unread_color, "a colour of MTL in another form")                                        \
   CODE(W, 1109, parts_joined, "an OBJ model of very many parts")                                        \
+  CODE(E, 1110, not_obj, "a file that is not OBJ")                                                      \
   CODE(E, 1201, ply_header, "a faulty header of a PLY file")                                            \
   CODE(W, 1202, ply_data, "faulty data of a PLY file")                                                  \
   CODE(E, 1301, not_stl, "a file that is not STL")                                                      \

@@ -136,6 +136,19 @@ joined, by material. The picture is the same. For example, a city of 100,000
 houses with a name each.
 )",
      "", ""},
+    {DiagnosticCode::not_obj,
+     R"(The file is something else with the ending .obj: a web page that was saved in
+its place, an archive, a Git LFS pointer. The hint says what helps.
+)",
+     R"(<!DOCTYPE html>
+<title>model.obj</title>
+)",
+     R"(v 0 0 0
+v 1 0 0
+v 0 1 0
+f 1 2 3
+)",
+     obj_command},
 };
 static_assert(explains_all(obj_table, "11"));
 

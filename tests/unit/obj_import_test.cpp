@@ -539,6 +539,26 @@ TEST_CASE("OBJ: a file that is refused for its place has a hint", "[unit][obj]")
   CHECK(found[4].hint == "");
 }
 
+TEST_CASE("OBJ: what is another file is told so, once", "[unit][obj]") {
+  for (auto const& [text, message] : {
+           std::pair<std::string, std::string>{"<!DOCTYPE html>\n<title>404</title>\n", "an HTML document"},
+           {"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "a Git LFS pointer"},
+           {std::string("PK\3\4\n\0\n", 7), "a ZIP archive or an office document"},
+           {"\x1F\x8B\x08\n", "a gzip archive"},
+       }) {
+    INFO(message);
+    try {
+      import_text(text);
+      FAIL("it was read");
+    } catch (SceneError const& error) {
+      REQUIRE(error.diagnostics().size() == 1);
+      CHECK(error.diagnostics()[0].code == DiagnosticCode::not_obj);
+      CHECK(error.diagnostics()[0].message == "this is " + message + ", not an OBJ model");
+      CHECK(!error.diagnostics()[0].hint.empty());
+    }
+  }
+}
+
 TEST_CASE("OBJ: hostile sizes end soon", "[unit][obj]") {
   std::string same = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";  // one position with many texture coordinates
   for (int i = 1; i <= 100000; ++i) same += "vt " + std::to_string(i) + "\nf 1/" + std::to_string(i) + " 2/1 3/1\n";

@@ -118,6 +118,7 @@ TEST_CASE("PLY: strips, with a negative number between two", "[unit][ply]") {
 
 TEST_CASE("PLY: faults of the header are errors at their place", "[unit][ply]") {
   CHECK(error_of("") == "0:0: the header has no end: end_header is missing\n");
+  CHECK(error_of("version https://git-lfs.github.com/spec/v1\n") == "0:0: this is a Git LFS pointer, not a PLY file\n");
   CHECK(error_of("solid\n") == "1:1: this is not a PLY file: it does not begin with 'ply'\n");
   CHECK(error_of("ply\nformat ascii 1.0\n") == "0:0: the header has no end: end_header is missing\n");
   CHECK(error_of("ply\nelement vertex 1\nend_header\n") == "3:1: the format is missing\n");

@@ -173,6 +173,8 @@ TEST_CASE("STL: faults of ASCII files are told with their line; what is whole is
   CHECK(warnings("solid\n" + facet + "facet normal 0 0 1 outer\n") == "9:25: the file ends where 'loop' is missing\n");
   CHECK(warnings("solid\n" + facet + "endsolid\nwhat is this\n") == "10:1: expected 'solid', found 'what'\n");
   CHECK(error_of("") == "0:0: this is not an STL file: it does not begin with 'solid'\n");
+  CHECK(error_of("PK\3\4" + std::string(100, '\0')) ==
+        "0:0: this is a ZIP archive or an office document, not an STL file\n");
   CHECK(error_of("ply\n") == "1:1: this is not an STL file: it does not begin with 'solid'\n");
   CHECK(error_of("solid a\nendsolid a\n") == "0:0: the model has nothing to draw: it has no triangles\n");
   CHECK_THAT(error_of("solid\nfacet normal 0 0 1 outer loop vertex 1 2"), contains_text("2:41: the file ends where"));

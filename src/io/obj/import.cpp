@@ -8,6 +8,7 @@
 
 #include "core/ascii.hpp"
 #include "core/read_file.hpp"
+#include "io/another_file.hpp"
 #include "io/model_file.hpp"
 #include "io/model_scene.hpp"
 #include "io/obj/material_from_mtl.hpp"
@@ -36,6 +37,9 @@ class Importer {
         pictures_(folder, options, finder_) {}
 
   Model run(std::string text) {
+    if (!is_obj(text) && is_another_file(text, "an OBJ model", DiagnosticCode::not_obj, diagnostics_)) {
+      throw SceneError(std::move(diagnostics_).finish(0));
+    }
     normalise_line_breaks(text);
     join_continued_lines(text);
     ObjFile const file = read_obj(text, diagnostics_);

@@ -7,6 +7,8 @@
 #include <charconv>
 #include <optional>
 
+#include "io/another_file.hpp"
+
 namespace lichtraum::ply {
 namespace {
 
@@ -42,7 +44,7 @@ class HeaderReader {
       std::string_view rest = line.text;
       Token const keyword = next_token(rest);
       if (line.number == 1) {
-        if (keyword != "ply") return fail(keyword, "this is not a PLY file: it does not begin with 'ply'");
+        if (keyword != "ply") return fail_as_another(bytes, keyword);
       } else if (keyword == "end_header") {
         header_.data_offset = bytes.size() - lines.rest().size();
         header_.data_line = line.number + 1;
@@ -124,6 +126,11 @@ class HeaderReader {
     std::string& file = header_.texture_files.emplace_back(trimmed(rest));
     std::replace(file.begin(), file.end(), '\\', '/');  // written on Windows
     return true;
+  }
+
+  bool fail_as_another(std::string_view bytes, Token keyword) {
+    return !is_another_file(bytes, "a PLY file", DiagnosticCode::ply_header, diagnostics_) &&
+           fail(keyword, "this is not a PLY file: it does not begin with 'ply'");
   }
 
   bool fail(Token at, std::string message) {

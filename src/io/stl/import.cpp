@@ -4,6 +4,7 @@
 
 #include "core/ascii.hpp"
 #include "core/read_file.hpp"
+#include "io/another_file.hpp"
 #include "io/model_scene.hpp"
 #include "io/stl/facets.hpp"
 #include "lichtraum/stl.hpp"
@@ -16,6 +17,9 @@ constexpr std::size_t max_findings = 100;
 
 Model import(std::string_view bytes, std::string const& name, ModelOptions const& options) {
   Diagnostics diagnostics(name, max_findings);
+  if (!is_stl(bytes) && is_another_file(bytes, "an STL file", DiagnosticCode::not_stl, diagnostics)) {
+    throw SceneError(std::move(diagnostics).finish(0));
+  }
   std::vector<Solid> solids = is_binary(bytes) ? read_binary(bytes, diagnostics) : read_ascii(bytes, diagnostics);
   Model model;
   std::shared_ptr<Material const> material = options.material;

@@ -117,9 +117,7 @@ TEST_CASE("OBJ: a mesh for each material of each object and group, however they 
   CHECK(mesh_of(model.scene, "car.red").geometry()->triangle_count() == 3);
   CHECK(mesh_of(model.scene, "car.blue").geometry()->triangle_count() == 1);
   CHECK(mesh_of(model.scene, "car.wheel left.red").geometry()->triangle_count() == 1);
-  CHECK(shown(model.diagnostics) ==
-        "m.obj:5:8: there is no material 'red'\n"
-        "m.obj:7:8: there is no material 'blue'\n");
+  CHECK(shown(model.diagnostics) == "m.obj:5:8: there is no material 'red' nor 1 other: no mtllib names an MTL file\n");
 }
 
 TEST_CASE("OBJ: colours of vertices become linear", "[unit][obj]") {
@@ -524,6 +522,17 @@ TEST_CASE("OBJ: an MTL file that is called otherwise is found, or the one called
   CHECK(shown(import_obj(folder / "model.obj").diagnostics) == "");  // it is not looked for
 }
 
+TEST_CASE("OBJ: a missing MTL file is told once, not for each of its materials", "[unit][obj]") {
+  TemporaryFolder const folder;
+  std::string uses;
+  for (int i = 0; i < 150; ++i) uses += "usemtl m" + std::to_string(i) + "\nf 1 2 3\n";
+  folder.write("m.obj", "mtllib nowhere.mtl\n" + triangle + uses);
+  auto const found = import_obj(folder / "m.obj").diagnostics;
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].code == DiagnosticCode::unreadable_mtl);
+  CHECK(found[1].message == "there is no material 'm0' nor 149 others: an MTL file is missing");
+}
+
 TEST_CASE("OBJ: a file that is refused for its place has a hint", "[unit][obj]") {
   TemporaryFolder const folder;
   std::filesystem::create_directories(folder / "model");
@@ -537,6 +546,12 @@ TEST_CASE("OBJ: a file that is refused for its place has a hint", "[unit][obj]")
   CHECK(found[2].hint == "");
   CHECK(found[3].hint == hint);
   CHECK(found[4].hint == "");
+}
+
+TEST_CASE("OBJ: normals that are no numbers are the triangle's own, without a warning for each", "[unit][obj]") {
+  Model const model = import_text(triangle + "vn nan NaN -nan\nvn 0 0 1\nf 1//1 2//2 3//2\n");
+  CHECK(shown(model.diagnostics) == "");
+  CHECK(mesh_of(model.scene, "mesh").geometry()->normals.at(3) == Float3{0, 0, 0});
 }
 
 TEST_CASE("OBJ: what is another file is told so, once", "[unit][obj]") {

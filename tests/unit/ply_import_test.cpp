@@ -149,12 +149,20 @@ TEST_CASE("PLY: faults of the data are told with their place; what is whole is d
   CHECK_THAT(warnings("3 0 1 2\n999999 0 1\n", 2), contains_text("14:1: a list declares 999999 numbers"));
   CHECK_THAT(warnings("3 0 1 2\n2 0 1\n", 2), contains_text("face 1 has 2 corners"));
   CHECK_THAT(error_of(ascii + "0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n"),
-             contains_text("11:1: 'nan' is not a finite number") && contains_text("it has no triangles"));
+             contains_text("0:0: 1 triangle left out") && contains_text("it has no triangles"));
 
   std::string binary = "ply\nformat binary_little_endian 1.0\n" + vertex_header + face_header;
   std::size_t const data = binary.size();
   for (float v : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f}) append(binary, v, false);
   CHECK_THAT(error_of(binary), contains_text("byte " + std::to_string(data + 28) + ": the data ends in vertex 2 of 3"));
+}
+
+TEST_CASE("PLY: points that were not measured are counted, not told one by one", "[unit][ply]") {
+  std::string const header =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float quality\nend_header\n";
+  CHECK(shown(import_bytes(header + "0 0 0 1\nnan nan nan nan\n1 0 0 inf\nNaN -nan nan 0\n").diagnostics) ==
+        "0:0: points that are not finite are left out: 2\n");
 }
 
 TEST_CASE("PLY: a header may promise anything", "[unit][ply]") {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/ascii.hpp"
+#include "core/counted.hpp"
 #include "core/read_file.hpp"
 #include "io/another_file.hpp"
 #include "io/model_file.hpp"
@@ -123,6 +124,7 @@ class Importer {
     if (!found && is_one_used) found = namesake();
     if (found) text = text_of(found->path, reason);
     if (!text) {
+      has_lost_library_ = true;
       std::string hint = hint_for_place(folder_, options_.allowed_paths, name);
       return diagnostics_.add(Severity::warning, DiagnosticCode::unreadable_mtl, at, reason, std::move(hint));
     }
@@ -169,16 +171,16 @@ class Importer {
   /// Those that faces use, with their pictures.
   void read_materials(ObjFile const& file) {
     std::vector<Source*> used;
+    std::vector<Mention> missing;
     for (Mention const& mention : file.used_materials) {
       auto const found = sources_.find(std::string(mention.word));
       if (found != sources_.end()) {
         used.push_back(&found->second);
       } else {
-        diagnostics_.begin_line(mention.line);
-        diagnostics_.add(Severity::warning, DiagnosticCode::missing_obj_material, mention.word,
-                         fmt::format("there is no material {}", in_quotes(mention.word)));
+        missing.push_back(mention);
       }
     }
+    warn_of_missing(std::move(missing));
     for (Source const* source : used) {
       for (auto const map : mtl_textures) pictures_.read(source->material.*map, libraries_[source->library].folder);
     }
@@ -208,6 +210,21 @@ class Importer {
     }
   }
 
+  /// One by one, as each may be misspelt, unless there is one reason for all.
+  void warn_of_missing(std::vector<Mention> materials) {
+    std::string more;
+    if (materials.size() > 0 && (has_lost_library_ || libraries_.empty())) {
+      if (materials.size() > 1) more = fmt::format(" nor {}", counted(materials.size() - 1, "other"));
+      more += has_lost_library_ ? ": an MTL file is missing" : ": no mtllib names an MTL file";
+      materials.resize(1);
+    }
+    for (Mention const& material : materials) {
+      diagnostics_.begin_line(material.line);
+      diagnostics_.add(Severity::warning, DiagnosticCode::missing_obj_material, material.word,
+                       fmt::format("there is no material {}{}", in_quotes(material.word), more));
+    }
+  }
+
   struct Library {
     std::string shown;  // in messages
     fs::path folder;    // in the model's
@@ -227,6 +244,7 @@ class Importer {
   Pictures pictures_;
   std::set<std::string> known_libraries_;  // names and paths
   std::size_t library_bytes_ = 0;          // read so far
+  bool has_lost_library_ = false;          // one could not be read
   std::vector<Library> libraries_;
   std::vector<Diagnostic> of_libraries_;
   std::map<std::string, Source> sources_;

@@ -72,8 +72,10 @@ class ObjReader {
     return true;
   }
 
+  using Read = bool (*)(Token word, double& value, Diagnostics& diagnostics);
+
   /// False after a warning when there are fewer.
-  bool numbers(std::string_view& rest, float* values, std::size_t count) {
+  bool numbers(std::string_view& rest, float* values, std::size_t count, Read read = read_number) {
     for (std::size_t i = 0; i < count; ++i) {
       Token const word = next_token(rest);
       if (word.empty()) {
@@ -81,7 +83,9 @@ class ObjReader {
                          fmt::format("expected {} numbers, found {}", count, i));
         return false;
       }
-      if (!number(word, values[i])) return false;
+      double value = 0;
+      if (!read(word, value, diagnostics_)) return false;
+      values[i] = float(value);
     }
     return true;
   }
@@ -104,7 +108,7 @@ class ObjReader {
 
   void normal(std::string_view rest) {
     Float3 n;
-    if (!numbers(rest, n.data(), 3)) n = {0, 0, 0};
+    if (!numbers(rest, n.data(), 3, read_number_or_nan)) n = {0, 0, 0};  // nan: of a surface without any
     double const length = std::hypot(double(n[0]), double(n[1]), double(n[2]));
     for (float& x : n) x = length > 0 ? float(double(x) / length) : 0;
     file_.normals.push_back(n);

@@ -33,7 +33,7 @@ class AsciiSource {
       diagnostics_.begin_line(line_);
       word = next_token(rest_);
     }
-    if (!read_number(word, value, diagnostics_)) value = std::numeric_limits<double>::quiet_NaN();
+    if (!read_number_or_nan(word, value, diagnostics_)) value = std::numeric_limits<double>::quiet_NaN();
     word_ = word;
     return true;
   }

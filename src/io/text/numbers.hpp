@@ -8,4 +8,8 @@ namespace lichtraum {
 /// its place.
 bool read_number(Token word, double& value, Diagnostics& diagnostics);
 
+/// The same for data, where 'nan' and 'inf' are written for what was not measured: these become a NaN, without a
+/// warning.
+bool read_number_or_nan(Token word, double& value, Diagnostics& diagnostics);
+
 }  // namespace lichtraum

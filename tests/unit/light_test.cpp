@@ -1,5 +1,6 @@
 #include "lichtraum/light.hpp"
 
+#include <cmath>
 #include <sstream>
 
 #include "support/catch.hpp"
@@ -41,6 +42,11 @@ TEST_CASE("lights that cannot be are refused", "[unit]") {
   CHECK_THROWS_AS(Light::spot("", {}, {0, 0, 1}, Rgb(1), {0, 91}), std::invalid_argument);
   CHECK_THROWS_AS(Light::spot("", {}, {0, 0, 1}, Rgb(1), {-1, 30}), std::invalid_argument);
   CHECK_THROWS_AS(Light::spot("", {}, {0, 0, 1}, Rgb(1), {0, 30}, -1), std::invalid_argument);
+  for (double const radius : {-1.0, double(INFINITY), double(NAN)}) {
+    PointLight lamp;
+    lamp.radius = radius;
+    CHECK_THROWS_AS(Light("", lamp), std::invalid_argument);
+  }
 }
 
 TEST_CASE("a light says what it is", "[unit]") {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/option_effects.hpp"
+#include "core/largest_channel.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -52,7 +53,7 @@ std::optional<Diagnostic> PlanFindings::background_of_bytes() {
   auto const& asked = options_.job.background;
   if (!asked || !asked->shown || has_told_of_background_) return std::nullopt;
   Rgb const largest = glm::max(asked->shown->top, asked->shown->bottom);
-  if (std::max({largest.r, largest.g, largest.b}) <= brightest) return std::nullopt;
+  if (largest_channel(largest) <= brightest) return std::nullopt;
   has_told_of_background_ = true;
   return warning(DiagnosticCode::color_out_of_range, {}, "--background: its colours are linear, and 1 is white",
                  "divide numbers from 0 to 255 by 255");

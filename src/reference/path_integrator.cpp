@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/elementary.hpp"
+#include "core/largest_channel.hpp"
 #include "reference/integrator.hpp"
 #include "reference/scattering_point.hpp"
 
@@ -135,7 +136,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
                          ReferenceRandom& random, RayCounts& counts) {
   FollowedPath sample;
   auto const add = [&](Rgb const& radiance, bool is_indirect) {
-    double const largest = is_indirect ? std::max({radiance.r, radiance.g, radiance.b}) : 0;
+    double const largest = is_indirect ? largest_channel(radiance) : 0;
     sample.radiance += largest > request.max_indirect ? radiance * (request.max_indirect / largest) : radiance;
   };
   Rgb throughput(1);

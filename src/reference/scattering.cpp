@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/largest_channel.hpp"
 #include "reference/albedo_tables.hpp"
 #include "reference/microfacets.hpp"
 
@@ -46,14 +47,14 @@ ReferenceScattering::ReferenceScattering(ReferenceBsdf const& bsdf, Vec3 const& 
     double total = solid.total;
     if (bsdf.has_film) {  // it reflects more of what reflection keeps than the table knows of
       double const ratio = (eta_ - 1) / (eta_ + 1);
-      double const more = std::max({bsdf.f0.r, bsdf.f0.g, bsdf.f0.b}) - ratio * ratio;
+      double const more = largest_channel(bsdf.f0) - ratio * ratio;
       total += std::max(more, 0.0) * std::max(gloss_albedo_ - total, 0.0);
     }
     refraction_gain_ = 1 / total;
     dielectric_gain_ = Rgb(refraction_gain_);
     reflected = refraction_gain_ * (eta_ > 1 ? Rgb(solid.reflected) : gloss.a * bsdf.f0 + gloss.b * bsdf.f90);
   }
-  base_ *= std::max(1 - largest(reflected), 0.0);  // alike in all channels (KHR_materials_specular)
+  base_ *= std::max(1 - largest_channel(reflected), 0.0);  // alike in all channels (KHR_materials_specular)
 }
 
 bool ReferenceScattering::is_solid() const { return bsdf_.is_layered && std::abs(eta_ - 1) > 1e-3; }
@@ -72,7 +73,7 @@ Rgb ReferenceScattering::refracted_share(double cosine) const {
   double const beyond = cosine_beyond_squared(eta_, cosine);
   if (beyond <= 0) return Rgb(0);
   Rgb const reflected = schlick(bsdf_.f0, bsdf_.f90, eta_ > 1 ? std::sqrt(beyond) : cosine);
-  return below_coat_ * refraction_gain_ * bsdf_.transmitted * std::max(1 - largest(reflected), 0.0);
+  return below_coat_ * refraction_gain_ * bsdf_.transmitted * std::max(1 - largest_channel(reflected), 0.0);
 }
 
 Rgb ReferenceScattering::transmitted(Vec3 const& to_light) const {

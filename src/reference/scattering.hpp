@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "lichtraum/math.hpp"
@@ -23,9 +22,6 @@ struct ReferenceBsdf {
   double coat_alpha = 1;
   bool has_film = false;  ///< f0 and metal are those of a thin film, for the viewer
 };
-
-/// Of its channels.
-inline double largest(Rgb const& color) { return std::max({color.r, color.g, color.b}); }
 
 /// GGX is no sharper than this, in the kernels as well; as far as directions are chosen here, this is no spread at all.
 inline constexpr double smooth_alpha = 0.001;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/elementary.hpp"
+#include "core/largest_channel.hpp"
 #include "core/square.hpp"
 #include "lichtraum/error.hpp"
 #include "reference/thin_film.hpp"
@@ -62,8 +63,8 @@ void open_pane(PbrModel const& material, Hit const& hit, ReferenceScatteringPoin
   double const cosine = std::min(glm::dot(point.geometric_normal, point.to_viewer), 1.0);
   double const grazing = square(square(1 - cosine)) * (1 - cosine);
   Rgb const reflected = glm::mix(bsdf.f0, bsdf.f90, grazing);
-  point.passed = std::max(1 - largest(reflected), 0.0) * bsdf.transmitted;
-  point.chance_to_pass = largest(point.passed);
+  point.passed = std::max(1 - largest_channel(reflected), 0.0) * bsdf.transmitted;
+  point.chance_to_pass = largest_channel(point.passed);
   bsdf.transmitted = Rgb(0);
 }
 

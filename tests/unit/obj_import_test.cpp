@@ -35,6 +35,12 @@ Mesh const& mesh_of(Scene const& scene, std::string const& name) {
   return dynamic_cast<Mesh const&>(**shape);
 }
 
+using Pixels = std::vector<std::array<std::uint8_t, 4>>;
+
+void write_png(TemporaryFolder const& folder, char const* name, int width, Pixels const& pixels) {
+  folder.write(name, test::encode_png(width, int(pixels.size()) / width, pixels));
+}
+
 /// A triangle of each of these materials of m.mtl.
 std::string triangle_of_each(std::initializer_list<char const*> materials) {
   std::string text = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -221,7 +227,7 @@ TEST_CASE("MTL: Phong's coefficients, mirrors and glass", "[unit][obj]") {
 TEST_CASE("MTL: with a picture, materials keep highlights and mirrors, and zeros beside it are not meant",
           "[unit][obj]") {
   TemporaryFolder const folder;
-  folder.write("a.png", test::encode_png(1, 1, std::vector<std::array<std::uint8_t, 4>>{{50, 60, 70, 255}}));
+  write_png(folder, "a.png", 1, {{50, 60, 70, 255}});
   folder.write("m.mtl",
                "newmtl maya\nillum 4\nKd 0 0 0\nmap_Kd a.png\nNi 1.00\nKs .5 .5 .5\nNs 18\n"
                "newmtl dense\nmap_Kd a.png\nNi 1.8\nKs 1 1 1\n"
@@ -246,7 +252,7 @@ TEST_CASE("MTL: with a picture, materials keep highlights and mirrors, and zeros
 
 TEST_CASE("OBJ: colours of vertices count where no picture gives them", "[unit][obj]") {
   TemporaryFolder const folder;
-  folder.write("a.png", test::encode_png(1, 1, std::vector<std::array<std::uint8_t, 4>>{{50, 60, 70, 255}}));
+  write_png(folder, "a.png", 1, {{50, 60, 70, 255}});
   folder.write("m.mtl", "newmtl scan\nmap_Kd a.png\nnewmtl plain\nnewmtl cut\nmap_d a.png\n");
   folder.write("m.obj",
                "mtllib m.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nvt 0 0\n"
@@ -281,10 +287,7 @@ TEST_CASE("MTL: pictures keep their place and options; what is wrong is told in 
 
 TEST_CASE("MTL: physically based coefficients and their pictures", "[unit][obj]") {
   TemporaryFolder const folder;
-  using Pixels = std::vector<std::array<std::uint8_t, 4>>;
-  auto const write = [&](char const* name, int width, Pixels const& pixels) {
-    folder.write(name, test::encode_png(width, int(pixels.size()) / width, pixels));
-  };
+  auto const write = [&](char const* name, int width, Pixels const& pixels) { write_png(folder, name, width, pixels); };
   write("color.png", 1, {{10, 20, 30, 255}});
   write("holes.png", 2, {{255, 255, 255, 255}, {0, 0, 0, 255}});
   write("leaf.png", 2, {{40, 50, 60, 255}, {40, 50, 60, 128}});
@@ -334,10 +337,7 @@ TEST_CASE("MTL: physically based coefficients and their pictures", "[unit][obj]"
 
 TEST_CASE("MTL: bump maps are heights, or normals where they are blue", "[unit][obj]") {
   TemporaryFolder const folder;
-  using Pixels = std::vector<std::array<std::uint8_t, 4>>;
-  auto const write = [&](char const* name, int width, Pixels const& pixels) {
-    folder.write(name, test::encode_png(width, int(pixels.size()) / width, pixels));
-  };
+  auto const write = [&](char const* name, int width, Pixels const& pixels) { write_png(folder, name, width, pixels); };
   std::array<std::uint8_t, 4> const black{0, 0, 0, 255}, white{255, 255, 255, 255}, blue{120, 130, 250, 255};
   write("right.png", 4, {black, black, white, white});  // higher on the right
   write("up.png", 1, {white, white, black, black});

@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "core/largest_channel.hpp"
 #include "io/gltf/roughness_pictures.hpp"
 #include "io/gltf/textures.hpp"
 #include "io/gltf/values.hpp"
@@ -142,7 +143,7 @@ class Reader {
   // The conversion of the extension's own appendix, with the metal's share solved for.
   void convert_to_metallic(Rgb const& diffuse, Rgb const& specular, PbrModel& m) {
     constexpr double dielectric = 0.04;
-    double const strongest = std::max({specular.r, specular.g, specular.b});
+    double const strongest = largest_channel(specular);
     double const diffuse_brightness = brightness(diffuse);
     double const specular_brightness = brightness(specular);
     double metallic = 0;

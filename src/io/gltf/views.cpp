@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/elementary.hpp"
+#include "core/largest_channel.hpp"
 #include "io/gltf/values.hpp"
 
 namespace lichtraum::gltf {
@@ -172,7 +173,7 @@ std::vector<Light> read_lights(tinygltf::Model const& model, NodeTree const& tre
 double light_exposure(std::vector<Light> const& lights, Bounds const& box) {
   Rgb sum(0);
   for (Light const& light : lights) sum += illuminance(light, box);
-  double const brightest = std::max({sum.r, sum.g, sum.b});
+  double const brightest = largest_channel(sum);
   return brightest > 0 && std::isfinite(brightest) ? 1 / brightest : 0;
 }
 

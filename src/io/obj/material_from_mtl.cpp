@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/largest_channel.hpp"
+
 namespace lichtraum::obj {
 namespace {
 
@@ -18,8 +20,6 @@ TextureSlot slot(MtlTexture const& source, std::shared_ptr<TextureImage const> c
   return result;
 }
 
-double largest_of(Rgb const& color) { return std::max({color.r, color.g, color.b}); }
-
 /// What a picture is multiplied with: 1 without a number, or with the 0 that some exporters write beside it.
 std::optional<Rgb> factor(std::optional<Rgb> const& color, MtlTexture const& picture) {
   return picture.image && (!color || *color == Rgb(0)) ? Rgb(1) : color;
@@ -28,7 +28,7 @@ std::optional<Rgb> factor(std::optional<Rgb> const& color, MtlTexture const& pic
 /// 1: no light passes through.
 double opacity_of(MtlMaterial const& source, bool refracts) {
   if (refracts && source.ni.value_or(1) > 1 && source.d.value_or(1) == 1 && !source.tr) {
-    return 1 - std::clamp(largest_of(source.tf.value_or(Rgb(1))), 0.0, 1.0);
+    return 1 - std::clamp(largest_channel(source.tf.value_or(Rgb(1))), 0.0, 1.0);
   }
   // `d` counts where both are written: Tr is not in the specification, and many write 1 for what is opaque.
   bool const tr_means_opacity = source.tr == 1 && !refracts;
@@ -80,7 +80,7 @@ std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, bool has_
   if (!is_physical && !has_pictures && !has_colors && !is_absent) {
     PhongModel phong{.ka = ka, .kd = kd, .ks = ks, .m = m};
     phong.transmit = 1 - opacity;
-    phong.reflect = mirrors ? std::clamp(largest_of(ks), 0.0, opacity) : 0;
+    phong.reflect = mirrors ? std::clamp(largest_channel(ks), 0.0, opacity) : 0;
     phong.ior = refracts ? ior : 1;
     phong.emission = emission;
     return std::make_shared<Material>(source.name, phong);
@@ -112,7 +112,7 @@ std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, bool has_
   if (refracts) {
     pbr.ior = std::max(ior, 1.0);
   } else if (illum == 3) {
-    pbr.ior = ior_of_mirror(largest_of(ks));
+    pbr.ior = ior_of_mirror(largest_channel(ks));
   } else {
     pbr.ior = ior > 1 ? ior : 1.5;  // 1 is written for what bends no rays, and would take the highlight away
   }

@@ -27,7 +27,7 @@ struct MtlMaterial {
   std::string name;
   std::optional<Rgb> ka, kd, ks, ke, tf;
   std::optional<double> ns, ni;
-  std::optional<double> d, tr;  ///< 1 is opaque; 1 lets all through, or should
+  std::optional<double> d, tr;  ///< d: 1 is opaque; tr: the opposite, though some write it as d
   std::optional<double> metallic, roughness, clearcoat, clearcoat_roughness;
   std::optional<double> illum;
   MtlTexture map_kd, map_ke, map_d, map_pr, map_pm, map_bump, norm;

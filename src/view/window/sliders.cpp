@@ -11,6 +11,7 @@
 #include <iterator>
 #include <string>
 
+#include "core/largest_channel.hpp"
 #include "view/edited_number.hpp"
 #include "view/scene_values.hpp"
 
@@ -47,10 +48,11 @@ bool any_of(std::initializer_list<bool> has_changed) {
 
 /// A colour, and how bright it is in its brightest channel.
 bool edit_light_color(Rgb& color, Rgb const& original) {
-  auto const brightest = [](Rgb const& c) { return std::max({c.r, c.g, c.b}); };
-  double brightness = brightest(color);
-  Rgb hue = brightness > 0 ? color / brightness : brightest(original) > 0 ? original / brightest(original) : Rgb(1);
-  double const range = brightest(original) > 0 ? 4 * brightest(original) : 4;
+  double brightness = largest_channel(color);
+  double const original_brightness = largest_channel(original);
+  Rgb const original_hue = original_brightness > 0 ? original / original_brightness : Rgb(1);
+  Rgb hue = brightness > 0 ? color / brightness : original_hue;
+  double const range = original_brightness > 0 ? 4 * original_brightness : 4;
   bool const has_changed = any_of({edit_number("brightness", brightness, 0, range), edit_color("colour", hue)});
   for (int c = 0; has_changed && c < 3; ++c) color[c] = edited_number(color[c], float(brightness * hue[c]));
   return has_changed;

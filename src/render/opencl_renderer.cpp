@@ -216,12 +216,14 @@ class OpenClRenderer final : public Renderer {
     int samples = 0;  // of each pixel
     double pixel_samples_done = 0;
     double budget = first_budget;
+    bool is_stopped = false;
     Clock::time_point start = Clock::now();
   };
 
-  /// Adds samples of one block; false: it was stopped.
+  /// Adds samples of one block; false: it was stopped before all of them were there.
   bool trace(device::FrameParameters const& frame, Integrator integrator, SampleRange const& samples, Film& film,
              Work& work, RenderStatistics& statistics, ProgressFunction const& progress) {
+    if (work.is_stopped) return false;  // by what was asked after the last tile of the block before
     Region const& region = film.region();
     double const all_work = double(region.width) * double(region.height) * double(work.samples);
     if (samples.first == 0) begin_centers(film);
@@ -234,17 +236,16 @@ class OpenClRenderer final : public Renderer {
     tracer_.begin_frame(frame, integrator, film);
     statistics.program_ms += 1e3 * seconds_since(start);
     auto const trace_start = Clock::now();
-    bool is_going_on = true;
     double const greatest = greatest_budget(device_.kind, scene_->buffers->crowding);
     work.budget = std::min(work.budget, greatest);
     TilePlan plan(region, samples.count(), samples.first, device_.kind == DeviceKind::gpu ? gpu_launch_pixels : 0);
-    while (!plan.is_done() && is_going_on) {
+    while (!plan.is_done() && !work.is_stopped) {
       auto const tile_start = Clock::now();
       device::Tile const tile = plan.next(work.budget);
       statistics.rays += tracer_.trace(tile);
       work.budget = next_budget(work.budget, seconds_since(tile_start), greatest);
       work.pixel_samples_done += double(tile.width) * double(tile.height) * double(tile.sample_count);
-      if (progress) is_going_on = progress(progress_now(false));
+      work.is_stopped = progress && !progress(progress_now(false));
     }
     tracer_.end_frame();
     if (!plan.is_between_pixels()) clear_samples(film, plan.current_pixels());

@@ -186,6 +186,20 @@ TEST_CASE("what is stopped keeps the blocks of samples that are whole", "[image]
   });
 }
 
+TEST_CASE("what is traced in one launch a block can be stopped as well", "[image]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene const scene = mixed_scene();
+  for_each_renderer(Integrator::path, [&](Renderer& renderer) {
+    renderer.set_scene(scene);
+    RenderRequest request = seeded_request(scene, Integrator::path, {8, 8});
+    request.sampling.count = 5 * Film::block_size;
+    Film film;
+    auto const result = renderer.render(request, film, [&](RenderProgress const& p) { return p.fraction < 0.3; });
+    CHECK(!result.complete);
+    CHECK(film.samples().count() == 2 * Film::block_size);
+  });
+}
+
 TEST_CASE("ranges of samples that are traced apart merge to the bytes of all", "[image]") {
   REQUIRE_OPENCL_DEVICE();
   Scene const scene = mixed_scene();

@@ -74,8 +74,8 @@ PlaneSet all_planes() {
 template <class Check>
 void for_each_renderer(Integrator integrator, Check const& check) {
   for (DeviceInfo const& device : opencl_devices()) {
-    for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
-      INFO(device.name << ", traversal " << int(traversal.grouping));
+    for (auto const& [layout, traversal] : layouts_of(device)) {
+      INFO(device.name << ", " << layout);
       check(*make_renderer(device, traversal));
     }
   }

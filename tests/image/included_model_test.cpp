@@ -71,7 +71,7 @@ TEST_CASE("a large model that a scene includes looks as the reference tracer see
   request.planes = {FilmPlane::object};
   Film const expected_ids = film_on(reference_device(), scene, request);
   for (DeviceInfo const& device : opencl_devices()) {
-    for (auto const& [name, traversal] : layouts) {
+    for (auto const& [name, traversal] : layouts_of(device)) {
       INFO("device " << device.index << ", " << name);
       Film const ids = film_on(device, scene, request, traversal);
       auto const actual = ids.numbers(FilmPlane::object), wanted = expected_ids.numbers(FilmPlane::object);

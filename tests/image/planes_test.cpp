@@ -67,8 +67,8 @@ void check_planes(Scene const& scene, std::string const& name) {
   for (auto const& [plane, tolerance] : planes) request.planes.add(plane);
   Film const expected = film_on(reference_device(), scene, request);
   for (DeviceInfo const& device : opencl_devices()) {
-    for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
-      INFO(name << ", traversal " << int(traversal.grouping));
+    for (auto const& [layout, traversal] : layouts_of(device)) {
+      INFO(name << ", " << layout);
       Film const actual = film_on(device, scene, request, traversal);
       for (auto const& [plane, tolerance] : planes) {
         INFO("plane " << info_of(plane).name);

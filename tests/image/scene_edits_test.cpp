@@ -41,8 +41,8 @@ std::vector<Light> lights_of(Scene const& scene) { return {scene.lights.begin(),
 template <class Check>
 void for_each_renderer(Check const& check) {
   for (DeviceInfo const& device : opencl_devices()) {
-    for (Traversal const traversal : {Traversal::scalar, Traversal::wide, Traversal::packet}) {
-      INFO("device " << device.index << ", traversal " << int(traversal.grouping));
+    for (auto const& [layout, traversal] : layouts_of(device)) {
+      INFO("device " << device.index << ", " << layout);
       check(*make_renderer(device, traversal));
     }
   }

@@ -60,7 +60,7 @@ void for_each_picture(testing::GltfWriter const& writer, std::function<void(Imag
     check(render_reference(model.scene, request));
   }
   for (DeviceInfo const& device : opencl_devices()) {
-    for (auto const& [name, traversal] : layouts) {
+    for (auto const& [name, traversal] : layouts_of(device)) {
       INFO("device " << device.index << ", " << name);
       check(render_on(device, model.scene, request, traversal));
     }

@@ -126,11 +126,17 @@ std::vector<DeviceInfo> const& opencl_devices() {
   return devices;
 }
 
+std::span<std::pair<char const*, Traversal> const> layouts_of(DeviceInfo const& device) {
+  static constexpr std::pair<char const*, Traversal> layouts[] = {
+      {"scalar", Traversal::scalar}, {"wide", Traversal::wide}, {"packet", Traversal::packet}};
+  return std::span(layouts).first(device.kind == DeviceKind::cpu ? std::size(layouts) : 1);
+}
+
 void check_layouts(Scene const& scene, RenderRequest const& request, std::string const& name,
                    Development const& development) {
   Image const expected = render_reference(scene, request, development);
   for (DeviceInfo const& device : opencl_devices()) {
-    for (auto const& [layout, traversal] : layouts) {
+    for (auto const& [layout, traversal] : layouts_of(device)) {
       check_picture(render_on(device, scene, request, traversal, development), expected,
                     fmt::format("{}, device {}, {}", name, device.index, layout));
     }

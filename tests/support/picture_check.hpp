@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 
@@ -35,8 +36,9 @@ Image render_reference(Scene const& scene, RenderRequest const& request, Develop
 /// Every OpenCL device of this machine, found once.
 std::vector<DeviceInfo> const& opencl_devices();
 
-inline constexpr std::pair<char const*, Traversal> layouts[] = {
-    {"scalar", Traversal::scalar}, {"wide", Traversal::wide}, {"packet", Traversal::packet}};
+/// The layouts of the tree to test on a device, with their names: all on processors, `scalar` on others. These may have
+/// the others as well, but their compilers take minutes for sixteen lanes.
+std::span<std::pair<char const*, Traversal> const> layouts_of(DeviceInfo const& device);
 
 /// Checks that the reference renderer's picture comes from every OpenCL device, in every layout. `name`: of the
 /// pictures that a failure leaves.

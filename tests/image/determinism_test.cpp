@@ -9,6 +9,8 @@
 #include "lichtraum/image_io.hpp"
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
+#include "support/path_pictures.hpp"
+#include "support/path_scenes.hpp"
 #include "support/picture_check.hpp"
 #include "support/skip.hpp"
 #include "support/temporary_folder.hpp"
@@ -234,24 +236,40 @@ TEST_CASE("ranges of samples that are traced apart merge to the bytes of all", "
   });
 }
 
-TEST_CASE("every layout of the tree draws the same bytes, but for pixels at edges", "[image]") {
-  REQUIRE_OPENCL_DEVICE();
-  Scene const scene = mixed_scene();
-  Integrator const integrator = GENERATE(Integrator::whitted, Integrator::path);
-  RenderRequest const request = seeded_request(scene, integrator);
+namespace {
+
+/// Checks that no more than a share of the pixels depends on the layout of the tree.
+void check_same_in_layouts(Scene const& scene, RenderRequest const& request, double allowed_share) {
   for (DeviceInfo const& device : opencl_devices()) {
-    if (device.kind != DeviceKind::cpu) continue;  // the others have one layout
-    INFO(device.name);
     Image const scalar = render_on(device, scene, request, Traversal::scalar);
-    for (Traversal const traversal : {Traversal::wide, Traversal::packet}) {
+    for (auto const& [layout, traversal] : layouts_of(device).subspan(1)) {
+      INFO(device.name << ", " << layout);
       Image const image = render_on(device, scene, request, traversal);
       std::size_t different = 0;
       for (std::size_t i = 0; i < image.data().size(); i += 3) {
         different += std::equal(&image.data()[i], &image.data()[i] + 3, &scalar.data()[i]) ? 0 : 1;
       }
-      INFO(int(traversal.grouping));
-      CHECK(different <= image.data().size() / 3 / 1000);
+      CHECK(double(different) <= allowed_share * double(image.data().size() / 3));
     }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every layout of the tree draws the same bytes, but for pixels at edges", "[image]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene const scene = mixed_scene();
+  Integrator const integrator = GENERATE(Integrator::whitted, Integrator::path);
+  check_same_in_layouts(scene, seeded_request(scene, integrator), 0.001);
+}
+
+TEST_CASE("every layout traces the same paths, but for those that meet edges", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  for (PathScene const& drawn : path_scenes()) {
+    INFO(drawn.name);
+    RenderRequest request = path_request(drawn.scene, {32, 24}, 8, drawn.max_depth);
+    request.ground = drawn.ground;
+    check_same_in_layouts(drawn.scene, request, 0.01);  // paths of many points meet more edges
   }
 }
 

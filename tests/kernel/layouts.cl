@@ -45,7 +45,7 @@ static void probe_stream(Scene const* scene, __global float4 const* origins, __g
     numbers[place] = next;
   }
   for (uint finished = 0u; finished < RAYS_A_STREAM; ++finished) {
-    WideResult result;
+    QueryResult result;
     uint const place = finish_ray(scene, &stream, query, &result);
     if (query == QUERY_CLOSEST) {
       hits[numbers[place]] = probe_hit(scene, result.hit);

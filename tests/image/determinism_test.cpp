@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -238,8 +239,9 @@ TEST_CASE("ranges of samples that are traced apart merge to the bytes of all", "
 
 namespace {
 
-/// Checks that no more than a share of the pixels depends on the layout of the tree.
-void check_same_in_layouts(Scene const& scene, RenderRequest const& request, double allowed_share) {
+/// Checks that no more than a share of the pixels depends on the layout of the tree: by more than `tolerance` of their
+/// value.
+void check_same_in_layouts(Scene const& scene, RenderRequest const& request, double allowed_share, float tolerance) {
   for (DeviceInfo const& device : opencl_devices()) {
     Image const scalar = render_on(device, scene, request, Traversal::scalar);
     for (auto const& [layout, traversal] : layouts_of(device).subspan(1)) {
@@ -247,7 +249,8 @@ void check_same_in_layouts(Scene const& scene, RenderRequest const& request, dou
       Image const image = render_on(device, scene, request, traversal);
       std::size_t different = 0;
       for (std::size_t i = 0; i < image.data().size(); i += 3) {
-        different += std::equal(&image.data()[i], &image.data()[i] + 3, &scalar.data()[i]) ? 0 : 1;
+        auto const is_same = [&](float a, float b) { return std::abs(a - b) <= tolerance * std::abs(b); };
+        different += std::equal(&image.data()[i], &image.data()[i] + 3, &scalar.data()[i], is_same) ? 0 : 1;
       }
       CHECK(double(different) <= allowed_share * double(image.data().size() / 3));
     }
@@ -260,7 +263,7 @@ TEST_CASE("every layout of the tree draws the same bytes, but for pixels at edge
   REQUIRE_OPENCL_DEVICE();
   Scene const scene = mixed_scene();
   Integrator const integrator = GENERATE(Integrator::whitted, Integrator::path);
-  check_same_in_layouts(scene, seeded_request(scene, integrator), 0.001);
+  check_same_in_layouts(scene, seeded_request(scene, integrator), 0.001, 0);
 }
 
 TEST_CASE("every layout traces the same paths, but for those that meet edges", "[image][path]") {
@@ -269,7 +272,8 @@ TEST_CASE("every layout traces the same paths, but for those that meet edges", "
     INFO(drawn.name);
     RenderRequest request = path_request(drawn.scene, {32, 24}, 8, drawn.max_depth);
     request.ground = drawn.ground;
-    check_same_in_layouts(drawn.scene, request, 0.01);  // paths of many points meet more edges
+    // What several panes let through is multiplied in the order of the visits.
+    check_same_in_layouts(drawn.scene, request, 0.001, 1e-5f);
   }
 }
 

@@ -14,6 +14,9 @@ namespace {
 
 using std::numbers::pi;
 
+/// The roughness that caustics of lamps are drawn with, at least: else they are dots that no path finds twice.
+constexpr double caustic_alpha = 0.4;
+
 Vec3 uniform_direction(ReferenceRandom& random) {
   double const z = 1 - 2 * random.uniform();
   double const radius = std::sqrt(1 - z * z);
@@ -145,6 +148,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
   Rgb thrown_share(1);           // of what it throws on the ground, that reflects no more of it than white does
   bool mirrored = false;         // in the ground's gloss
   bool sees_background = false;  // by a mirror or through glass
+  bool was_spread = false;       // by the last surface
   EnteredSolids entered;
   int depth = 0;
   for (bool is_first_ray = true;; is_first_ray = false) {
@@ -195,7 +199,10 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
     if (is_ground) thrown_share = Rgb(1) / glm::max(point.bsdf.diffuse, Rgb(1));
     auto const scattering = point.scattering();
     bool const is_gloss = mirrored && is_ground;
-    if (!is_gloss) add(throughput * light_of_lamps(scene, point, scattering, entered, random, counts), depth > 0);
+    if (!is_gloss) {
+      auto const to_lamps = was_spread ? scattering.blurred(caustic_alpha) : scattering;
+      add(throughput * light_of_lamps(scene, point, to_lamps, entered, random, counts), depth > 0);
+    }
     if (depth == request.max_depth) return sample;
     auto const next = choose_continuation(scattering, point, random);
     throughput *= next.weight;
@@ -203,6 +210,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
     ray = point.leave(next.direction);
     entered = solids_towards(point, entered, next.direction);
     sees_background = next.is_mirror_or_glass;
+    was_spread = !next.is_smooth;
     ++depth;
   }
 }

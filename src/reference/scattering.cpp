@@ -107,6 +107,13 @@ Rgb ReferenceScattering::evaluate(Vec3 const& to_light, Lobes lobes) const {
   return cosine * f;
 }
 
+ReferenceScattering ReferenceScattering::blurred(double alpha) const {
+  ReferenceScattering blurred = *this;
+  blurred.bsdf_.alpha = std::max(bsdf_.alpha, alpha);
+  blurred.bsdf_.coat_alpha = std::max(bsdf_.coat_alpha, alpha);
+  return blurred;
+}
+
 bool ReferenceScattering::has_spread() const {
   bool const is_glossy = bsdf_.f90 != Rgb(0) || bsdf_.f0 != Rgb(0) || bsdf_.metallic > 0;
   return bsdf_.diffuse != Rgb(0) || (is_glossy && bsdf_.alpha > smooth_alpha) || transmits() ||

@@ -42,6 +42,9 @@ class ReferenceScattering {
   /// f times the cosine between `to_light` and the normal.
   Rgb evaluate(Vec3 const& to_light, Lobes lobes) const;
 
+  /// The same surface with lobes that are no sharper than `alpha`.
+  ReferenceScattering blurred(double alpha) const;
+
   /// Whether there are lobes that are not smooth, and whether any of them goes to the other side.
   bool has_spread() const;
   bool transmits() const;

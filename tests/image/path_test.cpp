@@ -398,6 +398,34 @@ TEST_CASE("paths: lights without a size are seen through panes, in their colour"
   check_all(picture(rough), Rgb(0));
 }
 
+TEST_CASE("paths: what chrome throws on the ground of a lamp without a size has no dots", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene scene = scene_of(R"(
+define material floor 0 0 0  0.6 0.6 0.6  0 0 0 1
+define material chrome 0 0 0  0.6 0.6 0.6  0 0 0 1
+define shape box ground -4 -1 -4  4 0 4 floor
+define shape sphere ball 0 1 0 1 chrome
+define light diffuse lamp 2 3 2  1 1 1
+define camera eye 30
+transform eye rotate -50 1 0 0
+transform eye translate 0 4.5 5.5
+)");
+  PbrModel chrome = pbr(Rgb(0.9), 1, 0.1);  // smoother ones make fewer dots, which are brighter
+  for (bool const has_coat : {false, true}) {
+    INFO((has_coat ? "coat" : "metal"));
+    if (has_coat) chrome.metallic = 0, chrome.roughness = 1, chrome.clearcoat = 1, chrome.clearcoat_roughness = 0.1;
+    **scene.materials.find("chrome") = Material("chrome", chrome);
+    // The lower third shows the ground, which is lit everywhere.
+    Image const image = trace(scene, path_request(scene, {48, 36}, 256, 3));
+    double most = 0;
+    for (int y = 24; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) most = std::max(most, double(image.pixel(x, y)[0]));
+    }
+    CHECK(most < 1.5);
+    CHECK(most > 0.4);
+  }
+}
+
 TEST_CASE("paths: a pane keeps no light, whether it is looked for or met", "[image][path][panes]") {
   REQUIRE_OPENCL_DEVICE();
   // A white pane over a white floor: all that is reflected and passed comes back in the end. The window of the

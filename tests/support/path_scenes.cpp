@@ -98,6 +98,18 @@ define background 0.6 0.5 0.7
   return {"mirrors and glass", std::move(scene), 5};
 }
 
+/// The light of a lamp without a size that a small smooth plate throws on a wall: a blurred caustic.
+PathScene caustic_of_plate() {
+  Scene scene = scene_of(std::string(things) + R"(
+define shape box floor -3 -1.2 -4  3 -1 3 floor
+define shape box wall -3 -1 -4  3 3 -3.8 a
+define shape box plate -0.7 -1 -2.4  0.7 -0.9 -0.8 b
+define light diffuse key 0 1 1  1 1 1
+)");
+  set_material(scene, "b", pbr({0.9, 0.8, 0.6}, 1, 0));
+  return {"caustic of a plate", std::move(scene), 3};
+}
+
 PathScene metal_and_rough(char const* name, EnvironmentLight const& environment) {
   Scene scene = scene_of(four_balls);
   set_material(scene, "a", pbr({0.9, 0.6, 0.3}, 1, 0.8));
@@ -488,6 +500,7 @@ std::vector<PathScene> path_scenes() {
   std::vector<PathScene> scenes;
   scenes.push_back(room());
   scenes.push_back(mirrors_and_glass());
+  scenes.push_back(caustic_of_plate());
   scenes.push_back(metal_and_rough("metal and rough, uniform environment", around(uniform_environment(0.8f, 0.9f, 1))));
   scenes.push_back(metal_and_rough("metal and rough, window", window_environment()));
   scenes.push_back(rough_glass());

@@ -81,14 +81,14 @@ Rgb light_of_lamps(ReferenceScene const& scene, ReferenceScatteringPoint const& 
     // Brightness is what a white matt surface shows: pi times what arrives.
     Rgb const reflected =
         pi * light.arriving_at(point.position) * scattering.evaluate(to_light, ReferenceScattering::Lobes::all);
-    if (reflected == Rgb(0) || !point.is_consistent(to_light)) continue;
+    if (reflected == Rgb(0) || !point.is_consistent_with_lamp(to_light)) continue;
     ++counts.shadow;
     double const t_max =
         light.position() ? glm::length(way) * (1 - reference_ray_epsilon) : std::numeric_limits<double>::infinity();
     PbrModel const* const solid = solids_towards(point, entered, to_light).inner;
     double const way_in_solid = std::min(t_max, std::numeric_limits<double>::max());
     Rgb const left = solid ? attenuation(*solid, way_in_solid) : Rgb(1);
-    radiance += left * reflected * visibility(scene, point.leave(to_light), t_max);
+    radiance += left * reflected * visibility(scene, point.leave_to_lamp(to_light), t_max);
   }
   return radiance;
 }

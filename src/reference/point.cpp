@@ -52,16 +52,17 @@ std::optional<TangentFrame> tangent_frame_at(PbrModel const& material, MeshPoint
   return frame;
 }
 
-/// The normal that light is computed with, on the side of `geometric_normal`: interpolated between vertices (Phong
-/// 1975) and turned by a normal map (glTF 2.0, 3.9.3).
-Vec3 shading_normal(PbrModel const* material, MeshPoint const& point, Mat3 const& linear,
-                    Vec3 const& geometric_normal) {
-  Vec3 n = geometric_normal;
-  if (auto const interpolated = point.normal()) {
-    Vec3 const world = unit_vector(glm::transpose(glm::inverse(linear)) * *interpolated);
-    double const side = glm::dot(world, geometric_normal);
-    n = side > 0 ? world : side < 0 ? -world : geometric_normal;
-  }
+/// The normal on the side of `geometric_normal` that is interpolated between vertices (Phong 1975).
+Vec3 smooth_normal(MeshPoint const& point, Mat3 const& linear, Vec3 const& geometric_normal) {
+  auto const interpolated = point.normal();
+  if (!interpolated) return geometric_normal;
+  Vec3 const world = unit_vector(glm::transpose(glm::inverse(linear)) * *interpolated);
+  double const side = glm::dot(world, geometric_normal);
+  return side > 0 ? world : side < 0 ? -world : geometric_normal;
+}
+
+/// The normal that light is computed with: the smooth one, turned by a normal map (glTF 2.0, 3.9.3).
+Vec3 bump_normal(PbrModel const* material, MeshPoint const& point, Mat3 const& linear, Vec3 const& n) {
   if (!material || !material->normal_texture) return n;
   auto const uv = point.texcoord(material->normal_texture.texcoord);
   auto const frame = tangent_frame_at(*material, point, linear, n);
@@ -69,6 +70,21 @@ Vec3 shading_normal(PbrModel const* material, MeshPoint const& point, Mat3 const
   Vec3 const texel = 2.0 * Vec3(look_up(material->normal_texture, *uv, TexelContent::data)) - 1.0;
   Vec3 const bumped = material->normal_scale * (texel.x * frame->tangent + texel.y * frame->bitangent) + texel.z * n;
   return glm::length(bumped) > 0 ? glm::normalize(bumped) : n;
+}
+
+/// From the triangle to the round body that it stands for: onto the planes that its corners' normals stand on (Hanika
+/// 2021), where these are within 60 degrees of `facing`, the triangle's normal on the viewer's side; else 0.
+Vec3 lift_from_facet(MeshPoint const& point, Mat3 const& linear, Vec3 const& facing) {
+  auto const corners = point.smooth_corners();
+  if (!corners) return Vec3(0);
+  Vec3 lift(0);
+  for (auto const& [to_point, normal, weight] : *corners) {
+    Vec3 n = unit_vector(glm::transpose(glm::inverse(linear)) * normal);
+    if (glm::dot(n, facing) < 0) n = -n;
+    if (!(glm::dot(n, facing) >= 0.5)) return Vec3(0);
+    lift -= weight * std::min(glm::dot(linear * to_point, n), 0.0) * n;
+  }
+  return lift;
 }
 
 }  // namespace
@@ -82,12 +98,16 @@ ReferencePoint find_reference_point(Ray const& ray, Hit const& hit) {
   result.position = ray.at(hit.t);
   result.geometric_normal = result.from_outside ? hit.normal : -hit.normal;
   result.normal = result.geometric_normal;
+  result.round_normal = result.geometric_normal;
   result.to_viewer = -ray.direction;
   result.offset = reference_ray_epsilon * std::max(largest_coordinate(result.position), largest_coordinate(ray.origin));
   result.phong = coefficients(material, point);
   if (point.is_on_mesh() && !(pbr && pbr->unlit)) {
-    Vec3 const outward = shading_normal(pbr, point, hit.linear_from_shape, hit.normal);
+    Vec3 const smooth = smooth_normal(point, hit.linear_from_shape, hit.normal);
+    Vec3 const outward = bump_normal(pbr, point, hit.linear_from_shape, smooth);
     result.normal = result.from_outside ? outward : -outward;
+    result.lift = lift_from_facet(point, hit.linear_from_shape, result.geometric_normal);
+    if (result.lift != Vec3(0)) result.round_normal = result.from_outside ? smooth : -smooth;
     result.has_shading_normal = glm::dot(outward, hit.normal) < 1;
   }
   return result;

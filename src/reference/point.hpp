@@ -9,6 +9,8 @@ struct ReferencePoint {
   Vec3 position{0};
   Vec3 geometric_normal{0};  // unit length, on the viewer's side
   Vec3 normal{0};            // the same, for shading: smooth, and bumpy by a normal map
+  Vec3 round_normal{0};      // the same, of the body that smooth triangles stand for
+  Vec3 lift{0};              // from the point to that body, roughly
   Vec3 to_viewer{0};         // unit length
   PhongModel phong;
   bool from_outside = true;         // the viewer is on the side that the surface's own normal points to

@@ -144,6 +144,14 @@ Ray ReferenceScatteringPoint::leave(Vec3 const& direction) const {
   return {glm::dot(geometric_normal, direction) < 0 ? below() : above(), direction};
 }
 
+bool ReferenceScatteringPoint::is_consistent_with_lamp(Vec3 const& to_light) const {
+  return (glm::dot(round_normal, to_light) > 0) == (glm::dot(normal, to_light) > 0);
+}
+
+Ray ReferenceScatteringPoint::leave_to_lamp(Vec3 const& to_light) const {
+  return {glm::dot(round_normal, to_light) > 0 ? above() + lift : below(), to_light};
+}
+
 Rgb attenuation(PbrModel const& solid, double distance) {
   Rgb left;
   for (int c = 0; c < 3; ++c) {

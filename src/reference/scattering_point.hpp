@@ -27,6 +27,9 @@ struct ReferenceScatteringPoint : ReferencePoint {
   /// Whether a direction is on the same side by both normals; through others, light would leak.
   bool is_consistent(Vec3 const& direction) const;
   Ray leave(Vec3 const& direction) const;
+  /// The same of rays to lamps, which begin at the round body that smooth triangles stand for.
+  bool is_consistent_with_lamp(Vec3 const& to_light) const;
+  Ray leave_to_lamp(Vec3 const& to_light) const;
 };
 
 /// What is left of light after a way in a solid (KHR_materials_volume).

@@ -53,6 +53,18 @@ std::optional<Vec3> MeshPoint::normal() const {
   return interpolate<Vec3>(geometry_->normals);
 }
 
+std::optional<std::array<MeshPoint::Corner, 3>> MeshPoint::smooth_corners() const {
+  if (!geometry_ || geometry_->normals.empty()) return std::nullopt;
+  auto const positions = geometry_->triangle(first_index_ / 3);
+  Vec3 const point = weights_.x * positions[0] + weights_.y * positions[1] + weights_.z * positions[2];
+  std::array<Corner, 3> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    auto const& normal = geometry_->normals[geometry_->indices[first_index_ + i]];
+    corners[i] = {point - positions[i], {normal[0], normal[1], normal[2]}, weights_[int(i)]};
+  }
+  return corners;
+}
+
 std::optional<glm::dvec4> MeshPoint::tangent() const {
   if (!geometry_ || geometry_->tangents.empty()) return std::nullopt;
   return interpolate<glm::dvec4>(geometry_->tangents);

@@ -18,6 +18,15 @@ class MeshPoint {
   bool has_colors() const { return own_color_.has_value() || (geometry_ && !geometry_->colors.empty()); }
   glm::dvec4 color() const;            ///< all ones without
   std::optional<Vec3> normal() const;  ///< of any length
+
+  /// Of a triangle whose vertices have normals.
+  struct Corner {
+    Vec3 to_point;
+    Vec3 normal;  ///< of any length
+    double weight;
+  };
+  std::optional<std::array<Corner, 3>> smooth_corners() const;
+
   std::optional<glm::dvec4> tangent() const;
   std::optional<glm::dvec2> texcoord(int set) const;
 

@@ -25,7 +25,71 @@ std::shared_ptr<MeshGeometry const> rough_ball() {
   return geometry;
 }
 
+/// A ball of twice as many columns of triangles as rows, with the ball's normals.
+std::shared_ptr<MeshGeometry const> facets_of_ball(std::uint32_t rows) {
+  auto geometry = std::make_shared<MeshGeometry>();
+  std::uint32_t const columns = 2 * rows;
+  for (std::uint32_t row = 0; row <= rows; ++row) {
+    for (std::uint32_t column = 0; column <= columns; ++column) {
+      double const theta = 3.14159265358979 * row / rows, phi = 2 * 3.14159265358979 * column / columns;
+      geometry->positions.push_back(
+          {float(std::sin(theta) * std::cos(phi)), float(std::cos(theta)), float(-std::sin(theta) * std::sin(phi))});
+    }
+  }
+  geometry->normals = geometry->positions;
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    for (std::uint32_t column = 0; column < columns; ++column) {
+      std::uint32_t const a = row * (columns + 1) + column, b = a + columns + 1;
+      for (std::uint32_t const i : {a, b, a + 1, a + 1, b, b + 1}) geometry->indices.push_back(i);
+    }
+  }
+  return geometry;
+}
+
 }  // namespace
+
+TEST_CASE("paths: a smooth ball of few triangles is lit by lamps as a round one", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  constexpr Resolution size{96, 96};
+  // Lit from the side and a little from behind: the border of the shadow lies across what is seen.
+  std::string const empty =
+      "define material m 0 0 0  0.8 0.8 0.8  0 0 0 1\ndefine light diffuse lamp 300 40 -60  1 1 1\n"
+      "define camera eye 22\ntransform eye translate 0 0 6\n";
+  auto const material = *scene_of(empty).materials.find("m");
+  Vec3 const stretch = GENERATE(Vec3(1), Vec3(-1.1, 0.7, 0.9));
+  bool const is_instance = GENERATE(false, true);
+  CAPTURE(stretch.x, is_instance);
+  auto const draw = [&](std::shared_ptr<Shape> const& ball, RenderRequest request, bool by_reference) {
+    ball->scale(stretch);
+    auto const root = std::make_shared<Composite>("root", Composite::Children{ball});
+    if (is_instance) {
+      auto const copy = std::make_shared<Composite>("copy", Composite::Children{ball});
+      copy->translate({0, 0, -100});
+      root->add(copy);
+    }
+    Scene scene = scene_of(empty);
+    scene.shapes.insert(root);
+    return by_reference ? render_reference(scene, request) : trace(scene, request);
+  };
+  RenderRequest const request = path_request(scene_of(empty), size, 16, 0);
+  Image const round = draw(std::make_shared<Sphere>("ball", Vec3(0), 1, material), request, false);
+  CHECK(round.pixel(80, 48)[0] > 0.3f);
+  CHECK(round.pixel(40, 48)[0] == 0);
+  for (bool const by_reference : {false, true}) {
+    CAPTURE(by_reference);
+    auto const facets = std::make_shared<Mesh>("ball", facets_of_ball(8), material);
+    Image const actual = draw(facets, request, by_reference);
+    int differing = 0;
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        double const from_middle = std::hypot((x - 47.5) / stretch.x, (y - 47.5) / stretch.y);
+        if (from_middle > 36) continue;  // the outline has corners
+        differing += std::abs(actual.pixel(x, y)[0] - round.pixel(x, y)[0]) > 0.05 ? 1 : 0;
+      }
+    }
+    CHECK(differing <= 4);
+  }
+}
 
 TEST_CASE("paths: mirrors and glass of few triangles lose no light to their smooth normals", "[image][path]") {
   REQUIRE_OPENCL_DEVICE();

@@ -11,14 +11,17 @@
 namespace lichtraum::app {
 namespace {
 
-/// The same view in few pixels, with one sample in each. It reaches nowhere beyond the whole one.
+/// The same view in few pixels, with few samples in each. It reaches nowhere beyond the whole one.
 RenderRequest reduced(RenderRequest request) {
   constexpr int width = 64;
+  constexpr Sampling few{Sampling::Pattern::seeded, 16};
   if (request.resolution.width <= width) return request;
   int const height = std::max(1, int(double(request.resolution.height) * width / request.resolution.width));
   request.resolution = {width, std::min(height, 4 * width)};
   request.region = whole_picture(request.resolution);
-  request.sampling = {};
+  // Where chance decides, one sample is far brighter or darker than their mean.
+  bool const is_by_chance = request.integrator == Integrator::path && request.sampling.count > few.count;
+  request.sampling = is_by_chance ? few : Sampling();
   return request;
 }
 
@@ -48,11 +51,17 @@ void Sight::add(RayCounts const& rays, Film& film) {
               std::ranges::all_of(film.floats(FilmPlane::radiance), [](float value) { return value == 0; });
 }
 
+double Sight::white_share(PictureReady const& ready) const {
+  double const seen = camera_rays_ > 0 ? double(camera_hits_) / double(camera_rays_) : 0;
+  return whiteness_.share(seen, ready.background, ready.development);
+}
+
 void PictureFindings::begin(SceneOpened const& scene) {
   source_ = scene.source;
   is_model_ = scene.is_model;
   has_explained_view_ = false;
   has_told_of_light_ = false;
+  has_told_of_white_ = false;
 }
 
 std::vector<Diagnostic> PictureFindings::of_scene(PictureReady const& ready) {
@@ -71,6 +80,10 @@ std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, P
   bool const is_whole = !options_.job.region;
   if ((lacks_light || (sight.is_black() && is_whole)) && !std::exchange(has_told_of_light_, true)) {
     found.push_back(lacks_light ? explain_missing_light(ready.light, plan) : explain_black_picture(ready, plan));
+  }
+  double const white = sight.white_share(ready);
+  if (white > 0.5 && is_whole && !std::exchange(has_told_of_white_, true)) {
+    found.push_back(explain_white_picture(ready, plan, white));
   }
   if (sight.is_empty() && is_whole && !std::exchange(has_explained_view_, true)) {
     found.push_back(explain_empty_view(ready, plan));
@@ -94,6 +107,9 @@ std::vector<Diagnostic> PictureFindings::predicted(PictureReady const& ready, Pi
     Film film;
     RenderResult const result = renderer_.render(request, film);
     sight.add(result.statistics.rays, film);
+    if (plan.output.format->encode && film.planes().has(FilmPlane::radiance)) {
+      sight.add(renderer_.develop(std::move(film), ready.development), ready.development);
+    }
   };
   Sight sight;
   look(reduced(ready.request), sight);
@@ -135,6 +151,16 @@ Diagnostic PictureFindings::explain_black_picture(PictureReady const& ready, Pic
   return warning(plan.location, DiagnosticCode::black_picture,
                  fmt::format("the picture is black: no light reaches what {} sees", name_in_text(ready.request.camera)),
                  std::move(hint));
+}
+
+Diagnostic PictureFindings::explain_white_picture(PictureReady const& ready, PicturePlan const& plan,
+                                                  double share) const {
+  Development const& development = ready.development;
+  bool const may_map = development.tone_map == ToneMap::none;
+  return warning(plan.location, DiagnosticCode::white_picture,
+                 fmt::format("the picture is too bright: {:.0f} % of what it shows is pure white", 100 * share),
+                 fmt::format("--exposure {:g} darkens it{}", development.exposure_ev - 2,
+                             may_map ? ", and --tonemap neutral shows what is brighter than white" : ""));
 }
 
 PictureFindings::DefinedBelow PictureFindings::defined_below(PicturePlan const& plan) const {

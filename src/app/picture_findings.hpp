@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/scene_loader.hpp"
+#include "app/whiteness.hpp"
 
 namespace lichtraum::app {
 
@@ -12,6 +13,8 @@ class Sight {
  public:
   /// Of a part of it, or all, as it was traced.
   void add(RayCounts const& rays, Film& film);
+  /// Of the same, what people see of its radiance.
+  void add(Image const& pixels, Development const& development) { whiteness_.add(pixels, development); }
 
   /// No ray of the camera met anything.
   bool is_empty() const { return camera_rays_ > 0 && camera_hits_ == 0; }
@@ -19,12 +22,15 @@ class Sight {
   bool is_black() const { return camera_hits_ > 0 && is_black_; }
   /// Rays meet surfaces, and show none of them. Known where normals were traced.
   bool shows_no_surface() const { return camera_hits_ > 0 && !has_normals_; }
+  /// 0..1, see Whiteness; 0 where only films were added.
+  double white_share(PictureReady const& ready) const;
 
  private:
   std::uint64_t camera_rays_ = 0;
   std::uint64_t camera_hits_ = 0;
   bool is_black_ = true;
   bool has_normals_ = false;  // or nobody knows
+  Whiteness whiteness_;
 };
 
 /// What pictures fail to show, and why. Each finding once a scene.
@@ -54,6 +60,7 @@ class PictureFindings {
 
   Diagnostic explain_missing_light(SceneLight light, PicturePlan const& plan) const;
   Diagnostic explain_black_picture(PictureReady const& ready, PicturePlan const& plan) const;
+  Diagnostic explain_white_picture(PictureReady const& ready, PicturePlan const& plan, double share) const;
   Diagnostic explain_empty_view(PictureReady const& ready, PicturePlan const& plan);
   DefinedBelow defined_below(PicturePlan const& plan) const;
   bool shows_something(EsdfDialect const& dialect, RenderRequest request, std::size_t wanted);
@@ -64,6 +71,7 @@ class PictureFindings {
   bool is_model_ = false;
   bool has_explained_view_ = false;
   bool has_told_of_light_ = false;
+  bool has_told_of_white_ = false;
 };
 
 }  // namespace lichtraum::app

@@ -48,6 +48,7 @@ class Pictures {
       PictureReady picture;
       picture.number = next_;
       picture.request = request_for(plan, scene, turn_center);
+      picture.background = picture.request.background.value_or(scene.background);
       picture.scene = prepared;
       picture.light = light_in(scene, picture.request.integrator);
       if (plan.output.format->encode) picture.development = development_of(plan.job, scene);

@@ -30,6 +30,7 @@ struct PictureReady {
   std::size_t number = 0;  ///< in SceneOpened::plans
   RenderRequest request;
   Development development;
+  Background background;  ///< that of the request, or the scene's
   std::shared_ptr<PreparedScene const> scene;
   std::string fingerprint;  ///< for the picture's file
   SceneLight light = SceneLight::some;

@@ -173,7 +173,7 @@ class Sequence {
     if (result.complete && !ready.denoiser.empty()) film = denoised(film, ready, picture);
     finish_writing();
     warn_of_samples_left_out(picture);
-    begin_writing(develop(std::move(film), picture.plan, ready.development), picture);
+    begin_writing(develop(std::move(film), picture.plan, ready.development, sight), picture);
     if (!result.complete) {
       std::string const written_to = finish_writing();
       throw Error(ErrorKind::interrupted, is_film_ ? "interrupted"
@@ -204,7 +204,7 @@ class Sequence {
       picture.samples = film.samples().count();
       sight.add(result.statistics.rays, film);
       Stopwatch const stopwatch;
-      writer.add(develop(std::move(film), picture.plan, ready.development));
+      writer.add(develop(std::move(film), picture.plan, ready.development, sight));
       picture.write_ms += stopwatch.milliseconds();
     }
     writer.finish();
@@ -273,9 +273,12 @@ class Sequence {
     return result;
   }
 
-  Drawn develop(Film film, PicturePlan const& plan, Development const& development) {
+  Drawn develop(Film film, PicturePlan const& plan, Development const& development, Sight& sight) {
     if (plan.output.format->encode_film) return film;
-    return shown_picture(renderer_, std::move(film), development);
+    bool const has_radiance = film.planes().has(FilmPlane::radiance);
+    Image pixels = shown_picture(renderer_, std::move(film), development);
+    if (has_radiance) sight.add(pixels, development);
+    return pixels;
   }
 
   std::string title(PicturePlan const& plan) const {

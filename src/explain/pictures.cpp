@@ -245,6 +245,28 @@ animation is, as lichtraum info does. For example, --time 99 of an animation
 that is over after 1.25 seconds.
 )",
      "", ""},
+    {DiagnosticCode::white_picture,
+     R"(More than half of the pixels that show something are pure white: there is more
+light than the picture can store, and what differs in it is lost. A negative
+--exposure darkens the picture, by half for each step; --tonemap neutral keeps
+colours and shows what is brighter than white. The background colour does not
+count, and files that store radiance (.exr, .pfm) keep all of it.
+)",
+     R"(define material white  1 1 1  1 1 1  0 0 0  10
+define shape sphere ball  0 0 -5  1  white
+define light ambient sky  0.2 0.2 0.2
+define light diffuse lamp  5 5 5  4 4 4
+define camera eye 45
+render eye picture.png 32 24
+)",
+     R"(define material white  1 1 1  1 1 1  0 0 0  10
+define shape sphere ball  0 0 -5  1  white
+define light ambient sky  0.2 0.2 0.2
+define light diffuse lamp  5 5 5  0.8 0.8 0.8
+define camera eye 45
+render eye picture.png 32 24
+)",
+     "lichtraum render scene.sdf"},
 };
 static_assert(explains_all(picture_table, "08"));
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/empty_view.hpp"
@@ -64,12 +65,24 @@ void PictureFindings::begin(SceneOpened const& scene) {
   has_told_of_white_ = false;
 }
 
-std::vector<Diagnostic> PictureFindings::of_scene(PictureReady const& ready) {
+std::vector<Diagnostic> PictureFindings::of_scene(PictureReady const& ready, PicturePlan const& plan) {
+  if (ready.number > 0) return {};
+  std::vector<Diagnostic> found;
   std::uint64_t const left_out = ready.scene->statistics.unrepresentable;
-  if (left_out == 0 || ready.number > 0) return {};
-  return {warning({source_->name(), 0, 0}, DiagnosticCode::shapes_left_out,
-                  fmt::format("{} left out: too large for the device, which has coordinates up to 1e18, or too small",
-                              left_out == 1 ? "1 shape is" : fmt::format("{} shapes are", left_out)))};
+  if (left_out > 0) {
+    found.push_back(
+        warning({source_->name(), 0, 0}, DiagnosticCode::shapes_left_out,
+                fmt::format("{} left out: too large for the device, which has coordinates up to 1e18, or too small",
+                            left_out == 1 ? "1 shape is" : fmt::format("{} shapes are", left_out))));
+  }
+  bool const is_lit = ready.request.planes.has(FilmPlane::radiance) || ready.request.planes.has(FilmPlane::alpha);
+  if (ready.request.ground != Ground::none && is_lit && !std::isfinite(ready.scene->lowest_point)) {
+    found.push_back(warning({}, DiagnosticCode::option_without_effect,
+                            fmt::format("--ground has no effect on '{}': nothing that has an end is drawn, which could "
+                                        "stand on it",
+                                        plan.output.shown)));
+  }
+  return found;
 }
 
 std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, PicturePlan const& plan,
@@ -99,7 +112,7 @@ std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, P
 
 std::vector<Diagnostic> PictureFindings::predicted(PictureReady const& ready, PicturePlan const& plan) {
   renderer_.set_scene(ready.scene);
-  std::vector<Diagnostic> found = of_scene(ready);
+  std::vector<Diagnostic> found = of_scene(ready, plan);
   auto const shows_nothing = [](Sight const& sight) {
     return sight.is_empty() || sight.is_black() || sight.shows_no_surface();
   };

@@ -43,7 +43,7 @@ class PictureFindings {
   void begin(SceneOpened const& scene);
 
   /// Of what the renderer was given to draw the picture of.
-  std::vector<Diagnostic> of_scene(PictureReady const& ready);
+  std::vector<Diagnostic> of_scene(PictureReady const& ready, PicturePlan const& plan);
   /// Of a picture, all of which was traced. May give the renderer another scene.
   std::vector<Diagnostic> of_picture(PictureReady const& ready, PicturePlan const& plan, Sight const& sight);
 

@@ -153,7 +153,7 @@ class Sequence {
       return;
     }
     picture.scene = renderer_.set_scene(ready.scene);
-    show(picture_findings_.of_scene(ready));
+    show(picture_findings_.of_scene(ready, picture.plan));
 
     if (!graceful_) graceful_.emplace();
     auto const bands = bands_of(picture.plan, !ready.denoiser.empty());

@@ -407,6 +407,28 @@ TEST_CASE("a ground that is not where up is, is told", "[app][render]") {
   CHECK_THAT(said(""), !contains_text("no effect"));
 }
 
+TEST_CASE("a ground that nothing stands on is told", "[app][render]") {
+  Lichtraum const lichtraum;
+  std::string const floor =
+      "define material m 1 1 1 1 1 1 0 0 0 1\ndefine light ambient sky 0.5 0.5 0.5\ndefine camera eye 60\n"
+      "define shape plane floor 0 -1 0 0 1 0 m\n";
+  auto const said = [&](std::string const& command, std::string const& shapes, std::string const& words) {
+    lichtraum.folder.write("a.sdf", floor + shapes + "render eye a.ppm 4 4\n");
+    return lichtraum(command + " a.sdf --device reference --samples 1 " + words).err;
+  };
+  std::string const ball = "define shape sphere s 0 0 -5 1 m\n";
+  for (std::string const command : {"render", "check"}) {
+    CHECK_THAT(said(command, "", "--ground"), contains_text("warning: --ground has no effect on 'a.ppm': nothing that "
+                                                            "has an end is drawn, which could stand on it [W0101]"));
+    CHECK_THAT(said(command, ball, "--ground"), !contains_text("no effect"));
+    CHECK_THAT(said(command, ball, "--ground --root floor"), contains_text("--ground has no effect"));
+    CHECK_THAT(said(command, "", "--integrator path"), !contains_text("no effect"));
+  }
+  CHECK_THAT(said("render", "", "--ground --planes depth -o a.exr"),
+             contains_text("--ground has no effect on 'a.exr'"));
+  CHECK_THAT(said("render", "", "--ground --planes depth -o a.exr"), !contains_text("nothing that has an end"));
+}
+
 TEST_CASE("an environment that lights nothing is said to have no effect", "[app][render]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("a.sdf", ball_scene);

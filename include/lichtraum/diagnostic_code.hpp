@@ -104,6 +104,7 @@ namespace LICHTRAUM_API lichtraum {
   CODE(W, 0904, faulty_number, "a faulty number in a model")                                            \
   CODE(W, 0905, textures_halved, "pictures of a model that are made smaller")                           \
   CODE(W, 0906, file_elsewhere, "a file of a model that is not where the model says")                   \
+  CODE(W, 0907, far_from_origin, "a model far from the origin")                                         \
   CODE(E, 1001, not_gltf, "a file that is not glTF")                                                    \
   CODE(E, 1002, gltf_version, "another version of glTF")                                                \
   CODE(E, 1003, broken_glb, "a .glb that is broken")                                                    \

@@ -135,6 +135,23 @@ v 0 1 0
 f 1 2 3
 )",
      "lichtraum check model.obj"},
+    {DiagnosticCode::far_from_origin,
+     R"(The model lies so far from the origin, compared with its size, that the numbers
+of the device could not tell its vertices apart, as models with coordinates of
+maps do. It was moved to the origin, by the offset that the message says, so
+that it keeps its detail. Cameras and lamps for it go where it is now.
+)",
+     R"(v 500000 5600000 100
+v 500010 5600000 100
+v 500000 5600010 100
+f 1 2 3
+)",
+     R"(v 0 0 0
+v 10 0 0
+v 0 10 0
+f 1 2 3
+)",
+     "lichtraum check model.obj"},
 };
 static_assert(explains_all(model_table, "09"));
 

@@ -36,10 +36,13 @@ std::shared_ptr<Shape> ModelCache::shape(MeshFormat const& format, std::filesyst
       if (options.on_read) options.on_read(file);
       entry.files.emplace_back(file, stamp_of(file));
     };
-    entry.roots = format.import(path, observed).scene.roots();
+    Model const model = format.import(path, observed);
+    entry.roots = model.scene.roots();
+    entry.origin = model.origin;
   }
   auto const material_of = [&](Shape const& shape) { return options.material ? options.material : shape.material(); };
   auto model = std::make_shared<Composite>(std::move(name), copy_graph(entry.roots, material_of));
+  if (entry.origin != Vec3(0)) model->translate(entry.origin);
   model->set_moves_as_one(true);  // a scene has no names for the model's parts
   return model;
 }

@@ -19,7 +19,8 @@ class ModelCache {
   /// A new script begins: what neither the one before nor this one includes is forgotten.
   void begin_script();
 
-  /// The model as one shape called `name`, of nodes of its own, which moves as one. Same exceptions as format.import.
+  /// The model as one shape called `name`, of nodes of its own, which moves as one. It stands where its file says, also
+  /// where that is far away. Same exceptions as format.import.
   std::shared_ptr<Shape> shape(MeshFormat const& format, std::filesystem::path const& path, ModelOptions const& options,
                                std::string name);
 
@@ -28,6 +29,7 @@ class ModelCache {
   struct Entry {
     std::vector<std::pair<std::filesystem::path, std::optional<FileStamp>>> files;
     std::vector<std::shared_ptr<Shape const>> roots;
+    Vec3 origin{0};  // that their coordinates lack
     std::size_t last_script = 0;
 
     bool is_up_to_date() const;

@@ -10,6 +10,7 @@
 #include "core/counted.hpp"
 #include "core/read_file.hpp"
 #include "io/another_file.hpp"
+#include "io/far_origin.hpp"
 #include "io/model_file.hpp"
 #include "io/model_scene.hpp"
 #include "io/obj/material_from_mtl.hpp"
@@ -43,7 +44,12 @@ class Importer {
     }
     normalise_line_breaks(text);
     join_continued_lines(text);
-    ObjFile const file = read_obj(text, diagnostics_);
+    ObjFile file = read_obj(text, diagnostics_);
+    auto const origin = far_origin(file.extent);
+    if (origin) {
+      Diagnostics same(name_, max_findings);
+      file = read_obj(text, same, *origin);
+    }
     if (!options_.material) {
       read_libraries(file);
       read_materials(file);
@@ -61,6 +67,10 @@ class Importer {
     model.diagnostics = std::move(diagnostics_).finish(0);
     model.diagnostics.insert(model.diagnostics.end(), of_libraries_.begin(), of_libraries_.end());
     check_static(options_, name_, false, model.diagnostics);
+    if (origin) {
+      model.origin = *origin;
+      model.diagnostics.push_back(moved_from(*origin, name_));
+    }
     if (has_failed) throw SceneError(std::move(model.diagnostics));
     add_parts(std::move(parts), fs::path(name_).stem().string(), model.scene);
     return model;

@@ -22,7 +22,7 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 class ObjReader {
  public:
-  explicit ObjReader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  ObjReader(Diagnostics& diagnostics, Vec3 const& origin) : diagnostics_(diagnostics), origin_(origin) {}
 
   ObjFile run(std::string_view text) {
     LineReader lines(text);
@@ -75,26 +75,26 @@ class ObjReader {
   using Read = bool (*)(Token word, double& value, Diagnostics& diagnostics);
 
   /// False after a warning when there are fewer.
-  bool numbers(std::string_view& rest, float* values, std::size_t count, Read read = read_number) {
-    for (std::size_t i = 0; i < count; ++i) {
+  bool numbers(std::string_view& rest, Vec3& values, Read read = read_number) {
+    constexpr int count = 3;
+    for (int i = 0; i < count; ++i) {
       Token const word = next_token(rest);
       if (word.empty()) {
         diagnostics_.add(Severity::warning, DiagnosticCode::faulty_number, word,
                          fmt::format("expected {} numbers, found {}", count, i));
         return false;
       }
-      double value = 0;
-      if (!read(word, value, diagnostics_)) return false;
-      values[i] = float(value);
+      if (!read(word, values[i], diagnostics_)) return false;
     }
     return true;
   }
 
   // A faulty vertex keeps its number, so that the faces name the right ones.
   void position(std::string_view rest) {
-    Float3 point;
-    if (!numbers(rest, point.data(), 3)) point = {nan, nan, nan};
-    file_.positions.push_back(point);
+    Vec3 point(0);
+    if (!numbers(rest, point)) point = Vec3(nan);
+    file_.extent.add(point);
+    file_.positions.push_back(to_float3(point - origin_));
     Token const fourth = next_token(rest);
     if (fourth.empty() || fourth[0] == '#') return;
     Token const fifth = next_token(rest), sixth = next_token(rest);
@@ -107,8 +107,9 @@ class ObjReader {
   }
 
   void normal(std::string_view rest) {
-    Float3 n;
-    if (!numbers(rest, n.data(), 3, read_number_or_nan)) n = {0, 0, 0};  // nan: of a surface without any
+    Vec3 written(0);
+    if (!numbers(rest, written, read_number_or_nan)) written = Vec3(0);  // nan: of a surface without any
+    Float3 n = to_float3(written);
     double const length = std::hypot(double(n[0]), double(n[1]), double(n[2]));
     for (float& x : n) x = length > 0 ? float(double(x) / length) : 0;
     file_.normals.push_back(n);
@@ -295,6 +296,7 @@ class ObjReader {
   static constexpr std::size_t max_parts = std::size_t(1) << 16;
 
   Diagnostics& diagnostics_;
+  Vec3 origin_;
   ObjFile file_;
   std::string object_, group_, material_;
   std::uint32_t smoothing_group_ = 0;
@@ -312,7 +314,9 @@ class ObjReader {
 
 }  // namespace
 
-ObjFile read_obj(std::string_view text, Diagnostics& diagnostics) { return ObjReader(diagnostics).run(text); }
+ObjFile read_obj(std::string_view text, Diagnostics& diagnostics, Vec3 const& origin) {
+  return ObjReader(diagnostics, origin).run(text);
+}
 
 void join_continued_lines(std::string& text) {
   if (text.find("\\\n") == std::string::npos && text.find("\\\r\n") == std::string::npos) return;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/text/diagnostics.hpp"
+#include "lichtraum/bounds.hpp"
 #include "lichtraum/mesh_geometry.hpp"
 
 namespace lichtraum::obj {
@@ -41,10 +42,11 @@ struct ObjFile {
   std::vector<Part> parts;              ///< none is empty
   std::vector<Mention> libraries;       ///< `mtllib`: all words after it
   std::vector<Mention> used_materials;  ///< `usemtl`: each name once
+  Bounds extent;                        ///< of the positions as written
 };
 
-/// Reads the text of an OBJ file. What cannot be read is a warning and left out.
-ObjFile read_obj(std::string_view text, Diagnostics& diagnostics);
+/// Reads the text of an OBJ file. What cannot be read is a warning and left out. `origin` is taken off all positions.
+ObjFile read_obj(std::string_view text, Diagnostics& diagnostics, Vec3 const& origin = Vec3(0));
 
 /// Puts the lines together that a backslash at their end continues; line numbers stay as they are.
 void join_continued_lines(std::string& text);

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "core/read_file.hpp"
+#include "io/far_origin.hpp"
 #include "io/faulty_geometry.hpp"
 #include "io/model_scene.hpp"
 #include "io/names.hpp"
@@ -107,8 +108,14 @@ Model import(std::string_view bytes, std::string const& name, std::optional<fs::
   Diagnostics diagnostics(name, max_findings);
   Header header;
   std::vector<Part> parts;
+  std::optional<Vec3> origin;
   if (read_header(bytes, header, diagnostics)) {
     Data data = read_data(bytes, header, diagnostics);
+    origin = far_origin(data.extent);
+    if (origin) {
+      Diagnostics same(name, max_findings);
+      data = read_data(bytes, header, same, *origin);
+    }
     diagnostics.begin_line({});
     parts = divide(std::move(data), header, folder, options, diagnostics);
     reduce(parts, header.draws(), diagnostics);
@@ -117,6 +124,10 @@ Model import(std::string_view bytes, std::string const& name, std::optional<fs::
   Model model;
   model.diagnostics = std::move(diagnostics).finish(0);
   check_static(options, name, header.draws() != Drawn::triangles, model.diagnostics);
+  if (origin) {
+    model.origin = *origin;
+    model.diagnostics.push_back(moved_from(*origin, name));
+  }
   if (has_failed) throw SceneError(std::move(model.diagnostics));
   Materials materials(model.scene);
   std::vector<ModelPart> named;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/float3.hpp"
 #include "core/srgb.hpp"
 #include "io/model_scene.hpp"
 #include "io/ply/columns.hpp"
@@ -18,7 +19,8 @@ namespace {
 template <class Source>
 class DataReader {
  public:
-  DataReader(Source source, bool reads_edges) : source_(std::move(source)), reads_edges_(reads_edges) {}
+  DataReader(Source source, bool reads_edges, Vec3 const& origin)
+      : source_(std::move(source)), reads_edges_(reads_edges), origin_(origin) {}
 
   Data run(std::vector<Element> const& elements) {
     for (Element const& element : elements) {
@@ -31,7 +33,7 @@ class DataReader {
       if (!is_whole) break;  // told already
     }
     faces_.resize(geometry_.triangle_count());
-    return {std::move(geometry_), std::move(faces_)};
+    return {std::move(geometry_), std::move(faces_), extent_};
   }
 
  private:
@@ -76,7 +78,9 @@ class DataReader {
     row_[alpha] = 1;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!read_row(element, columns)) return ends_early(element, i);
-      geometry_.positions.push_back({float(row_[x]), float(row_[y]), float(row_[z])});
+      Vec3 const point(row_[x], row_[y], row_[z]);
+      extent_.add(point);
+      geometry_.positions.push_back(to_float3(point - origin_));
       if (has_normals) geometry_.normals.push_back(unit({row_[nx], row_[ny], row_[nz]}));
       if (has_texcoords) geometry_.texcoords[0].push_back({finite(row_[u]), finite(1 - row_[v])});
       if (columns.has_colors()) geometry_.colors.push_back(color_of_row());
@@ -255,6 +259,8 @@ class DataReader {
 
   Source source_;
   bool reads_edges_;
+  Vec3 origin_;
+  Bounds extent_;
   MeshGeometry geometry_;
   FaceAttributes faces_;
   std::array<double, slot_count + 1> row_{};  // of a vertex, an edge or a face; what none of its properties is stays
@@ -269,14 +275,14 @@ class DataReader {
 
 }  // namespace
 
-Data read_data(std::string_view bytes, Header const& header, Diagnostics& diagnostics) {
+Data read_data(std::string_view bytes, Header const& header, Diagnostics& diagnostics, Vec3 const& origin) {
   bool const reads_edges = header.draws() == Drawn::lines;
   if (header.encoding == Encoding::ascii) {
     AsciiSource source(bytes.substr(header.data_offset), header.data_line, diagnostics);
-    return DataReader(std::move(source), reads_edges).run(header.elements);
+    return DataReader(std::move(source), reads_edges, origin).run(header.elements);
   }
   BinarySource source(bytes, header.data_offset, header.encoding == Encoding::big_endian, diagnostics);
-  return DataReader(std::move(source), reads_edges).run(header.elements);
+  return DataReader(std::move(source), reads_edges, origin).run(header.elements);
 }
 
 }  // namespace lichtraum::ply

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "core/ascii.hpp"
+#include "core/float3.hpp"
 #include "io/stl/facets.hpp"
 #include "io/text/numbers.hpp"
 
@@ -59,11 +60,9 @@ class Words {
     return false;
   }
   /// Takes a number; else false after a warning.
-  bool take_number(float& number) {
-    double value = 0;
+  bool take_number(double& number) {
     if (is_at_end()) warn_missing("endfacet");
-    if (is_at_end() || !read_number(word_, value, diagnostics_)) return false;
-    number = float(value);
+    if (is_at_end() || !read_number(word_, number, diagnostics_)) return false;
     take();
     return true;
   }
@@ -77,25 +76,28 @@ class Words {
 };
 
 /// Reads `vertex x y z`, three times, and what is around it; false after a warning.
-bool read_facet(Words& words, Solid& solid) {
+bool read_facet(Words& words, Vec3 const& origin, Solid& solid, Bounds& extent) {
   if (!words.take("facet") || !words.take("normal")) return false;
   for (int i = 0; i < 3 && !words.is("outer"); ++i) words.take();  // as good as computed ones, and often wrong
   if (!words.take("outer") || !words.take("loop")) return false;
-  Float3 corners[3];
-  for (Float3& corner : corners) {
+  Vec3 corners[3];
+  for (Vec3& corner : corners) {
     if (!words.take("vertex")) return false;
-    for (float& number : corner) {
-      if (!words.take_number(number)) return false;
+    for (int i = 0; i < 3; ++i) {
+      if (!words.take_number(corner[i])) return false;
     }
   }
   if (!words.take("endloop") || !words.take("endfacet")) return false;
-  solid.corners.insert(solid.corners.end(), std::begin(corners), std::end(corners));
+  for (Vec3 const& corner : corners) {
+    extent.add(corner);
+    solid.corners.push_back(to_float3(corner - origin));
+  }
   return true;
 }
 
 }  // namespace
 
-std::vector<Solid> read_ascii(std::string_view text, Diagnostics& diagnostics) {
+Solids read_ascii(std::string_view text, Diagnostics& diagnostics, Vec3 const& origin) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   Words words(text, diagnostics);
@@ -104,7 +106,7 @@ std::vector<Solid> read_ascii(std::string_view text, Diagnostics& diagnostics) {
                     "this is not an STL file: it does not begin with 'solid'");
     return {};
   }
-  std::vector<Solid> solids;
+  Solids result;
   while (!words.is_at_end()) {
     if (!words.is("solid")) {
       words.warn_missing("solid");
@@ -115,7 +117,7 @@ std::vector<Solid> read_ascii(std::string_view text, Diagnostics& diagnostics) {
     solid.name = words.take_with_name([&] { return words.is_facet() || words.is("endsolid"); });
     bool is_told = true;  // where the file ends
     while (!words.is_at_end() && !words.is("endsolid") && !words.is("solid")) {
-      is_told = !read_facet(words, solid);
+      is_told = !read_facet(words, origin, solid, result.extent);
       while (is_told && !words.is_at_end() && !words.is("facet") && !words.is("endsolid")) words.take();
     }
     if (words.is("endsolid")) {
@@ -123,9 +125,9 @@ std::vector<Solid> read_ascii(std::string_view text, Diagnostics& diagnostics) {
     } else if (words.is_at_end() && !is_told) {
       words.warn_missing("endsolid");
     }
-    if (!solid.corners.empty()) solids.push_back(std::move(solid));
+    if (!solid.corners.empty()) result.solids.push_back(std::move(solid));
   }
-  return solids;
+  return result;
 }
 
 }  // namespace lichtraum::stl

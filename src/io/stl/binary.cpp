@@ -41,7 +41,7 @@ bool is_binary(std::string_view bytes) {
   return has_binary_size(bytes) || bytes.substr(0, examined_bytes).find('\0') != std::string_view::npos;
 }
 
-std::vector<Solid> read_binary(std::string_view bytes, Diagnostics& diagnostics) {
+Solids read_binary(std::string_view bytes, Diagnostics& diagnostics, Vec3 const& origin) {
   auto const warn = [&](std::size_t at, std::string const& what) {
     diagnostics.add(Severity::warning, DiagnosticCode::stl_bytes, {}, fmt::format("byte {}: {}", at, what));
   };
@@ -60,7 +60,8 @@ std::vector<Solid> read_binary(std::string_view bytes, Diagnostics& diagnostics)
                           declared));
   }
 
-  Solid solid;
+  Solids result;
+  Solid& solid = result.solids.emplace_back();
   solid.corners.reserve(3 * count);
   std::size_t non_finite = 0;
   std::size_t first_at = 0;
@@ -68,13 +69,16 @@ std::vector<Solid> read_binary(std::string_view bytes, Diagnostics& diagnostics)
     Float3 corners[3];
     for (std::size_t i = 0; i < 3; ++i) corners[i] = corner_at(bytes, at + corners_at + i * sizeof(Float3));
     if (std::all_of(std::begin(corners), std::end(corners), is_finite)) {
-      solid.corners.insert(solid.corners.end(), std::begin(corners), std::end(corners));
+      for (Float3 const& corner : corners) {
+        result.extent.add(to_vec3(corner));
+        solid.corners.push_back(to_float3(to_vec3(corner) - origin));
+      }
     } else if (++non_finite == 1) {
       first_at = at;
     }
   }
   if (non_finite > 0) warn(first_at, left_out_message(non_finite, "a vertex that is not finite"));
-  return {std::move(solid)};
+  return result;
 }
 
 }  // namespace lichtraum::stl

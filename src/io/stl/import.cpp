@@ -5,6 +5,7 @@
 #include "core/ascii.hpp"
 #include "core/read_file.hpp"
 #include "io/another_file.hpp"
+#include "io/far_origin.hpp"
 #include "io/model_scene.hpp"
 #include "io/stl/facets.hpp"
 #include "lichtraum/stl.hpp"
@@ -20,7 +21,13 @@ Model import(std::string_view bytes, std::string const& name, ModelOptions const
   if (!is_stl(bytes) && is_another_file(bytes, "an STL file", DiagnosticCode::not_stl, diagnostics)) {
     throw SceneError(std::move(diagnostics).finish(0));
   }
-  std::vector<Solid> solids = is_binary(bytes) ? read_binary(bytes, diagnostics) : read_ascii(bytes, diagnostics);
+  auto const read = is_binary(bytes) ? read_binary : read_ascii;
+  Solids file = read(bytes, diagnostics, Vec3(0));
+  auto const origin = far_origin(file.extent);
+  if (origin) {
+    Diagnostics same(name, max_findings);
+    file = read(bytes, same, *origin);
+  }
   Model model;
   std::shared_ptr<Material const> material = options.material;
   if (!material) {
@@ -29,7 +36,7 @@ Model import(std::string_view bytes, std::string const& name, ModelOptions const
     material = own;
   }
   std::vector<ModelPart> parts;
-  for (Solid& solid : solids) {
+  for (Solid& solid : file.solids) {
     if (solid.corners.empty()) continue;
     std::string part = solid.name.empty() ? "mesh" : std::move(solid.name);
     parts.push_back({std::move(part), merged(std::move(solid.corners)), material});
@@ -42,6 +49,10 @@ Model import(std::string_view bytes, std::string const& name, ModelOptions const
   }
   model.diagnostics = std::move(diagnostics).finish(0);
   check_static(options, name, false, model.diagnostics);
+  if (origin) {
+    model.origin = *origin;
+    model.diagnostics.push_back(moved_from(*origin, name));
+  }
   if (has_failed) throw SceneError(std::move(model.diagnostics));
   add_parts(std::move(parts), std::filesystem::path(name).stem().string(), model.scene);
   return model;

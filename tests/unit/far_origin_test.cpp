@@ -1,0 +1,114 @@
+#include "io/far_origin.hpp"
+
+#include <cstring>
+
+#include "lichtraum/esdf.hpp"
+#include "lichtraum/obj.hpp"
+#include "lichtraum/ply.hpp"
+#include "lichtraum/stl.hpp"
+#include "scene/graph_fold.hpp"
+#include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace lichtraum;
+
+namespace {
+
+Bounds box(Vec3 const& min, Vec3 const& max) {
+  Bounds bounds;
+  bounds.add(min);
+  bounds.add(max);
+  return bounds;
+}
+
+/// Positions of the only mesh.
+std::vector<Float3> positions_in(Scene const& scene) {
+  return dynamic_cast<Mesh const&>(**scene.shapes.find("mesh")).geometry()->positions;
+}
+
+// A millimetre above 5.6 million: floats have steps of half a metre there.
+constexpr char const* far_obj =
+    "v 500000 5600000 100\nv 500010 5600000.001 100\nv 500000.002 5600010 100\nvn 0 0 1\nf 1//1 2//1 3//1\n";
+std::string const far_ply =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\nelement face 1\n"
+    "property list uchar int vertex_indices\nend_header\n"
+    "500000 5600000 100\n500010 5600000.001 100\n500000.002 5600010 100\n3 0 1 2\n";
+std::string const far_stl =
+    "solid mesh\nfacet normal 0 0 1\nouter loop\nvertex 500000 5600000 100\nvertex 500010 5600000.001 100\n"
+    "vertex 500000.002 5600010 100\nendloop\nendfacet\nendsolid\n";
+
+void check_moved(Model const& model) {
+  REQUIRE(model.origin == Vec3(500010, 5600010, 100));
+  auto const positions = positions_in(model.scene);
+  REQUIRE(positions.size() == 3);
+  CHECK(positions[0] == Float3{-10, -10, 0});
+  CHECK(double(positions[1][1]) == Approx(-9.999).margin(1e-6));
+  CHECK(double(positions[2][0]) == Approx(-9.998).margin(1e-6));
+  REQUIRE(model.diagnostics.size() == 1);
+  CHECK(model.diagnostics[0].code == DiagnosticCode::far_from_origin);
+  CHECK(model.diagnostics[0].message ==
+        "the model lies too far from the origin for its size: moved, so that 500010 5600010 100 is there");
+}
+
+}  // namespace
+
+TEST_CASE("only what is far away for its size is moved", "[unit][far]") {
+  CHECK(!far_origin({}));
+  CHECK(!far_origin(box(Vec3(0), Vec3(0))));
+  CHECK(!far_origin(box(Vec3(5), Vec3(5))));  // one point
+  CHECK(!far_origin(box(Vec3(0), Vec3(1e300))));
+  CHECK(!far_origin(box(Vec3(-1e308), Vec3(1e308))));
+  CHECK(!far_origin(box(Vec3(1), Vec3(std::numeric_limits<double>::infinity()))));
+  CHECK(!far_origin(box(Vec3(999, 0, 0), Vec3(1000, 0, 0))));
+  CHECK(!far_origin(box(Vec3(0), Vec3(1e-320, 0, 0))));
+  CHECK(!far_origin(box(Vec3(1e20), Vec3(1e20 * (1 + 1e-15)))));  // doubles have no detail there
+  CHECK(far_origin(box(Vec3(1000, 0, 0), Vec3(1000.8, 0, 0))) == Vec3(1000.4, 0, 0));
+  CHECK(far_origin(box(Vec3(-1000.8, 0, 0), Vec3(-1000, 0, 0))) == Vec3(-1000.4, 0, 0));
+  CHECK(far_origin(box(Vec3(0, 0, 123400), Vec3(12, 34, 123456))) == Vec3(10, 20, 123430));
+  CHECK(far_origin(box(Vec3(0, 1, 0), Vec3(0, 1.00032, 0))) == Vec3(0, 1.0002, 0));
+  auto const tiny = far_origin(box(Vec3(1e-290), Vec3(1e-290 * 1.0001)));
+  REQUIRE(tiny);
+  CHECK(tiny->x / 1e-290 == Approx(1.00005).epsilon(1e-4));
+}
+
+TEST_CASE("far models keep what single precision would lose", "[unit][far]") {
+  check_moved(import_obj_text(far_obj, "m.obj", {}, {}));
+  check_moved(import_ply_bytes(far_ply, "m.ply", {}, {}));
+  check_moved(import_stl_bytes(far_stl, "m.stl"));
+}
+
+TEST_CASE("what is far away in binary files is moved as well", "[unit][far]") {
+  std::string stl = std::string(80, ' ') + std::string("\1\0\0\0", 4) + std::string(50, '\0');
+  float const corners[] = {500000, 0, 0, 500010, 0, 0, 500000, 10, 0};
+  std::memcpy(stl.data() + 96, corners, sizeof corners);
+  Model const model = import_stl_bytes(stl, "m.stl");
+  CHECK(model.origin == Vec3(500010, 10, 0));
+  CHECK(positions_in(model.scene)[0] == Float3{-10, -10, 0});
+}
+
+TEST_CASE("what is wrong in a far model is told once", "[unit][far]") {
+  Model const model = import_obj_text(std::string(far_obj) + "bogus 1\n", "m.obj", {}, {});
+  CHECK(model.diagnostics.size() == 2);
+}
+
+TEST_CASE("other models are as in their files", "[unit][far]") {
+  Model const model =
+      import_obj_text("v 500000 5600000 100\nv 500010 5600000 100\nv 0 0 0\nf 1 2 3\n", "m.obj", {}, {});
+  CHECK(model.origin == Vec3(0));
+  CHECK(model.diagnostics.empty());
+  CHECK(positions_in(model.scene)[0] == Float3{500000, 5600000, 100});
+}
+
+TEST_CASE("a far model stands in a scene where its file says, with all its detail", "[unit][far]") {
+  TemporaryFolder const folder;
+  folder.write("far.obj", far_obj);
+  folder.write("a.sdf", "define shape mesh far far.obj\ntransform far translate -500000 -5600000 -100\n");
+  Scene const scene = EsdfScript::from_file(folder / "a.sdf", {}).take_scene();
+  Bounds const bounds = fold_bounds(scene.roots()).total();
+  CHECK(bounds.min.x == Approx(0).margin(1e-9));
+  CHECK(bounds.min.y == Approx(0).margin(1e-9));
+  CHECK(bounds.max.x == Approx(10).margin(1e-6));
+  folder.write("a.sdf", "define shape mesh far far.obj\n");
+  Scene const there = EsdfScript::from_file(folder / "a.sdf", {}).take_scene();
+  CHECK(fold_bounds(there.roots()).total().min.y == Approx(5600000).epsilon(1e-12));
+}

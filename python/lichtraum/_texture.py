@@ -16,9 +16,9 @@ _LARGEST = 16384  # texels a side
 
 
 class Texture:
-    """A picture on a surface: the name of a PNG, JPEG or WebP file, or an array of 8-bit numbers, first row at the top:
-    height x width (grey), with 3 for red, green and blue, or with 4 for alpha as well. Copied; a file is read now, and one
-    with a side longer than 4096 is halved until it fits. Colours are stored in sRGB, all else is linear.
+    """A picture on a surface: the name of a PNG, JPEG, WebP, BMP or TGA file, or an array of 8-bit numbers, first row at
+    the top: height x width (grey), with 3 for red, green and blue, or with 4 for alpha as well. Copied; a file is read
+    now, and one with a side longer than 4096 is halved until it fits. Colours are stored in sRGB, all else is linear.
 
     `wrap`: how it goes on beyond its edges: "repeat", "mirror" or "clamp". `filter`: "linear" or "nearest".
     """

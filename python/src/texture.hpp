@@ -18,7 +18,7 @@ struct MadeTexture {
 /// `rgba`: height x width x 4, first row at the top.
 MadeTexture make_texture(std::uint8_t const* rgba, int width, int height, std::string const& wrap,
                          std::string const& filter);
-/// Of a PNG, JPEG or WebP file. What cannot be read is an Error{no_input} or Error{io}.
+/// Of a PNG, JPEG, WebP, BMP or TGA file. What cannot be read is an Error{no_input} or Error{io}.
 MadeTexture read_texture(std::string const& path, std::string const& wrap, std::string const& filter);
 
 }  // namespace lichtraum::python

@@ -279,7 +279,7 @@ TEST_CASE("MTL: pictures keep their place and options; what is wrong is told in 
   std::string const mtl = (folder / "materials/my stuff.mtl").string();
   CHECK_THAT(all, contains_text(mtl + ":1:1: a property before the first newmtl is left out\n"));
   CHECK_THAT(all, contains_text(mtl + ":3:6: 'x' is not a number\n"));
-  CHECK_THAT(all, contains_text(mtl + ":4:0: the picture is left out: it is not a PNG, JPEG or WebP file\n"));
+  CHECK_THAT(all, contains_text(mtl + ":4:0: the picture is left out: it is not a PNG, JPEG, WebP, BMP or TGA file\n"));
   CHECK_THAT(all, contains_text(mtl + ":5:0: the picture is left out: cannot use 'materials/../../secret.png'"));
   CHECK_THAT(all, contains_text(mtl + ":6:1: unknown MTL keyword 'wibble': the line is left out\n"));
   CHECK_THAT(all, contains_text(mtl + ":7:0: the picture is left out: cannot open"));

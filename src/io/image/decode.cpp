@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <memory>
 
+#include "io/image/decode_bmp.hpp"
 #include "io/image/decode_png.hpp"
+#include "io/image/decode_tga.hpp"
 
 namespace lichtraum {
 namespace {
@@ -136,10 +138,16 @@ std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, s
     is_decoded = decode_jpeg(bytes, image, reason);
   } else if (is_webp(bytes)) {
     is_decoded = decode_webp(bytes, image, reason);
+  } else if (is_bmp(bytes)) {
+    auto const [width, height] = size_of_bmp(bytes);
+    is_decoded = set_size(image, width, height, reason) && decode_bmp(bytes, image, reason);
+  } else if (is_tga(bytes)) {
+    auto const [width, height] = size_of_tga(bytes);
+    is_decoded = set_size(image, width, height, reason) && decode_tga(bytes, image, reason);
   } else if (bytes.substr(0, 7) == "\xABKTX 20" || bytes.substr(0, 7) == "\xABKTX 11") {
     reason = "KTX pictures cannot be decoded";
   } else {
-    reason = "it is not a PNG, JPEG or WebP file";
+    reason = "it is not a PNG, JPEG, WebP, BMP or TGA file";
   }
   if (!is_decoded) return std::nullopt;
   while (std::max(image.width, image.height) > std::max(max_size, 1)) image = halved(image);
@@ -150,6 +158,8 @@ ImageSize decoded_size(std::string_view bytes, int max_size) {
   ImageSize size = is_png(bytes)    ? size_of_png(bytes)
                    : is_jpeg(bytes) ? size_of_jpeg(bytes)
                    : is_webp(bytes) ? size_of_webp(bytes)
+                   : is_bmp(bytes)  ? size_of_bmp(bytes)
+                   : is_tga(bytes)  ? size_of_tga(bytes)
                                     : ImageSize();
   if (size.width <= 0 || size.height <= 0 || size.width > max_pixels / size.height) return {};
   while (size.longer_side() > std::max(max_size, 1)) size = size.halved();

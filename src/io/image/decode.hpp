@@ -10,8 +10,9 @@
 
 namespace lichtraum {
 
-/// Decodes a PNG, JPEG or WebP, whichever the bytes are, and halves it until no side is longer than `max_size`. What is
-/// larger than 2^26 pixels is refused before it is decoded. Says why in `reason` when there is no picture.
+/// Decodes a PNG, JPEG, WebP, BMP or TGA, whichever the bytes are, and halves it until no side is longer than
+/// `max_size`. What is larger than 2^26 pixels is refused before it is decoded. Says why in `reason` when there is no
+/// picture.
 std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, std::string& reason);
 
 struct ImageSize {

@@ -15,7 +15,7 @@ struct ImageJob {
   std::string name;  ///< for people
   bool is_wanted = false;
   std::shared_ptr<std::string const> owned;   ///< what keeps `bytes`, if nobody else does; let go after decoding
-  std::string_view bytes;                     ///< of a PNG, JPEG or WebP
+  std::string_view bytes;                     ///< of a PNG, JPEG, WebP, BMP or TGA
   std::shared_ptr<TextureImage const> image;  ///< the result
   std::string reason;                         ///< or why there is none; a job that has one already is left alone
 };

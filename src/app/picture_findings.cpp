@@ -78,8 +78,8 @@ std::vector<Diagnostic> PictureFindings::of_scene(PictureReady const& ready, Pic
   bool const is_lit = ready.request.planes.has(FilmPlane::radiance) || ready.request.planes.has(FilmPlane::alpha);
   if (ready.request.ground != Ground::none && is_lit && !std::isfinite(ready.scene->lowest_point)) {
     found.push_back(warning({}, DiagnosticCode::option_without_effect,
-                            fmt::format("--ground has no effect on '{}': nothing that has an end is drawn, which could "
-                                        "stand on it",
+                            fmt::format("--ground has no effect on '{}': all that is drawn is infinite, so nothing "
+                                        "stands on it",
                                         plan.output.shown)));
   }
   return found;

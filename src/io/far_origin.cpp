@@ -36,7 +36,7 @@ Diagnostic moved_from(Vec3 const& origin, std::string const& file) {
           DiagnosticCode::far_from_origin,
           {file, 0, 0},
           1,
-          fmt::format("the model lies too far from the origin for its size: moved, so that {} is there", place),
+          fmt::format("the model lies too far from the origin for its size: moved, so that {} is the origin", place),
           {},
           {}};
 }

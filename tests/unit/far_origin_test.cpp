@@ -47,7 +47,7 @@ void check_moved(Model const& model) {
   REQUIRE(model.diagnostics.size() == 1);
   CHECK(model.diagnostics[0].code == DiagnosticCode::far_from_origin);
   CHECK(model.diagnostics[0].message ==
-        "the model lies too far from the origin for its size: moved, so that 500010 5600010 100 is there");
+        "the model lies too far from the origin for its size: moved, so that 500010 5600010 100 is the origin");
 }
 
 }  // namespace

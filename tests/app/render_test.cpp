@@ -418,8 +418,8 @@ TEST_CASE("a ground that nothing stands on is told", "[app][render]") {
   };
   std::string const ball = "define shape sphere s 0 0 -5 1 m\n";
   for (std::string const command : {"render", "check"}) {
-    CHECK_THAT(said(command, "", "--ground"), contains_text("warning: --ground has no effect on 'a.ppm': nothing that "
-                                                            "has an end is drawn, which could stand on it [W0101]"));
+    CHECK_THAT(said(command, "", "--ground"), contains_text("warning: --ground has no effect on 'a.ppm': all that is "
+                                                            "drawn is infinite, so nothing stands on it [W0101]"));
     CHECK_THAT(said(command, ball, "--ground"), !contains_text("no effect"));
     CHECK_THAT(said(command, ball, "--ground --root floor"), contains_text("--ground has no effect"));
     CHECK_THAT(said(command, "", "--integrator path"), !contains_text("no effect"));

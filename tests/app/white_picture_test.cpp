@@ -63,7 +63,7 @@ TEST_CASE("an environment that is white is told", "[app][white]") {
   lichtraum.folder.write("sky.hdr", bright_sky);
   std::string const words = "a.sdf --environment sky.hdr --samples 16 --denoise off";
   auto const result = lichtraum.render(words);
-  CHECK_THAT(result.err, contains_text("8") && contains_text(" % of what it shows is pure white [W0823]"));
+  CHECK_THAT(result.err, contains_text(" % of what it shows is pure white [W0823]"));
   CHECK_THAT(lichtraum("check --device reference " + words).err, contains_text("[W0823]"));
   CHECK_THAT(lichtraum.render(words + " --background 0,0,0").err, !contains_text("W0823"));
 }

@@ -19,6 +19,14 @@ Rgb schlick(Rgb const& f0, Rgb const& f90, double cosine) {
   return f0 + (f90 - f0) * (c * c * c * c * c);
 }
 
+/// What microfacets reflect in all over what they do once: the sum over bounces of which each reflects Fresnel's mean,
+/// after Schlick, and loses `kept` to the outside (Kulla and Conty, "Revisiting Physically Based Shading at
+/// Imageworks", SIGGRAPH 2017 courses).
+Rgb bounce_gain(Rgb const& f0, Rgb const& f90, double kept) {
+  Rgb const mean = glm::min(f0 * (20 / 21.) + f90 / 21., Rgb(1));
+  return Rgb(1) / (1.0 - mean * (1 - kept));
+}
+
 /// The square of the cosine beyond the surface, by Snell's law; negative where all is reflected.
 double cosine_beyond_squared(double eta, double cosine) { return 1 - eta * eta * (1 - cosine * cosine); }
 
@@ -38,9 +46,8 @@ ReferenceScattering::ReferenceScattering(ReferenceBsdf const& bsdf, Vec3 const& 
   auto const gloss = reflection_albedo(bsdf.alpha, cosine);
   gloss_albedo_ = gloss.a + gloss.b;
   if (!bsdf.is_layered) return;
-  double const again = 1 / gloss_albedo_ - 1;
-  metal_gain_ = 1.0 + again * bsdf.metal;
-  dielectric_gain_ = 1.0 + again * bsdf.f0;
+  metal_gain_ = bounce_gain(bsdf.metal, Rgb(1), gloss_albedo_);
+  dielectric_gain_ = bounce_gain(bsdf.f0, bsdf.f90, gloss_albedo_);
   Rgb reflected = dielectric_gain_ * (gloss.a * bsdf.f0 + gloss.b * bsdf.f90);
   if (is_solid()) {
     auto const solid = solid_albedo(eta_, bsdf.alpha, cosine);

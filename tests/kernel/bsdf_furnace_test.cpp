@@ -63,6 +63,32 @@ TEST_CASE("white furnace: metals, dielectrics and mixtures of them keep all ligh
   check(extremes(probe, white), 0.995, 1.002);
 }
 
+TEST_CASE("rough coloured metals reflect the sum of all bounces between their microfacets",
+          "[kernel][bsdf][statistics]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe(quickest_lanes());
+  auto const reflected = [&](double color, double roughness, bool is_layered) {
+    BsdfParameters metal = layered_bsdf(color, 1, roughness);
+    metal.is_layered = is_layered ? 1.f : 0.f;  // 0: one bounce counts
+    return furnace(probe, {"", metal, true});
+  };
+  for (double const roughness : {0.3, 0.6, 1.0}) {
+    auto const white_once = reflected(1, roughness, false);
+    for (double const color : {0.0, 0.3, 0.6, 0.9}) {
+      auto const once = reflected(color, roughness, false), all = reflected(color, roughness, true);
+      double const mean_fresnel = color + (1 - color) / 21;  // of Schlick's, over all directions
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        INFO("roughness " << roughness << ", colour " << color << ", " << viewer_angles_degrees[i] << " degrees");
+        double sum = 0, arriving = 1;
+        for (int bounce = 0; bounce < 100; ++bounce, arriving *= mean_fresnel * (1 - white_once[i].x)) {
+          sum += arriving * once[i].x;
+        }
+        CHECK(all[i].x == Approx(sum).epsilon(0.005));  // of the table
+      }
+    }
+  }
+}
+
 TEST_CASE("white furnace: coats keep all light", "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
   BsdfProbe const probe(quickest_lanes());

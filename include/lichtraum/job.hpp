@@ -39,7 +39,7 @@ struct JobView {
 
   std::optional<Vec3> eye;              ///< where the camera stands; not with `orbit`
   std::optional<Vec3> look_at;          ///< else, where the camera is moved, the middle of what is in view
-  std::optional<Vec3> up;               ///< of any length but 0; else, where the camera is moved or turned, +y
+  std::optional<Vec3> up;               ///< of any length but 0; else, where the camera is moved or turned, Scene::up
   std::optional<double> fov_x_degrees;  ///< 0 < fov < 180
   std::optional<double> fov_y_degrees;  ///< the same; not with `fov_x_degrees`
   std::optional<Orbit> orbit;
@@ -50,8 +50,7 @@ struct JobView {
   using Focus = std::variant<double, Vec3>;
   std::optional<double> aperture;  ///< of the lens, see lichtraum::Lens
   std::optional<Focus> focus;      ///< only with an aperture, the camera's or this one; else what is looked at
-  /// +y where nothing says it.
-  Vec3 up_or_default() const { return up.value_or(Vec3(0, 1, 0)); }
+  Vec3 up_in(Scene const& scene) const;
   friend bool operator==(JobView const&, JobView const&) = default;
 };
 

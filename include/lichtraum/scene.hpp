@@ -38,7 +38,9 @@ struct Scene {
   Registry<Camera> cameras;
   bool has_own_cameras = true;  ///< false: a model without any, which was given one that shows all of it
   std::optional<EnvironmentLight> environment;
-  Vec3 up{0, 1, 0};                      ///< of the environment and of RenderRequest::ground; of any length but 0
+  /// Of the environment, of RenderRequest::ground, and of views that do not say it; of any length but 0. An STL model's
+  /// is +z.
+  Vec3 up{0, 1, 0};
   Rgb background{0};                     ///< what a ray sees that hits nothing
   ToneMap tone_map = ToneMap::none;      ///< what `automatic` means for this scene
   std::optional<Resolution> resolution;  ///< for cameras and renders that give none

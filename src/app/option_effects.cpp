@@ -45,7 +45,7 @@ std::vector<OptionWithoutEffect> options_without_effect(Job const& asked, Job co
   bool const is_lit = has_radiance || has_shadows;
   has_no_effect(asked.max_indirect.has_value(), is_lit && is_by_paths, "--clamp");
   has_no_effect(asked.max_depth.has_value(), is_lit, "--depth");
-  Vec3 const up = asked.view.up_or_default();
+  Vec3 const up = asked.view.up.value_or(Scene().up);
   bool const is_upright = up.x == 0 && up.z == 0 && up.y > 0;
   has_no_effect(asked.ground != Ground::none, is_lit && (is_upright || is_model), "--ground",
                 is_lit ? ": under a scene it is level in y, whatever --up says" : "");

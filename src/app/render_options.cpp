@@ -35,7 +35,7 @@ void add_viewpoint_options(CLI::App& parser, RenderOptions& options, std::string
             "Point it there (default, if the camera is moved:\nthe middle of what is in view)", group);
   add_value(parser, "--up", view.up, parse_point, "X,Y,Z",
             "Which way is up: of the camera, of --orbit, of a\nmodel's environment and --ground, and of what a\nwindow "
-            "turns (default: 0,1,0)",
+            "turns (default: 0,1,0; of STL files: 0,0,1)",
             group);
   add_value(parser, "--orbit", view.orbit, parse_orbit, "A,E[,D]",
             "Put it at azimuth A to the right of the front\n(+z), elevation E, in degrees; at distance D, or\nwhere it "

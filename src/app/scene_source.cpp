@@ -64,10 +64,10 @@ void light_model(Scene& scene, bool is_studio_chosen) {
   }
 }
 
-/// Turns what was made up to light a model without lights, so that it comes from above.
+/// Turns what was made up to light a model without lights, so that it comes from above where `up` is that.
 void turn_lights(Scene& scene, Vec3 const& up) {
   Vec3 const center = center_of_interest(scene, {}, scene.cameras.front());
-  Transform const upright = orbit_rotation({0, 0}, up);
+  Transform const upright = orbit_rotation({0, 0}, up) * orbit_rotation({0, 0}, scene.up).inverse();
   Registry<Light> turned;
   for (Light const& light : scene.lights) {
     Light::Model model = light.model();
@@ -106,8 +106,8 @@ std::function<void(Scene&)> scene_adjustment(EnvironmentChoice const& choice, bo
   if (!is_model || !options.up) return choose;
   return [choose, up = *options.up](Scene& scene) {
     if (choose) choose(scene);
-    scene.up = up;
     if (!scene.has_own_lights) turn_lights(scene, up);
+    scene.up = up;
   };
 }
 

@@ -20,10 +20,11 @@ void add_parts(std::vector<ModelPart> parts, std::string const& name, Scene& sce
   scene.shapes.insert(std::make_shared<Composite>(root_name, std::move(children)));
   set_point_sizes(scene, point_size);
   Bounds const box = fold_bounds(scene.roots()).total();
-  scene.cameras.insert(frame_box("default", box));
+  scene.cameras.insert(frame_box("default", box, scene.up));
   scene.has_own_lights = false;
   scene.has_own_cameras = false;
-  for (Light& light : studio_lights(box, three_quarter_view.azimuth_degrees)) scene.lights.insert(std::move(light));
+  for (Light& light : studio_lights(box, three_quarter_view.azimuth_degrees, scene.up))
+    scene.lights.insert(std::move(light));
 }
 
 PbrModel matt_pbr(Rgb const& color) {

@@ -217,7 +217,7 @@ RenderRequest request_of(Job const& job, Scene const& scene, std::optional<Vec3>
     Vec3 const center = job.view.look_at ? *job.view.look_at
                         : turn_center    ? *turn_center
                                          : turn_center_of(job, scene, camera);
-    request.camera = orbited(camera, center, *job.turn_degrees, job.view.up_or_default());
+    request.camera = orbited(camera, center, *job.turn_degrees, job.view.up_in(scene));
   }
   return request;
 }

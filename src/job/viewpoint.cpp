@@ -108,6 +108,8 @@ Lens lens_of(Camera const& camera, Job const& job, Scene const& scene) {
 
 }  // namespace
 
+Vec3 JobView::up_in(Scene const& scene) const { return up.value_or(scene.up); }
+
 void check_view(JobView const& view) {
   auto const check_point = [](char const* option, std::optional<Vec3> const& v) {
     require(!v || is_finite(*v), fmt::format("{}: its numbers must be finite", option));
@@ -140,7 +142,7 @@ void check_view(JobView const& view) {
 Camera viewpoint(Camera camera, Job const& job, Scene const& scene, Resolution const& size) {
   JobView const& view = job.view;
   check_view(view);
-  Vec3 const up = view.up_or_default();
+  Vec3 const up = view.up_in(scene);
   CameraFit fit = fit_of(camera, view);
   auto const fitted = [&] {
     if (fit.framed && job.turn_degrees) fit.framed->turn_axis = up;

@@ -176,6 +176,7 @@ void Worker::load(Renderer& renderer) {
     scene.has_own_cameras = loaded.scene().has_own_cameras;
     scene.cameras.assign(loaded.scene().cameras.begin(), loaded.scene().cameras.end());
     scene.bounds = bounds_in_view(job, loaded.scene(), scene.request.camera);
+    scene.up = job.view.up_in(loaded.scene());
     bounds_ = scene.bounds;
     prepared_ = renderer.prepare(loaded.scene(), job_.root, prepared_);
     scene_statistics_ = renderer.set_scene(prepared_);

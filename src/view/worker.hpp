@@ -36,6 +36,7 @@ struct SceneView {
   std::vector<Camera> cameras;
   bool has_own_cameras = true;  ///< as Scene::has_own_cameras
   Bounds bounds;                ///< of what is of interest; empty when nothing is drawn
+  Vec3 up{0, 1, 0};             ///< of any length but 0
   std::shared_ptr<DrawnObjects const> objects;
   SceneValues values;
   Development development;                         ///< as the scene has its picture

@@ -351,7 +351,7 @@ TEST_CASE("a model whose up is elsewhere is lit and stands as one that is uprigh
         (picture("z.obj --up 0,0,1 --ground"), lichtraum.folder.read("picture.png")));
 }
 
-TEST_CASE("an STL model is drawn like the same triangles in a PLY file", "[app][stl]") {
+TEST_CASE("an STL model is drawn like the same triangles in a PLY file, with +z up", "[app][stl]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write(
       "a.ply",
@@ -364,12 +364,25 @@ TEST_CASE("an STL model is drawn like the same triangles in a PLY file", "[app][
   std::string const solid =
       "solid tent\n" + facet("0 0 0", "1 0 0") + facet("1 0 0", "0 1 0") + facet("0 1 0", "0 0 0");
   lichtraum.folder.write("b.stl", solid + "endsolid tent\n");
-  for (std::string const name : {"a.ply", "b.stl"}) {
-    auto const result = lichtraum.render(name + " --size 32x24 -o " + name + ".ppm");
-    INFO(result.err);
+  auto const drawn = [&](std::string const& arguments) {
+    auto const result = lichtraum.render(arguments + " --size 32x24 -o drawn.ppm");
+    INFO(arguments << result.err);
     REQUIRE(result.exit_code == 0);
+    return lichtraum.folder.read("drawn.ppm");
+  };
+  for (std::string const how : {"", " --ground", " --orbit 20,30", " --eye 3,-4,2", " --integrator whitted"}) {
+    INFO(how);
+    std::string const upright = drawn("b.stl" + how);
+    CHECK(upright == drawn("a.ply --up 0,0,1" + how));
+    CHECK(upright != drawn("a.ply" + how));
+    CHECK(drawn("a.ply" + how) == drawn("b.stl --up 0,1,0" + how));
   }
-  CHECK(lichtraum.folder.read("a.ply.ppm") == lichtraum.folder.read("b.stl.ppm"));
+  lichtraum.folder.write("scene.sdf",
+                         "define shape mesh tent b.stl\ndefine camera eye 60\ntransform eye translate 0.3 0.3 3\n"
+                         "define light diffuse sun 1 5 3 1 1 1\n");
+  std::string const in_scene = drawn("scene.sdf --orbit 20,30");  // where +y is up as ever
+  CHECK(drawn("scene.sdf --orbit 20,30 --up 0,1,0") == in_scene);
+  CHECK(drawn("scene.sdf --orbit 20,30 --up 0,0,1") != in_scene);
   CHECK(lichtraum("check b.stl").out.rfind("b.stl: good\n", 0) == 0);
   CHECK_THAT(lichtraum("info b.stl").out, contains_text("  mesh triangles           3               3\n"));
   CHECK(lichtraum.render("b.stl --root tent -o c.ppm").exit_code == 0);

@@ -29,6 +29,7 @@ Model import(std::string_view bytes, std::string const& name, ModelOptions const
     file = read(bytes, same, *origin);
   }
   Model model;
+  model.scene.up = {0, 0, 1};  // as programs for printers and machine tools have it
   std::shared_ptr<Material const> material = options.material;
   if (!material) {
     auto const own = default_material(false);

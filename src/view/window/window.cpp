@@ -53,7 +53,6 @@ Window::Window(app::SceneSource const& source, app::ViewOptions const& options, 
   graphics_->open("lichtraum - " + source.name(), options.render.job.size.value_or(default_size), options.ui_scale);
   // Not before the window is there: Mesa and PoCL may share one LLVM, which does not start in two threads at once.
   worker_ = std::make_unique<Worker>(source, options.render, options.watch, console, glfwPostEmptyEvent);
-  overlays_.up = options.render.job.view.up_or_default();
 }
 
 Window::~Window() { worker_.reset(); }
@@ -104,6 +103,10 @@ bool Window::take_news() {
     bool const is_first = !camera_;
     if (news.scene->file != scene_.file) is_moved_ = false;
     scene_ = std::move(*news.scene);
+    if (overlays_.up != scene_.up) {
+      overlays_.up = scene_.up;
+      worker_->overlay(overlays_);
+    }
     if (is_first && !options_.render.job.size) {
       Resolution const& picture = scene_.request.resolution;
       int const panel = int(panel_width_beside(float(picture.width), graphics_->ui_scale()));
@@ -171,7 +174,7 @@ Camera Window::camera_seen_through() const {
 }
 
 void Window::look_from(Camera const& camera, Resolution const& made_for) {
-  camera_.emplace(camera, center_of_interest(), made_for, options_.render.job.view.up_or_default());
+  camera_.emplace(camera, center_of_interest(), made_for, scene_.up);
 }
 
 void Window::look_through(Camera const& camera, Resolution const& made_for) {

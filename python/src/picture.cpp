@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/picture_faults.hpp"
 #include "app/picture_plan.hpp"
 #include "app/traced_picture.hpp"
 
@@ -35,6 +36,22 @@ void trace(Renderer& renderer, Picture& picture, ProgressFunction const& progres
   warn(picture, DiagnosticCode::samples_left_out, app::samples_left_out(picture.statistics));
 }
 
+/// What it fails to show.
+void warn_of_faults(Picture& picture, Scene const& scene, Bounds const& bounds, bool is_model) {
+  app::Sight sight;
+  sight.add(picture.statistics.rays, picture.film);
+  if (picture.film.planes().has(FilmPlane::radiance)) sight.add(picture.developed, picture.development);
+  Background const background = picture.request.background.value_or(scene.background);
+  app::DrawnPicture const drawn{picture.request,
+                                picture.development,
+                                background,
+                                bounds,
+                                app::light_in(scene, picture.request.integrator),
+                                is_model,
+                                picture.request.region == whole_picture(picture.request.resolution)};
+  for (auto& [fault, finding] : app::faults_of(drawn, sight)) picture.diagnostics.push_back(std::move(finding));
+}
+
 /// With the noise taken out, if that is asked for.
 Film quiet(Renderer& renderer, Picture& picture) {
   Denoising const denoising = picture.job.denoising;
@@ -48,8 +65,8 @@ Film quiet(Renderer& renderer, Picture& picture) {
 
 }  // namespace
 
-Picture draw(Renderer& renderer, Scene const& scene, Job job, std::shared_ptr<PreparedScene const>& previous,
-             Control& control) {
+Picture draw(Renderer& renderer, Scene const& scene, bool is_model, Job job,
+             std::shared_ptr<PreparedScene const>& previous, Control& control) {
   Picture picture;
   picture.device = renderer.device();
   picture.job = decided(std::move(job), scene, renderer.device().kind);
@@ -65,6 +82,7 @@ Picture draw(Renderer& renderer, Scene const& scene, Job job, std::shared_ptr<Pr
   Film film = quiet(renderer, picture);
   if (film.planes().has(FilmPlane::radiance)) picture.radiance = film.values(FilmPlane::radiance);
   picture.developed = app::shown_picture(renderer, std::move(film), picture.development);
+  warn_of_faults(picture, scene, prepared->bounds, is_model);
   picture.film.keep(shown_planes(picture.job));
   for (FilmPlane const plane : picture.film.planes().list()) {
     if (!info_of(plane).is_number) picture.planes[plane] = picture.film.values(plane);

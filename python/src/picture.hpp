@@ -37,7 +37,7 @@ struct Picture {
 
 /// Draws `job` of `scene` as `lichtraum render` does. `previous`: a scene that the renderer prepared, or null; then the
 /// one that was drawn. When it is told to stop, the picture is not complete.
-Picture draw(Renderer& renderer, Scene const& scene, Job job, std::shared_ptr<PreparedScene const>& previous,
-             Control& control);
+Picture draw(Renderer& renderer, Scene const& scene, bool is_model, Job job,
+             std::shared_ptr<PreparedScene const>& previous, Control& control);
 
 }  // namespace lichtraum::python

@@ -104,7 +104,7 @@ Picture Session::draw_file(std::string const& path, app::RenderOptions const& op
   Picture picture;
   loaded.play([&](Scene const& scene, std::size_t index) {
     if (index != std::size_t(number)) return true;
-    picture = draw(*renderer_, scene, job, previous_, control);
+    picture = draw(*renderer_, scene, is_model_file(source.name()), job, previous_, control);
     warn_of(app::options_without_effect(job, picture.job, is_model_file(source.name()), scene.environment.has_value()),
             picture.diagnostics);
     return false;
@@ -125,7 +125,7 @@ Picture Session::draw_scene(ReadScene& read, app::RenderOptions const& options, 
   Job job = options.job;
   job.scene = read.name;
   job.picture = number;
-  Picture picture = draw(*renderer_, read.scene, job, previous_, control);
+  Picture picture = draw(*renderer_, read.scene, read.is_model, job, previous_, control);
   warn_of(app::options_without_effect(job, picture.job, read.is_model, read.scene.environment.has_value()),
           picture.diagnostics);
   return picture;

@@ -77,6 +77,29 @@ def test_options_without_effect_are_told(renderer, options, message):
             renderer.render(lt.load(HELLO), size=(8, 8), denoise="off", **options)
 
 
+@pytest.mark.parametrize(
+    ("options", "code", "message"),
+    [
+        ({"eye": (0, 50, 0), "look_at": (0, 90, 1)}, "W0816", "the camera 'eye' sees nothing: the scene is behind the camera"),
+        ({"exposure": 9}, "W0823", r"% of what it shows is pure white \[W0823\]\n  hint: exposure 7 darkens it"),
+        ({"integrator": "path", "environment": "black.hdr"}, "W0815", "the picture is black: no light reaches"),
+    ],
+)
+@pytest.mark.parametrize("is_loaded", [False, True])
+def test_pictures_that_show_nothing_are_told(renderer, tmp_path, options, code, message, is_loaded):
+    scene = tmp_path / "scene.sdf"
+    lamp = "" if code == "W0815" else "define light ambient sky 0.5 0.5 0.5\n"
+    scene.write_text("define material m 1 1 1 1 1 1 0 0 0 1\ndefine shape sphere ball 0 0 -5 1 m\ndefine camera eye 60 16 16\n" + lamp)
+    (tmp_path / "black.hdr").write_bytes(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" + bytes(8))
+    if "environment" in options:
+        options = {**options, "environment": str(tmp_path / "black.hdr")}
+    with pytest.warns(lt.SceneWarning, match=message):
+        image = renderer.render(lt.load(scene) if is_loaded else scene, size=(16, 16), denoise="off", **options)
+    assert [each.code for each in image.diagnostics] == [code]
+    part = renderer.render(scene, size=(16, 16), region=(0, 0, 2, 2), eye=(0, 50, 0), look_at=(0, 90, 1))
+    assert part.diagnostics == []  # of a region that may well be
+
+
 def test_reading_warns_of_what_has_no_effect_there():
     with pytest.warns(lt.SceneWarning, match="time has no effect: a scene's models stand as in their files"):
         scene = lt.load(HELLO, time=1)

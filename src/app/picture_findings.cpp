@@ -26,13 +26,8 @@ RenderRequest reduced(RenderRequest request) {
   return request;
 }
 
-Diagnostic warning(SourceLocation const& at, DiagnosticCode code, std::string message, std::string hint = {}) {
-  return {Severity::warning, code, at, 1, std::move(message), {}, std::move(hint)};
-}
-
-/// "the camera 'eye'"; the one that --orbit makes has no name.
-std::string name_in_text(Camera const& camera) {
-  return camera.name().empty() ? "the camera" : fmt::format("the camera '{}'", camera.name());
+Diagnostic warning(SourceLocation const& at, DiagnosticCode code, std::string message) {
+  return {Severity::warning, code, at, 1, std::move(message), {}, {}};
 }
 
 /// Why a `render` does not show what is defined below it; empty for an empty name.
@@ -43,26 +38,10 @@ std::string hint_of_order(std::string_view what, std::string const& name) {
 
 }  // namespace
 
-void Sight::add(RayCounts const& rays, Film& film) {
-  camera_rays_ += rays.camera;
-  camera_hits_ += rays.camera_hits;
-  has_normals_ = has_normals_ || !film.planes().has(FilmPlane::normal) ||
-                 std::ranges::any_of(film.floats(FilmPlane::normal), [](float value) { return value != 0; });
-  is_black_ = is_black_ && film.planes().has(FilmPlane::radiance) &&
-              std::ranges::all_of(film.floats(FilmPlane::radiance), [](float value) { return value == 0; });
-}
-
-double Sight::white_share(PictureReady const& ready) const {
-  double const seen = camera_rays_ > 0 ? double(camera_hits_) / double(camera_rays_) : 0;
-  return whiteness_.share(seen, ready.background, ready.development);
-}
-
 void PictureFindings::begin(SceneOpened const& scene) {
   source_ = scene.source;
   is_model_ = scene.is_model;
-  has_explained_view_ = false;
-  has_told_of_light_ = false;
-  has_told_of_white_ = false;
+  told_.clear();
 }
 
 std::vector<Diagnostic> PictureFindings::of_scene(PictureReady const& ready, PicturePlan const& plan) {
@@ -87,25 +66,15 @@ std::vector<Diagnostic> PictureFindings::of_scene(PictureReady const& ready, Pic
 
 std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, PicturePlan const& plan,
                                                     Sight const& sight) {
+  DrawnPicture const drawn{ready.request, ready.development, ready.background,    ready.scene->bounds,
+                           ready.light,   is_model_,         !options_.job.region};
   std::vector<Diagnostic> found;
-  bool const lacks_light =
-      ready.light != SceneLight::some && !sight.is_empty() && ready.request.planes.has(FilmPlane::radiance);
-  bool const is_whole = !options_.job.region;
-  if ((lacks_light || (sight.is_black() && is_whole)) && !std::exchange(has_told_of_light_, true)) {
-    found.push_back(lacks_light ? explain_missing_light(ready.light, plan) : explain_black_picture(ready, plan));
-  }
-  double const white = sight.white_share(ready);
-  if (white > 0.5 && is_whole && !std::exchange(has_told_of_white_, true)) {
-    found.push_back(explain_white_picture(ready, plan, white));
-  }
-  if (sight.is_empty() && is_whole && !std::exchange(has_explained_view_, true)) {
-    found.push_back(explain_empty_view(ready, plan));
-  }
-  if (sight.shows_no_surface() && is_model_ && is_whole && !std::exchange(has_explained_view_, true)) {
-    found.push_back(warning(
-        plan.location, DiagnosticCode::empty_view,
-        fmt::format("{} meets the backs of surfaces only, which glTF hides", name_in_text(ready.request.camera)),
-        "--both-sides shows them"));
+  for (auto& [fault, finding] : faults_of(drawn, sight)) {
+    if (!told_.insert(fault).second) continue;
+    finding.location = plan.location;
+    std::string const better = better_hint(fault, ready, plan);
+    if (!better.empty()) finding.hint = better;
+    found.push_back(std::move(finding));
   }
   return found;
 }
@@ -139,45 +108,7 @@ std::vector<Diagnostic> PictureFindings::predicted(PictureReady const& ready, Pi
   return found;
 }
 
-Diagnostic PictureFindings::explain_missing_light(SceneLight light, PicturePlan const& plan) const {
-  if (light == SceneLight::unused) {
-    return warning(plan.location, DiagnosticCode::no_light,
-                   "nothing gives light: whitted does not show the light of an environment", "--integrator path does");
-  }
-  if (light == SceneLight::dimmed) {
-    return warning(plan.location, DiagnosticCode::no_light, "nothing gives light: the environment's brightness is 0",
-                   "--environment-brightness 1 shows it as it is");
-  }
-  std::string hint = hint_of_order("light", defined_below(plan).light);
-  if (hint.empty()) {
-    hint =
-        is_model_ ? "--integrator path --environment studio lights models" : "define light diffuse lamp 10 10 10 1 1 1";
-  }
-  return warning(plan.location, DiagnosticCode::no_light,
-                 "nothing gives light: there is no lamp, no ambient light, no environment and no surface that shines",
-                 std::move(hint));
-}
-
-Diagnostic PictureFindings::explain_black_picture(PictureReady const& ready, PicturePlan const& plan) const {
-  std::string hint = hint_of_order("light", defined_below(plan).light);
-  if (hint.empty()) hint = "perhaps every lamp is inside a shape or outside the room, or the materials reflect nothing";
-  return warning(plan.location, DiagnosticCode::black_picture,
-                 fmt::format("the picture is black: no light reaches what {} sees", name_in_text(ready.request.camera)),
-                 std::move(hint));
-}
-
-Diagnostic PictureFindings::explain_white_picture(PictureReady const& ready, PicturePlan const& plan,
-                                                  double share) const {
-  Development const& development = ready.development;
-  bool const may_map = development.tone_map == ToneMap::none;
-  return warning(plan.location, DiagnosticCode::white_picture,
-                 fmt::format("the picture is too bright: {:.0f} % of what it shows is pure white", 100 * share),
-                 fmt::format("--exposure {:g} darkens it{}", development.exposure_ev - 2,
-                             may_map ? ", and --tonemap neutral shows what is brighter than white" : ""));
-}
-
 PictureFindings::DefinedBelow PictureFindings::defined_below(PicturePlan const& plan) const {
-  if (is_model_ || options_.is_merging) return {};
   LoadedScene script = source_->load(options_.job.reading, options_.load);
   Scene const& end = script.scene();
   DefinedBelow below;
@@ -192,21 +123,20 @@ PictureFindings::DefinedBelow PictureFindings::defined_below(PicturePlan const& 
   return below;
 }
 
-/// Says where the scene lies, and which other convention would show it.
-Diagnostic PictureFindings::explain_empty_view(PictureReady const& ready, PicturePlan const& plan) {
-  Diagnostic result =
-      warning(plan.location, DiagnosticCode::empty_view,
-              fmt::format("{} sees nothing: {}", name_in_text(ready.request.camera),
-                          describe_direction(ready.request.camera, ready.request.resolution, ready.scene->bounds)),
-              hint_of_order("shape", defined_below(plan).shape));
-  if (!result.hint.empty()) return result;
+/// What the file tells about it: that something is defined too late, or that another convention would show it. Empty
+/// where it tells nothing.
+std::string PictureFindings::better_hint(PictureFault fault, PictureReady const& ready, PicturePlan const& plan) {
+  if (is_model_ || options_.is_merging) return {};
+  if (fault == PictureFault::no_light) return hint_of_order("light", defined_below(plan).light);
+  if (fault != PictureFault::nothing_seen) return {};
+  std::string hint = hint_of_order("shape", defined_below(plan).shape);
+  if (!hint.empty()) return hint;
   for (Convention const& convention : other_conventions(options_.job.reading.dialect)) {
-    if (is_model_ || options_.is_merging || !shows_something(convention.dialect, ready.request, plan.scene_number))
-      continue;
-    result.hint = fmt::format("with {} it is in view", convention.arguments);
-    break;
+    if (shows_something(convention.dialect, ready.request, plan.scene_number)) {
+      return fmt::format("with {} it is in view", convention.arguments);
+    }
   }
-  return result;
+  return {};
 }
 
 /// Draws the picture again, small, from the file read under other options.

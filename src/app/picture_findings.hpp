@@ -1,39 +1,16 @@
 #pragma once
 
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
+#include "app/picture_faults.hpp"
 #include "app/scene_loader.hpp"
-#include "app/whiteness.hpp"
 
 namespace lichtraum::app {
 
-/// What tells whether a picture shows anything.
-class Sight {
- public:
-  /// Of a part of it, or all, as it was traced.
-  void add(RayCounts const& rays, Film& film);
-  /// Of the same, what people see of its radiance.
-  void add(Image const& pixels, Development const& development) { whiteness_.add(pixels, development); }
-
-  /// No ray of the camera met anything.
-  bool is_empty() const { return camera_rays_ > 0 && camera_hits_ == 0; }
-  /// All of it, though the camera sees something.
-  bool is_black() const { return camera_hits_ > 0 && is_black_; }
-  /// Rays meet surfaces, and show none of them. Known where normals were traced.
-  bool shows_no_surface() const { return camera_hits_ > 0 && !has_normals_; }
-  /// 0..1, see Whiteness; 0 where only films were added.
-  double white_share(PictureReady const& ready) const;
-
- private:
-  std::uint64_t camera_rays_ = 0;
-  std::uint64_t camera_hits_ = 0;
-  bool is_black_ = true;
-  bool has_normals_ = false;  // or nobody knows
-  Whiteness whiteness_;
-};
-
-/// What pictures fail to show, and why. Each finding once a scene.
+/// What pictures fail to show, and why, as far as their files tell. Each finding once a scene.
 class PictureFindings {
  public:
   /// Both must outlive it.
@@ -58,10 +35,7 @@ class PictureFindings {
     std::string light;
   };
 
-  Diagnostic explain_missing_light(SceneLight light, PicturePlan const& plan) const;
-  Diagnostic explain_black_picture(PictureReady const& ready, PicturePlan const& plan) const;
-  Diagnostic explain_white_picture(PictureReady const& ready, PicturePlan const& plan, double share) const;
-  Diagnostic explain_empty_view(PictureReady const& ready, PicturePlan const& plan);
+  std::string better_hint(PictureFault fault, PictureReady const& ready, PicturePlan const& plan);
   DefinedBelow defined_below(PicturePlan const& plan) const;
   bool shows_something(EsdfDialect const& dialect, RenderRequest request, std::size_t wanted);
 
@@ -69,9 +43,7 @@ class PictureFindings {
   RenderOptions const& options_;
   std::shared_ptr<SceneSource const> source_;
   bool is_model_ = false;
-  bool has_explained_view_ = false;
-  bool has_told_of_light_ = false;
-  bool has_told_of_white_ = false;
+  std::set<PictureFault> told_;
 };
 
 }  // namespace lichtraum::app

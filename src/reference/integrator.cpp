@@ -47,17 +47,6 @@ double visibility(ReferenceScene const& scene, Vec3 const& from, Light const& li
   return share;
 }
 
-/// Where the normal of shading is not the geometric one, light that the surface hides from itself must not end at the
-/// edges of its triangles: Chiang, Li and Burley, "Taming the Shadow Terminator", SIGGRAPH 2019 Talks.
-double terminator_share(ReferencePoint const& point, Vec3 const& to_light) {
-  double const geometric = glm::dot(point.geometric_normal, to_light);
-  double const bend = glm::dot(point.geometric_normal, point.normal);
-  double const shading = glm::dot(point.normal, to_light);
-  if (!(geometric > 0 && bend > 0 && shading > 0)) return 0;
-  double const g = std::min(geometric / (shading * bend), 1.0);
-  return -g * g * g + g * g + g;
-}
-
 /// What the surface shows by itself: emission, ambient, diffuse and specular term. A light that could not add anything
 /// costs no shadow ray.
 Rgb local_radiance(ReferenceScene const& scene, ReferencePoint const& point, RayCounts& counts) {
@@ -72,11 +61,13 @@ Rgb local_radiance(ReferenceScene const& scene, ReferencePoint const& point, Ray
     if (!(cosine > 0)) continue;
     Vec3 const mirrored_light = 2 * cosine * point.normal - to_light;
     double const gloss = pow_of(std::max(0.0, glm::dot(mirrored_light, point.to_viewer)), phong.m);
-    Rgb reflected = light.arriving_at(point.position) * (diffuse_weight * cosine * phong.kd + gloss * phong.ks);
-    if (point.has_shading_normal) reflected *= terminator_share(point, to_light);
+    Rgb const reflected = light.arriving_at(point.position) * (diffuse_weight * cosine * phong.kd + gloss * phong.ks);
     if (reflected == Rgb(0)) continue;
+    // Where the triangle hides the light from itself, it counts whether the round body would be lit.
+    bool const is_hidden = !(glm::dot(point.geometric_normal, to_light) > 0);
+    if (is_hidden && !(glm::dot(point.round_normal, to_light) > 0)) continue;
     ++counts.shadow;
-    radiance += visibility(scene, point.above(), light) * reflected;
+    radiance += visibility(scene, is_hidden ? point.above() + point.lift : point.above(), light) * reflected;
   }
   return radiance;
 }

@@ -1,4 +1,5 @@
-/// What the path integrator does where surfaces are not what they seem: smooth by their normals only, or there in part.
+/// What integrators, most of all paths, do where surfaces are not what they seem: smooth by their normals only, or
+/// there in part.
 
 #include <fmt/format.h>
 
@@ -48,7 +49,7 @@ std::shared_ptr<MeshGeometry const> facets_of_ball(std::uint32_t rows) {
 
 }  // namespace
 
-TEST_CASE("paths: a smooth ball of few triangles is lit by lamps as a round one", "[image][path]") {
+TEST_CASE("a smooth ball of few triangles is lit by lamps as a round one", "[image][path]") {
   REQUIRE_OPENCL_DEVICE();
   constexpr Resolution size{96, 96};
   // Lit from the side and a little from behind: the border of the shadow lies across what is seen.
@@ -58,7 +59,8 @@ TEST_CASE("paths: a smooth ball of few triangles is lit by lamps as a round one"
   auto const material = *scene_of(empty).materials.find("m");
   Vec3 const stretch = GENERATE(Vec3(1), Vec3(-1.1, 0.7, 0.9));
   bool const is_instance = GENERATE(false, true);
-  CAPTURE(stretch.x, is_instance);
+  Integrator const integrator = GENERATE(Integrator::path, Integrator::whitted);
+  CAPTURE(stretch.x, is_instance, int(integrator));
   auto const draw = [&](std::shared_ptr<Shape> const& ball, RenderRequest request, bool by_reference) {
     ball->scale(stretch);
     auto const root = std::make_shared<Composite>("root", Composite::Children{ball});
@@ -71,7 +73,8 @@ TEST_CASE("paths: a smooth ball of few triangles is lit by lamps as a round one"
     scene.shapes.insert(root);
     return by_reference ? render_reference(scene, request) : trace(scene, request);
   };
-  RenderRequest const request = path_request(scene_of(empty), size, 16, 0);
+  RenderRequest request = path_request(scene_of(empty), size, 16, 0);
+  request.integrator = integrator;
   Image const round = draw(std::make_shared<Sphere>("ball", Vec3(0), 1, material), request, false);
   CHECK(round.pixel(80, 48)[0] > 0.3f);
   CHECK(round.pixel(40, 48)[0] == 0);

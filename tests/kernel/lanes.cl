@@ -4,7 +4,7 @@
 #include "materials/phong_at.clh"
 #include "surface/shading_point.clh"
 
-#define VALUES 40u /* a ray */
+#define VALUES 39u /* a ray */
 
 static inline void put3(Real3* v, uint lane, __global float** values) {
   float3 const value = lane_of3(v, lane);
@@ -37,7 +37,6 @@ __kernel void probe_points(SCENE_PARAMETERS, __global float4 const* origins, __g
     LightSample sample = sample_light(&light, point.position);
     Real3 reflected = multiply3(sample.arriving, reflect_light(&point, &phong, sample.to_light));
     Real3 unshadowed = unshadowed_radiance(&phong, (float3)(0.3f, 0.2f, 0.1f));
-    Real terminator = terminator_share(&point, sample.to_light);
     for (uint lane = 0u; lane < LANES; ++lane) {
       __global float* values = out + (first + group * LANES + lane) * VALUES;
       for (uint k = 0u; k < VALUES; ++k) {
@@ -56,7 +55,6 @@ __kernel void probe_points(SCENE_PARAMETERS, __global float4 const* origins, __g
       *values++ = LANE_FLOAT(phong.reflect, lane);
       *values++ = LANE_FLOAT(phong.transmit, lane);
       *values++ = LANE_FLOAT(phong.ior, lane);
-      *values++ = LANE_FLOAT(terminator, lane);
       put3(&point.position, lane, &values);
       put3(&point.geometric_normal, lane, &values);
       put3(&point.normal, lane, &values);

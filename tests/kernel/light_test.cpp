@@ -1,4 +1,4 @@
-/// What arrives of a light at one point: fall-off, cones, terminator.
+/// What arrives of a light at one point: fall-off, cones.
 
 #include "compile/light_table.hpp"
 #include "reference.hpp"
@@ -87,30 +87,4 @@ TEST_CASE("A lamp with a radius is seen as an even disc from everywhere", "[kern
     for (double const quarter : half) CHECK(std::abs(quarter - 0.25 * double(count)) < 0.44 * deviation);
   }
   CHECK(std::abs(inner - 0.5 * double(count)) < 0.5 * deviation);
-}
-
-TEST_CASE("The terminator is dark behind the triangle, and changes nothing where the normals agree", "[kernel]") {
-  NEEDS_OPENCL_DEVICE();
-  Random random(74);
-  std::size_t const count = scaled_count(10000);
-  std::vector<float4> geometric, normals, to_lights;
-  for (std::size_t i = 0; i < count; ++i) {
-    Vec3 const g = random.direction(), l = random.direction();
-    geometric.push_back(to_float4(g));
-    normals.push_back(to_float4(i % 4 == 0 ? g : glm::normalize(g + random.in_cube(0.8))));
-    to_lights.push_back(to_float4(l));
-  }
-  std::vector<float> shares(count);
-  ProbeProgram("material.cl").run("probe_terminator", count, {in(geometric), in(normals), in(to_lights), out(shares)});
-  for (std::size_t i = 0; i < count; ++i) {
-    double const g_l = glm::dot(to_vec3(geometric[i]), to_vec3(to_lights[i]));
-    double const n_l = glm::dot(to_vec3(normals[i]), to_vec3(to_lights[i]));
-    double const g_n = glm::dot(to_vec3(geometric[i]), to_vec3(normals[i]));
-    if (std::min({std::abs(g_l), std::abs(n_l), std::abs(g_n)}) < 1e-3) continue;  // the sign is rounding's
-    double const g = std::min(1.0, g_l / (n_l * g_n));
-    double const expected = g_l > 0 && n_l > 0 && g_n > 0 ? -g * g * g + g * g + g : 0;
-    INFO("case " << i);
-    if (std::abs(shares[i] - expected) > 1e-4) FAIL("share " << shares[i] << ", expected " << expected);
-    if (i % 4 == 0 && g_l > 0 && std::abs(shares[i] - 1) > 1e-5) FAIL("same normals");
-  }
 }

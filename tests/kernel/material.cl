@@ -43,12 +43,3 @@ __kernel void probe_sample_lamp(__global PunctualLight const* lights, __global f
   to_lights[i] = (float4)(sample.to_light, sample.distance);
   arriving[i] = (float4)(sample.arriving, sample.pdf);
 }
-
-__kernel void probe_terminator(__global float4 const* geometric_normals, __global float4 const* normals,
-                               __global float4 const* to_lights, __global float* shares) {
-  size_t const i = get_global_id(0);
-  ShadingPoint point;
-  point.geometric_normal = geometric_normals[i].xyz;
-  point.normal = normals[i].xyz;
-  shares[i] = terminator_share(&point, to_lights[i].xyz);
-}

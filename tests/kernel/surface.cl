@@ -47,7 +47,8 @@ __kernel void probe_light_visibility(SCENE_PARAMETERS, __global float4 const* po
   PunctualLight const light = probed_lights[i];
   Real3 const to_light = sample_light(&light, point.position).to_light;
   Mask const lit = lane_mask(true);
+  Real3 const start = add_scaled(point.position, point.offset, point.geometric_normal);
   Real seen;
-  trace_light_visibility(&scene, &light, &point, &to_light, &lit, 1u, false, &seen);
+  trace_light_visibility(&scene, &light, &point, &start, &to_light, &lit, 1u, false, &seen);
   visibility[i] = seen;
 }

@@ -108,7 +108,6 @@ ReferencePoint find_reference_point(Ray const& ray, Hit const& hit) {
     result.normal = result.from_outside ? outward : -outward;
     result.lift = lift_from_facet(point, hit.linear_from_shape, result.geometric_normal);
     if (result.lift != Vec3(0)) result.round_normal = result.from_outside ? smooth : -smooth;
-    result.has_shading_normal = glm::dot(outward, hit.normal) < 1;
   }
   return result;
 }

@@ -13,9 +13,8 @@ struct ReferencePoint {
   Vec3 lift{0};              // from the point to that body, roughly
   Vec3 to_viewer{0};         // unit length
   PhongModel phong;
-  bool from_outside = true;         // the viewer is on the side that the surface's own normal points to
-  bool has_shading_normal = false;  // whether the two normals differ
-  double offset = 0;                // rays start this far off the surface, so as not to hit it again
+  bool from_outside = true;  // the viewer is on the side that the surface's own normal points to
+  double offset = 0;         // rays start this far off the surface, so as not to hit it again
 
   Vec3 above() const { return position + offset * geometric_normal; }
   Vec3 below() const { return position - offset * geometric_normal; }

@@ -4,7 +4,7 @@
 #include "materials/phong_at.clh"
 #include "surface/shading_point.clh"
 
-#define VALUES 39u /* a ray */
+#define VALUES 38u /* a ray */
 
 static inline void put3(Real3* v, uint lane, __global float** values) {
   float3 const value = lane_of3(v, lane);
@@ -49,7 +49,6 @@ __kernel void probe_points(SCENE_PARAMETERS, __global float4 const* origins, __g
       Mask is_lit = !is_black(reflected);
       *values++ = LANE_MASK(is_lit, lane) != 0 ? 1.f : 0.f;
       *values++ = LANE_MASK(point.from_outside, lane) != 0 ? 1.f : 0.f;
-      *values++ = LANE_MASK(point.has_shading_normal, lane) != 0 ? 1.f : 0.f;
       *values++ = LANE_FLOAT(point.offset, lane);
       *values++ = LANE_FLOAT(phong.m, lane);
       *values++ = LANE_FLOAT(phong.reflect, lane);

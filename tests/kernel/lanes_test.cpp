@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t batch_size = 64;
 
-constexpr std::size_t values_a_ray = 39;  // VALUES of lanes.cl
+constexpr std::size_t values_a_ray = 38;  // VALUES of lanes.cl
 
 /// Every kind of shape, with materials whose exponents are whole, fractional, large and zero, and mirrors and glass.
 std::string scene_text(Random& random) {

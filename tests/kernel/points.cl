@@ -27,7 +27,7 @@ __kernel void probe_points(SCENE_PARAMETERS, __global float4 const* origins, __g
   find_phong(&scene, point.exists, &point.material, point.attributes, &phong);
   positions[i] = (float4)(lane_of3(&point.position, 0u), hits.t[0]);
   normals[i] = (float4)(lane_of3(&point.geometric_normal, 0u), LANE_MASK(point.from_outside, 0u) != 0 ? 1.f : 0.f);
-  shading_normals[i] = (float4)(lane_of3(&point.normal, 0u), LANE_MASK(point.has_shading_normal, 0u) != 0 ? 1.f : 0.f);
+  shading_normals[i] = (float4)(lane_of3(&point.normal, 0u), 0.f);
   coefficients[4u * i] = (float4)(lane_of3(&phong.ka, 0u), LANE_FLOAT(phong.m, 0u));
   coefficients[4u * i + 1u] = (float4)(lane_of3(&phong.kd, 0u), LANE_FLOAT(phong.reflect, 0u));
   coefficients[4u * i + 2u] = (float4)(lane_of3(&phong.ks, 0u), LANE_FLOAT(phong.transmit, 0u));

@@ -99,7 +99,7 @@ TEST_CASE("Textures, normals and colours give a point the same coefficients on t
       if (!found) continue;
       ++hits;
       ReferencePoint const point = find_reference_point(rays[i], hit);
-      bent += point.has_shading_normal;
+      bent += glm::dot(point.normal, point.geometric_normal) < 1;
       wrong_normal += !(max_abs(to_vec3(normals[i]) - point.geometric_normal) < 1e-4 &&
                         max_abs(to_vec3(shading_normals[i]) - point.normal) < 2e-3);
       PhongModel const& p = point.phong;

@@ -307,10 +307,10 @@ TEST_CASE("130: an interrupted picture is kept beside its target", "[app][exit]"
   lichtraum.folder.write("out.png", "old");
   for (int const number : {SIGINT, SIGTERM}) {
     Process process = lichtraum.process("render a.sdf -o out.png --device reference --size 800x600 --samples 1000");
-    process.signals = {{number, 0.7}};
+    process.signals = {{.number = number, .after_cpu_seconds = 0.7}};
     auto const result = run_process(process);
     CHECK(result.exit_code == 130);
-    CHECK(result.seconds < 0.7 + 1);  // on an idle machine it stops within 0.1 s
+    CHECK(result.seconds_after_signal < 1);  // on an idle machine it stops within 0.1 s
     CHECK_THAT(result.err, contains_text("out.partial.png"));
     CHECK(lichtraum.folder.read("out.png") == "old");
     CHECK(lichtraum.folder.names() == std::vector<std::string>{"a.sdf", "out.partial.png", "out.png"});
@@ -322,7 +322,7 @@ TEST_CASE("an interrupted picture for standard output is not written at all", "[
   Lichtraum const lichtraum;
   lichtraum.folder.write("a.sdf", ball_scene);
   Process process = lichtraum.process("render a.sdf b.sdf -o - --device reference --size 800x600 --samples 1000");
-  process.signals = {{SIGINT, 0.7}};
+  process.signals = {{.number = SIGINT, .after_cpu_seconds = 0.7}};
   auto const result = run_process(process);
   CHECK(result.exit_code == 130);
   CHECK(result.out.empty());

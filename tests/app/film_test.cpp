@@ -232,7 +232,7 @@ TEST_CASE("an interrupted film is what was done, under another name", "[app][fil
   Lichtraum const lichtraum;
   lichtraum.folder.write("balls.sdf", moving_balls());
   Process process = lichtraum.process("render --device reference balls.sdf --turntable 500 --samples 8x8 -o film.mp4");
-  process.signals = {{SIGINT, 4}};  // of a minute or two; a busy machine has no picture yet after 1.5 s
+  process.signals = {{.number = SIGINT, .after_cpu_seconds = 4}};  // of minutes; a picture takes a tenth of a second
   auto const result = run_process(process);
   CHECK(result.exit_code == 130);
   CHECK_THAT(result.err, contains_text("interrupted") && contains_text("film.partial.mp4: "));

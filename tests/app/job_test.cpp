@@ -529,7 +529,7 @@ TEST_CASE("a large picture that is interrupted leaves nothing", "[app][job]") {
   Farm const farm;
   auto const before = farm.folder.names();
   Process drawing = farm.process("render ball.sdf -o large.png --size 60000x60000 --device reference");
-  drawing.signals = {{SIGINT, 1.5}};
+  drawing.signals = {{.number = SIGINT, .after_cpu_seconds = 1.5}};
   auto const end = run_process(drawing);
   CHECK(end.exit_code == 130);
   CHECK(end.err.find("nothing was written") != std::string::npos);

@@ -352,7 +352,7 @@ TEST_CASE("colours and a progress bar are for terminals only", "[app][render]") 
   auto const interrupted = [&](std::string const& words, bool has_terminal) {
     Process process = lichtraum.process("render --device reference a.sdf --size 600x450 --samples 60x60 " + words);
     process.has_terminal = has_terminal;
-    process.signals = {{SIGINT, 1.5}};
+    process.signals = {{.number = SIGINT, .after_cpu_seconds = 3}};
     return run_process(process).err;
   };
   CHECK_THAT(interrupted("", true), contains_text("Mrays/s  ") && contains_text(" left") && contains_text("%"));

@@ -327,7 +327,7 @@ TEST_CASE("an interrupted sequence is resumed", "[app][sequence][resume]") {
   lichtraum.folder.write("ball.sdf", scene_with_ball_at(0));
   std::string const words = "render --device reference ball.sdf --turntable 400 --samples 12x12 --json -q";
   Process process = lichtraum.process(words);
-  process.signals = {{SIGINT, 1.0}};
+  process.signals = {{.number = SIGINT, .after_cpu_seconds = 2}};
   auto const first = run_process(process);
   REQUIRE(first.exit_code == 130);
   std::size_t whole = 0;

@@ -19,11 +19,11 @@ until_true changed stepped.png opened.png || exit 1
 press Left
 until_true changed back.png stepped.png || exit 1
 press Home
-until_true changed start.png back.png || exit 1
+until_true same start.png opened.png || exit 1
 press shift+Right
 until_true changed turned.png start.png || exit 1
 press r
-until_true changed straight.png turned.png || exit 1
+until_true same straight.png opened.png || exit 1
 press space
 has_moved() { shot playing.png && ! cmp -s playing.png straight.png; }
 until_true has_moved || exit 1

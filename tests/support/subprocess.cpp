@@ -11,6 +11,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <ctime>
 #include <stdexcept>
 
 namespace {
@@ -18,6 +19,19 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Of all its threads; 0 when it has ended.
+double cpu_seconds_of(pid_t process) {
+  clockid_t clock{};
+  timespec time{};
+  if (::clock_getcpuclockid(process, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+bool is_due(Process::Signal const& signal, double seconds, pid_t process) {
+  if (seconds < signal.after_seconds) return false;
+  return signal.after_cpu_seconds == 0 || cpu_seconds_of(process) >= signal.after_cpu_seconds;
+}
 
 /// Both ends of a pipe, or of a terminal.
 struct Channel {
@@ -90,6 +104,7 @@ ProcessResult run_process(Process const& process) {
   ProcessResult result;
   std::size_t written = 0;
   std::size_t sent = 0;
+  auto last_sent = start;
   while (out.ours >= 0 || err.ours >= 0) {
     double const now = seconds_since(start);
     if (now > process.timeout_seconds) {
@@ -97,8 +112,9 @@ ProcessResult run_process(Process const& process) {
       ::waitpid(child, nullptr, 0);
       throw std::runtime_error("the program did not end in time; it said: " + result.err);
     }
-    if (sent < process.signals.size() && now >= process.signals[sent].after_seconds) {
+    if (sent < process.signals.size() && is_due(process.signals[sent], now, child)) {
       ::kill(child, process.signals[sent++].number);
+      last_sent = Clock::now();
     }
     std::array<pollfd, 3> events{{{out.ours, POLLIN, 0}, {err.ours, POLLIN, 0}, {in.ours, POLLOUT, 0}}};
     ::poll(events.data(), events.size(), 10);
@@ -125,6 +141,7 @@ ProcessResult run_process(Process const& process) {
   ::waitpid(child, &status, 0);
   ::signal(SIGPIPE, old_handler);
   result.seconds = seconds_since(start);
+  result.seconds_after_signal = seconds_since(last_sent);
   if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
   return result;

@@ -19,11 +19,13 @@ struct Process {
   std::optional<unsigned long> max_file_bytes = {};     ///< as ulimit -f
   double timeout_seconds = 60;
 
+  /// Sent once both times have passed.
   struct Signal {
     int number;
-    double after_seconds;
+    double after_seconds = 0;      ///< since it was started
+    double after_cpu_seconds = 0;  ///< of the program's own work, so that a busy machine does not interrupt it sooner
   };
-  std::vector<Signal> signals = {};  ///< sent to it, in order of time
+  std::vector<Signal> signals = {};  ///< sent to it, one after the other
 };
 
 struct ProcessResult {
@@ -31,7 +33,8 @@ struct ProcessResult {
   int signal = 0;      ///< that ended it, or 0
   std::string out;
   std::string err;
-  double seconds = 0;  ///< from start to end
+  double seconds = 0;               ///< from start to end
+  double seconds_after_signal = 0;  ///< from the last signal sent, or the start, to the end
 };
 
 /// Throws std::runtime_error when it takes longer than the timeout (and kills it).

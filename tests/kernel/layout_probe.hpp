@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -25,8 +26,10 @@ struct LayoutHit {
 /// One compiled scene in one layout, and the probes for it.
 class LayoutProbe {
  public:
-  LayoutProbe(FlatScene scene, Traversal traversal)
-      : scene_(compile_scene(std::move(scene), {}, traversal.layout)),
+  /// With a stack of what the scene needs, so that Oclgrind sees when that is not enough; or at least of `least_stack`
+  /// entries, so that many scenes share a program.
+  LayoutProbe(FlatScene scene, Traversal traversal, std::size_t least_stack = 0)
+      : scene_(compiled(std::move(scene), traversal.layout, least_stack)),
         packets_(traversal.grouping == RayGrouping::packet),
         program_(program_for(scene_options(scene_, traversal))) {}
 
@@ -61,6 +64,11 @@ class LayoutProbe {
   SceneBuffers const& scene() const { return scene_; }
 
  private:
+  static SceneBuffers compiled(FlatScene scene, TreeLayout layout, std::size_t least_stack) {
+    SceneBuffers buffers = compile_scene(std::move(scene), {}, layout);
+    buffers.stack_size = std::max(buffers.stack_size, least_stack);
+    return buffers;
+  }
   /// Compiled once, however many scenes need it. Never destroyed: what a driver needs for that is gone by then.
   static ProbeProgram const& program_for(std::string_view wanted) {
     static auto& programs = *new std::map<std::string, ProbeProgram>;

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "cl/render_program.hpp"
 #include "layout_probe.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/gltf.hpp"
@@ -153,7 +154,7 @@ void trace(RealMesh mesh, Placement const& placement, std::size_t rays_per_layou
   if (placement.is_instance) scene.instances.push_back({1, map});
   scene.materials = {std::make_shared<Material>()};
   for (Traversal const traversal : all_layouts) {
-    LayoutProbe const probe(scene, traversal);
+    LayoutProbe const probe(scene, traversal, RenderProgram{}.traversal_stack_size);
     std::size_t const leaks = count_misses(probe, rays_per_layout, [&](Rays& rays) {
       Vec3 const from = origins[random.index(origins.size())];
       std::size_t const near = random.index(mesh.triangles.size());

@@ -31,6 +31,16 @@ std::optional<JobBackground> usual_background(Job const& job, Scene const& scene
   return {};
 }
 
+/// An environment that was asked for is light that a scene's author has not reckoned with: most of the picture would be
+/// white without a curve.
+ToneMap usual_tone_map(Job const& job, Scene const& scene) {
+  if (chosen_integrator(job, scene).integrator != Integrator::path) return scene.tone_map;
+  if (is_model(job)) return ToneMap::neutral;
+  std::string const& asked = job.reading.environment.source;
+  bool const has_more_light = !asked.empty() && asked != "none";
+  return has_more_light && scene.tone_map == ToneMap::none ? ToneMap::neutral : scene.tone_map;
+}
+
 /// What an integrator draws with unless asked otherwise.
 struct Effort {
   int samples;
@@ -243,9 +253,7 @@ RenderRequest view_of(Job job, Scene const& scene) {
 }
 
 Development development_of(Job const& job, Scene const& scene) {
-  bool const is_lit_by_paths = is_model(job) && chosen_integrator(job, scene).integrator == Integrator::path;
-  ToneMap const usual = is_lit_by_paths ? ToneMap::neutral : scene.tone_map;
-  return {job.exposure_ev, job.tone_map == ToneMap::automatic ? usual : job.tone_map,
+  return {job.exposure_ev, job.tone_map == ToneMap::automatic ? usual_tone_map(job, scene) : job.tone_map,
           job.transfer.value_or(is_model(job) ? Transfer::srgb : Transfer::linear)};
 }
 

@@ -61,7 +61,7 @@ TEST_CASE("an environment that is white is told", "[app][white]") {
   lichtraum.folder.write("a.sdf",
                          "define material m 0 0 0 0.2 0.2 0.2 0 0 0 1\ndefine shape sphere s 0 0 -5 1 m\n" + view);
   lichtraum.folder.write("sky.hdr", bright_sky);
-  std::string const words = "a.sdf --environment sky.hdr --samples 16 --denoise off";
+  std::string const words = "a.sdf --environment sky.hdr --tonemap none --samples 16 --denoise off";
   auto const result = lichtraum.render(words);
   CHECK_THAT(result.err, contains_text(" % of what it shows is pure white [W0823]"));
   CHECK_THAT(lichtraum("check --device reference " + words).err, contains_text("[W0823]"));

@@ -328,6 +328,27 @@ TEST_CASE("models are neutral where light bounces, and scenes as they say", "[un
   CHECK(development_of(job, scene).tone_map == ToneMap::reinhard);
 }
 
+TEST_CASE("scenes are neutral in an environment that was asked for, unless they have a curve", "[unit][job]") {
+  Scene scene = two_pictures();
+  Job job = job_of();
+  job.integrator = Integrator::path;
+  CHECK(development_of(job, scene).tone_map == ToneMap::none);
+  for (std::string const source : {"studio", "sky.hdr"}) {
+    INFO(source);
+    job.reading.environment.source = source;
+    CHECK(development_of(job, scene).tone_map == ToneMap::neutral);
+    CHECK(development_of(job, scene).transfer == Transfer::linear);
+  }
+  scene.tone_map = ToneMap::reinhard;
+  CHECK(development_of(job, scene).tone_map == ToneMap::reinhard);
+  scene.tone_map = ToneMap::none;
+  job.integrator = Integrator::whitted;  // which shows no environment
+  CHECK(development_of(job, scene).tone_map == ToneMap::none);
+  job.integrator = Integrator::path;
+  job.reading.environment.source = "none";
+  CHECK(development_of(job, scene).tone_map == ToneMap::none);
+}
+
 TEST_CASE("how a job is developed", "[unit][job]") {
   Scene scene = two_pictures();
   scene.tone_map = ToneMap::reinhard;

@@ -447,6 +447,30 @@ TEST_CASE("the weights of the BSDF's samples are f cos / pdf, and shares for mir
   }
 }
 
+// The table of what solids reflect from within is too coarse for the critical angle: paths would be chosen there that
+// hardly count, and others count for many.
+TEST_CASE("nearly smooth solids choose what they mirror from within as often as there is light of it",
+          "[kernel][bsdf]") {
+  NEEDS_OPENCL_DEVICE();
+  double const ior = 1.5, critical_cosine = std::sqrt(1 - 1 / (ior * ior));
+  BsdfCase const surface{"solid", transmitting(layered_bsdf(1, 0, 0.1), 1, ior), false};
+  std::vector<float4> viewers;
+  std::vector<double> expected;
+  double const least = 0.01;  // some microfacets always do the other
+  for (double cosine = 0.3; cosine < 1; cosine += 0.005) {
+    double const refracted = 1 - ior * ior * (1 - cosine * cosine);
+    double const mirrored = refracted <= 0 ? 1 : schlick(0.04, std::sqrt(refracted));
+    if (std::abs(cosine - critical_cosine) < 0.01) continue;  // where it rises steeply
+    viewers.push_back(to_float4(Vec3(std::sqrt(1 - cosine * cosine), 0, cosine)));
+    expected.push_back(std::max(mirrored, least) / (std::max(mirrored, least) + std::max(1 - mirrored, least)));
+  }
+  auto const choices = BsdfProbe().choices(surface, viewers);
+  for (std::size_t i = 0; i < viewers.size(); ++i) {
+    INFO("cosine " << viewers[i].z);
+    CHECK(choices[i].glossy == Approx(expected[i]).margin(0.005));
+  }
+}
+
 TEST_CASE("sixteen samples of the BSDF at once are those of one by one, at the edges too",
           "[kernel][bsdf][layouts][lanes]") {
   NEEDS_OPENCL_DEVICE();

@@ -141,7 +141,19 @@ def named_as_here() -> Iterator[None]:
         raise UsageError(as_here(str(error).removesuffix(" (lichtraum render --help shows how)"))) from None
 
 
+#: An option in a sentence, and its value if that is a number or one of the words that hints ask for.
+_OPTION = re.compile(r"(--[a-z][a-z-]+)(?:[ =](?:(-?[0-9]+(?:[.][0-9]+)?)|(neutral|path|studio))(?![.,]?\w))?")
+
+
 def as_here(text: str) -> str:
-    """With the names that options have in Python."""
+    """With options as Python has them: `exposure=-2` for `--exposure -2`."""
     names = {"--" + name.replace("_", "-"): name for name in RenderOptions.__annotations__}
-    return re.sub(r"--[a-z][a-z-]+", lambda option: names.get(option[0], option[0]), text)
+
+    def keyword(match: re.Match[str]) -> str:
+        option, number, word = match.groups()
+        name = names.get(option)
+        if name is None:
+            return match[0]
+        return f"{name}={number}" if number else f"{name}={word!r}" if word else name
+
+    return _OPTION.sub(keyword, text)

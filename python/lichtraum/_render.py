@@ -36,10 +36,15 @@ def _warn(text: str) -> None:
     warnings.warn(text, SceneWarning, stacklevel=level)
 
 
-def _warn_of(diagnostics: Sequence[Diagnostic]) -> None:
+def _warn_of(diagnostics: Sequence[Diagnostic], is_made_here: bool = False) -> None:
+    """`is_made_here`: of a Scene, whose author may not know eSDF."""
     for diagnostic in diagnostics:
-        if diagnostic.severity == "warning":
-            _warn(as_here(str(diagnostic).rstrip()))
+        if diagnostic.severity != "warning":
+            continue
+        text = str(diagnostic).rstrip()
+        if is_made_here and diagnostic.hint.startswith("define light"):
+            text = text.replace(diagnostic.hint, "Light.point((10, 10, 10)) among its items")
+        _warn(as_here(text))
 
 
 def _folders(value: Any) -> list[Any]:
@@ -86,24 +91,28 @@ class Renderer:
         return self._draw(scene, picture, progress, given)
 
     def _draw(self, scene: Drawable, picture: int, progress: Progress, given: dict[str, Any]) -> Image:
-        session = self._session
-        if not session.is_reference:
+        if not self._session.is_reference:
             OPENCL.check()
         if isinstance(scene, Scene):
             with scene._workplace.use():
                 written, given = _as_drawn(scene, given)
-                return self._draw(written, picture, progress, given)
-        options = parsed(given)
+                drawn = self._drawn(written, picture, progress, given)
+        else:
+            drawn = self._drawn(scene, picture, progress, given)
+        _warn_of(drawn.diagnostics, isinstance(scene, Scene))
+        return Image(drawn)
+
+    def _drawn(
+        self, scene: Path | LoadedScene, picture: int, progress: Progress, given: dict[str, Any]
+    ) -> _native.Picture:
+        session, options = self._session, parsed(given)
         with named_as_here(), Bar(progress) as bar:
             if isinstance(scene, LoadedScene):
                 read = scene._native
-                drawn = wait_for(lambda control: session.draw_scene(read, options, picture, control), bar.show)
-            else:
-                name = file_name(scene)
-                with reading(name):
-                    drawn = wait_for(lambda control: session.draw_file(name, options, picture, control), bar.show)
-        _warn_of(drawn.diagnostics)
-        return Image(drawn)
+                return wait_for(lambda control: session.draw_scene(read, options, picture, control), bar.show)
+            name = file_name(scene)
+            with reading(name):
+                return wait_for(lambda control: session.draw_file(name, options, picture, control), bar.show)
 
     def __repr__(self) -> str:
         return f"<lichtraum.Renderer on {self.device!r}>"

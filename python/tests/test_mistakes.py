@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import lichtraum as lt
+from lichtraum._options import as_here
 
 HELLO = Path(__file__).parents[2] / "scenes" / "hello.sdf"
 
@@ -49,7 +50,7 @@ def test_scenes_are_read_as_asked(renderer, material):
     [
         ({"up": (0, 0, 0)}, "up 0,0,0: it has no direction"),
         ({"focus": 3}, "focus: without a lens everything is sharp; aperture says"),
-        ({"ground": True, "integrator": "whitted"}, "ground: whitted draws none; integrator path does"),
+        ({"ground": True, "integrator": "whitted"}, "ground: whitted draws none; integrator='path' does"),
         ({"samples": []}, "samples needs a value$"),
         ({"traversal": "deep"}, "traversal: expected auto, scalar, wide or packet, not 'deep'"),
     ],
@@ -81,7 +82,7 @@ def test_options_without_effect_are_told(renderer, options, message):
     ("options", "code", "message"),
     [
         ({"eye": (0, 50, 0), "look_at": (0, 90, 1)}, "W0816", "the camera 'eye' sees nothing: the scene is behind the camera"),
-        ({"exposure": 9}, "W0823", r"% of what it shows is pure white \[W0823\]\n  hint: exposure 7 darkens it"),
+        ({"exposure": 9}, "W0823", r"% of what it shows is pure white \[W0823\]\n  hint: exposure=7 darkens it, and tonemap='neutral' shows"),
         ({"integrator": "path", "environment": "black.hdr"}, "W0815", "the picture is black: no light reaches"),
     ],
 )
@@ -98,6 +99,28 @@ def test_pictures_that_show_nothing_are_told(renderer, tmp_path, options, code, 
     assert [each.code for each in image.diagnostics] == [code]
     part = renderer.render(scene, size=(16, 16), region=(0, 0, 2, 2), eye=(0, 50, 0), look_at=(0, 90, 1))
     assert part.diagnostics == []  # of a region that may well be
+
+
+def test_scenes_made_here_get_hints_in_python(renderer):
+    dark = lt.Scene([lt.Sphere((0, 0, -5), 1)], camera=lt.Camera())
+    with pytest.warns(lt.SceneWarning, match=r"nothing gives light.*\n  hint: Light.point\(\(10, 10, 10\)\) among its items$"):
+        renderer.render(dark, size=(8, 8))
+    lit = lt.Scene([lt.Sphere((0, 0, -5), 1), lt.Light.point((10, 10, 10))], camera=lt.Camera())
+    assert renderer.render(lit, size=(8, 8)).diagnostics == []
+
+
+@pytest.mark.parametrize(
+    ("here", "there"),
+    [
+        ("exposure=-2 darkens it, and tonemap='neutral' shows more", "--exposure -2 darkens it, and --tonemap neutral shows more"),
+        ("integrator='path' environment='studio' lights it", "--integrator path --environment studio lights it"),
+        ("environment_brightness=0.5.", "--environment-brightness 0.5."),
+        ("both_sides shows them; size 640x480, region 0,0,9,9", "--both-sides shows them; --size 640x480, --region 0,0,9,9"),
+        ("look_at and up, --json 1", "--look-at and --up, --json 1"),
+    ],
+)
+def test_options_in_sentences_are_those_of_python(here, there):
+    assert as_here(there) == here
 
 
 def test_reading_warns_of_what_has_no_effect_there():

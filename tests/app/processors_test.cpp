@@ -133,9 +133,9 @@ void check_classes(std::string const& options, std::string const& extension, std
 
 }  // namespace
 
-// To compile the programs for each class takes minutes. So paths are in the first two of these only, scenes that are
-// deeper than 7 and need programs of their own as well; and for sse41 PoCL makes nearly the same of those as for sse2:
-// vectors of four, without fma.
+// Programs take minutes to compile for each class. So paths are in the first two of these only, as are scenes deeper
+// than 7, which need programs of their own; and for sse41 PoCL makes nearly the same of those as for sse2: vectors of
+// four, without fma.
 TEST_CASE("radiance has the same bytes for each class of processors", "[app][long]") {
   check_classes("--traversal packet", ".pfm", "sse41");
 }

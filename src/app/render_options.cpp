@@ -102,7 +102,7 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
   add_value(parser, "--exposure", options.job.exposure_ev, parse_exposure, "EV",
             "Stops brighter, or darker (default: 0)", group);
   add_value(parser, "--tonemap", options.job.tone_map, parse_tone_map, "NAME",
-            "auto (default: neutral for models by path and for\nscenes in an environment, else what the "
+            "auto (default: neutral for models by path and for\nscenes with --environment, else what the "
             "scene's\nlights need), neutral, agx, "
             "aces,\nreinhard or none",
             group);

@@ -51,8 +51,8 @@ settled() {
 drawn() { settled "$1" && [[ -n $(ffmpeg -v error -i "$1" -vf crop=iw/4:ih/4 -f rawvideo -pix_fmt gray - | tr -d '\000-\017' | head -c 1) ]]; }
 # changed PICTURE OTHER: a settled one that is not the other.
 changed() { settled "$1" && ! cmp -s "$1" "$2"; }
-# same PICTURE OTHER: one that is the other below the text at the top, which has the time that it took and may need a line more.
 without_text() { ffmpeg -v error -i "$1" -vf crop=iw:ih-120:0:120 -f rawvideo -; }
+# same PICTURE OTHER: one that is the other below the text at the top, which has the time that it took and may need a line more.
 same() { shot "$1" && cmp -s <(without_text "$1") <(without_text "$2"); }
 
 # press KEY... A window that closes at a key is gone before xdotool lets go of it, and fails then: the server takes such a key

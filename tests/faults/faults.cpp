@@ -151,10 +151,11 @@ std::map<int, int> check_each_fault(Task const& task, std::string const& kind, s
   for (int const at : chosen) {
     for (bool const lasts : {false, true}) {
       FaultyResult const faulty = runs.run({kind, at, lasts});
-      auto const& [status, signal, out, err, seconds] = faulty.process;
+      int const status = faulty.process.exit_code;
+      std::string const& err = faulty.process.err;
       INFO(kind << " " << at << " of " << clean.calls << (lasts ? " and later" : "") << " fails; status " << status
-                << ", signal " << signal << ": " << err);
-      CHECK(signal == 0);
+                << ", signal " << faulty.process.signal << ": " << err);
+      CHECK(faulty.process.signal == 0);
       CHECK(documented.contains(status));
       CHECK((status == 0 || err.find("error: ") != std::string::npos));
       CHECK_THAT(err, !contains_text("this is a fault in lichtraum"));  // it is one of the machine

@@ -67,7 +67,7 @@ ReferenceScatteringPoint ReferenceGround::black_point(Ray const& ray, double t) 
   ReferenceScatteringPoint point{};
   point.position = ray.origin + t * ray.direction;
   point.position += (height_ - glm::dot(up_, point.position)) * up_;
-  point.geometric_normal = point.round_normal = point.normal = up_;
+  point.set_normals(up_);
   point.to_viewer = -ray.direction;
   point.offset = reference_ray_epsilon * glm::length(point.position);
   return point;

@@ -61,7 +61,8 @@ Rgb local_radiance(ReferenceScene const& scene, ReferencePoint const& point, Ray
     if (!(cosine > 0)) continue;
     Vec3 const mirrored_light = 2 * cosine * point.normal - to_light;
     double const gloss = pow_of(std::max(0.0, glm::dot(mirrored_light, point.to_viewer)), phong.m);
-    Rgb const reflected = light.arriving_at(point.position) * (diffuse_weight * cosine * phong.kd + gloss * phong.ks);
+    double const matt = diffuse_weight * cosine * bump_shadow(point.smooth_normal, point.normal, to_light);
+    Rgb const reflected = light.arriving_at(point.position) * (matt * phong.kd + gloss * phong.ks);
     if (reflected == Rgb(0)) continue;
     // Where the triangle hides the light from itself, it counts whether the round body would be lit.
     bool const is_hidden = !(glm::dot(point.geometric_normal, to_light) > 0);

@@ -96,9 +96,7 @@ ReferencePoint find_reference_point(Ray const& ray, Hit const& hit) {
   MeshPoint const point(hit);
   result.from_outside = glm::dot(hit.normal, ray.direction) < 0;
   result.position = ray.at(hit.t);
-  result.geometric_normal = result.from_outside ? hit.normal : -hit.normal;
-  result.normal = result.geometric_normal;
-  result.round_normal = result.geometric_normal;
+  result.set_normals(result.from_outside ? hit.normal : -hit.normal);
   result.to_viewer = -ray.direction;
   result.offset = reference_ray_epsilon * std::max(largest_coordinate(result.position), largest_coordinate(ray.origin));
   result.phong = coefficients(material, point);
@@ -106,10 +104,20 @@ ReferencePoint find_reference_point(Ray const& ray, Hit const& hit) {
     Vec3 const smooth = smooth_normal(point, hit.linear_from_shape, hit.normal);
     Vec3 const outward = bump_normal(pbr, point, hit.linear_from_shape, smooth);
     result.normal = result.from_outside ? outward : -outward;
+    result.smooth_normal = result.from_outside ? smooth : -smooth;
     result.lift = lift_from_facet(point, hit.linear_from_shape, result.geometric_normal);
-    if (result.lift != Vec3(0)) result.round_normal = result.from_outside ? smooth : -smooth;
+    if (result.lift != Vec3(0)) result.round_normal = result.smooth_normal;
   }
   return result;
+}
+
+double bump_shadow(Vec3 const& smooth_normal, Vec3 const& normal, Vec3 const& to_light) {
+  double const cosine = glm::dot(smooth_normal, to_light);
+  double const unshadowed = glm::dot(normal, to_light) * glm::dot(smooth_normal, normal);
+  if (cosine <= 0) return 0;
+  if (cosine >= unshadowed) return 1;
+  double const share = cosine / unshadowed;
+  return share + share * share - share * share * share;
 }
 
 bool is_absent(Hit const& hit) {

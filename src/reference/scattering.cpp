@@ -7,6 +7,7 @@
 #include "core/largest_channel.hpp"
 #include "reference/albedo_tables.hpp"
 #include "reference/microfacets.hpp"
+#include "reference/point.hpp"
 
 namespace lichtraum {
 namespace {
@@ -34,9 +35,13 @@ double cosine_beyond_squared(double eta, double cosine) { return 1 - eta * eta *
 
 double coat_fresnel(double cosine) { return schlick(Rgb(coat_f0), Rgb(1), cosine).r; }
 
-ReferenceScattering::ReferenceScattering(ReferenceBsdf const& bsdf, Vec3 const& normal, Vec3 const& to_viewer,
-                                         bool from_outside)
-    : bsdf_(bsdf), normal_(normal), to_viewer_(to_viewer), eta_(from_outside ? 1 / bsdf.ior : bsdf.ior) {
+ReferenceScattering::ReferenceScattering(ReferenceBsdf const& bsdf, Vec3 const& smooth_normal, Vec3 const& normal,
+                                         Vec3 const& to_viewer, bool from_outside)
+    : bsdf_(bsdf),
+      smooth_normal_(smooth_normal),
+      normal_(normal),
+      to_viewer_(to_viewer),
+      eta_(from_outside ? 1 / bsdf.ior : bsdf.ior) {
   double const cosine = glm::dot(normal, to_viewer);
   if (bsdf.coat > 0) {
     auto const coat = reflection_albedo(bsdf.coat_alpha, cosine);
@@ -102,7 +107,7 @@ Rgb ReferenceScattering::evaluate(Vec3 const& to_light, Lobes lobes) const {
     bool const is_black = bsdf_.transmitted == Rgb(0) || !counts_gloss;
     return is_black ? Rgb(0) : -cosine * transmitted(to_light);
   }
-  Rgb f = base_ * bsdf_.diffuse / std::numbers::pi;
+  Rgb f = bump_shadow(smooth_normal_, normal_, to_light) * base_ * bsdf_.diffuse / std::numbers::pi;
   double const facet_cosine = glm::dot(to_viewer_, glm::normalize(to_viewer_ + to_light));
   if (counts_gloss) {
     f += below_coat_ * fresnel(facet_cosine) * microfacet_reflection(bsdf_.alpha, normal_, to_viewer_, to_light);

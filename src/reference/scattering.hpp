@@ -32,8 +32,10 @@ double coat_fresnel(double cosine);
 /// A BSDF at a point, as seen from one direction: docs/RAYTRACING.md, section 17. Vectors are unit, in the world.
 class ReferenceScattering {
  public:
-  /// `normal` is on the viewer's side; `from_outside`: the viewer is not in the body that the surface encloses.
-  ReferenceScattering(ReferenceBsdf const& bsdf, Vec3 const& normal, Vec3 const& to_viewer, bool from_outside);
+  /// Both normals are on the viewer's side; `normal` is `smooth_normal` where no normal map has turned it.
+  /// `from_outside`: the viewer is not in the body that the surface encloses.
+  ReferenceScattering(ReferenceBsdf const& bsdf, Vec3 const& smooth_normal, Vec3 const& normal, Vec3 const& to_viewer,
+                      bool from_outside);
 
   enum class Lobes {
     all,     ///< but mirror and glass: what a light without extent shows
@@ -67,6 +69,7 @@ class ReferenceScattering {
   Vec3 refracted() const;
 
   ReferenceBsdf bsdf_;
+  Vec3 smooth_normal_;
   Vec3 normal_;
   Vec3 to_viewer_;
   double eta_;               // the index of refraction on the viewer's side over the one beyond

@@ -162,7 +162,9 @@ Rgb attenuation(PbrModel const& solid, double distance) {
 
 ReferenceScatteringPoint find_scattering_point(Ray const& ray, Hit const& hit) {
   ReferenceScatteringPoint point{find_reference_point(ray, hit), {}};
-  if (!(glm::dot(point.normal, point.to_viewer) > 1e-4)) point.normal = point.geometric_normal;
+  if (!(glm::dot(point.normal, point.to_viewer) > 1e-4)) {
+    point.normal = point.smooth_normal = point.geometric_normal;
+  }
   Material const& material = material_of(*hit.shape);
   if (PbrModel const* const pbr = material.pbr()) {
     set_pbr(*pbr, hit, point);

@@ -17,7 +17,7 @@ struct ReferenceScatteringPoint : ReferencePoint {
   PbrModel const* solid = nullptr;  ///< the body that the surface encloses, if light gets into it
 
   /// By the normal of shading, unless that faces away from the viewer.
-  ReferenceScattering scattering() const { return {bsdf, normal, to_viewer, from_outside}; }
+  ReferenceScattering scattering() const { return {bsdf, smooth_normal, normal, to_viewer, from_outside}; }
   /// What goes straight on of all the light that gets there: where nothing is, and through panes.
   Rgb straight() const { return 1.0 - opacity + opacity * passed; }
   /// The probability with which a path is scattered.

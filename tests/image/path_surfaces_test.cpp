@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <glm/trigonometric.hpp>
+
 #include <cmath>
 
 #include "support/catch.hpp"
@@ -91,6 +93,46 @@ TEST_CASE("a smooth ball of few triangles is lit by lamps as a round one", "[ima
       }
     }
     CHECK(differing <= 4);
+  }
+}
+
+TEST_CASE("bumps that face a lamp fade out towards the horizon of the surface that they are on", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  Integrator const integrator = GENERATE(Integrator::path, Integrator::whitted);
+  bool const by_reference = GENERATE(false, true);
+  bool const has_normals = GENERATE(false, true);
+  auto const image = std::make_shared<TextureImage const>(TextureImage{"tilt", 1, 1, {218, 128, 218, 255}});
+  PbrModel model = pbr(Rgb(0.8), 0, 1);
+  model.specular = 0;
+  auto const brightness = [&](double lamp_degrees, bool is_bumpy) {
+    model.normal_texture = {};
+    if (is_bumpy) model.normal_texture.texture = std::make_shared<Texture const>(Texture{image});
+    auto square = std::make_shared<MeshGeometry>();
+    square->positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    if (has_normals) square->normals.assign(4, {0, 0, 1});
+    square->texcoords = {{{0, 1}, {1, 1}, {1, 0}, {0, 0}}};
+    square->indices = {0, 1, 2, 0, 2, 3};
+    double const angle = glm::radians(lamp_degrees);
+    Scene scene =
+        scene_of(fmt::format("define light diffuse lamp {} 0 {}  1 1 1\ndefine camera eye 5\n"
+                             "transform eye translate 0 0 5\n",
+                             1e4 * std::cos(angle), 1e4 * std::sin(angle)));
+    auto const material = std::make_shared<Material>("m", model);
+    scene.materials.insert(material);
+    scene.shapes.insert(std::make_shared<Mesh>("square", square, material));
+    RenderRequest request = path_request(scene, {4, 4}, 4, 0);
+    request.integrator = integrator;
+    Image const picture = by_reference ? render_reference(scene, request) : trace(scene, request);
+    return double(picture.pixel(1, 1)[0]);
+  };
+  double const unit = brightness(90, false);
+  REQUIRE(unit > 0.5);
+  double const tilt = std::atan2(2 * 218 / 255. - 1, 2 * 218 / 255. - 1);  // 45 degrees, towards the lamp
+  for (double const degrees : {-10., -1., 1., 5., 15., 30., 44., 46., 80., 130.}) {
+    CAPTURE(int(integrator), by_reference, has_normals, degrees);
+    double const angle = glm::radians(degrees), bumpy = std::cos(angle - (glm::radians(90.) - tilt));
+    double const g = std::clamp(std::sin(angle) / (bumpy * std::cos(tilt)), 0.0, 1.0);
+    CHECK(brightness(degrees, true) / unit == Approx(bumpy * (g + g * g - g * g * g)).margin(0.004));
   }
 }
 

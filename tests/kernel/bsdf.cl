@@ -16,19 +16,21 @@ static inline Bsdf load_bsdf(__global BsdfParameters const* source) {
   return bsdf;
 }
 
-static inline BsdfView load_view(Bsdf* bsdf, uint from_outside, float4 coat_normal, __global float4 const* viewers) {
+static inline BsdfView load_view(Bsdf* bsdf, uint from_outside, float4 smooth_normal, float4 coat_normal,
+                                 __global float4 const* viewers) {
   Real3 const wo = load_directions(viewers);
   Mask const is_outside = lane_mask(from_outside != 0u);
   cover_with_film(bsdf, is_outside, wo.z);
-  return view_bsdf(bsdf, is_outside, wo, broadcast3(coat_normal.xyz));
+  return view_bsdf(bsdf, is_outside, wo, broadcast3(smooth_normal.xyz), broadcast3(coat_normal.xyz));
 }
 
 /* f |wi.z|, and the density as w. */
-__kernel void probe_evaluate(__global BsdfParameters const* parameters, uint from_outside, float4 coat_normal,
-                             __global float4 const* viewers, __global float4 const* lights, __global float4* values) {
+__kernel void probe_evaluate(__global BsdfParameters const* parameters, uint from_outside, float4 smooth_normal,
+                             float4 coat_normal, __global float4 const* viewers, __global float4 const* lights,
+                             __global float4* values) {
   size_t const first = get_global_id(0) * LANES;
   Bsdf bsdf = load_bsdf(parameters);
-  BsdfView const view = load_view(&bsdf, from_outside, coat_normal, viewers + first);
+  BsdfView const view = load_view(&bsdf, from_outside, smooth_normal, coat_normal, viewers + first);
   BsdfValue value = bsdf_evaluate(&bsdf, &view, load_directions(lights + first));
   for (uint lane = 0u; lane < LANES; ++lane) {
     values[first + lane] = (float4)(lane_of3(&value.value, lane), LANE_FLOAT(value.pdf, lane));
@@ -36,12 +38,12 @@ __kernel void probe_evaluate(__global BsdfParameters const* parameters, uint fro
 }
 
 /* wi, and its density as w; the weights. `uniforms`: choice, u, v. */
-__kernel void probe_sample(__global BsdfParameters const* parameters, uint from_outside, float4 coat_normal,
-                           __global float4 const* viewers, __global float4 const* uniforms, __global float4* directions,
-                           __global float4* weights) {
+__kernel void probe_sample(__global BsdfParameters const* parameters, uint from_outside, float4 smooth_normal,
+                           float4 coat_normal, __global float4 const* viewers, __global float4 const* uniforms,
+                           __global float4* directions, __global float4* weights) {
   size_t const first = get_global_id(0) * LANES;
   Bsdf bsdf = load_bsdf(parameters);
-  BsdfView const view = load_view(&bsdf, from_outside, coat_normal, viewers + first);
+  BsdfView const view = load_view(&bsdf, from_outside, smooth_normal, coat_normal, viewers + first);
   Real3 const random = load_directions(uniforms + first);
   BsdfSample sample = bsdf_sample(&bsdf, &view, random.x, random.y, random.z);
   for (uint lane = 0u; lane < LANES; ++lane) {
@@ -52,11 +54,12 @@ __kernel void probe_sample(__global BsdfParameters const* parameters, uint from_
 
 /* The probabilities with which lobes are chosen: coat, glossy, diffuse, transmitted; mirror, glass, sheen, translucent.
  */
-__kernel void probe_choices(__global BsdfParameters const* parameters, uint from_outside, float4 coat_normal,
-                            __global float4 const* viewers, __global float4* spread, __global float4* delta) {
+__kernel void probe_choices(__global BsdfParameters const* parameters, uint from_outside, float4 smooth_normal,
+                            float4 coat_normal, __global float4 const* viewers, __global float4* spread,
+                            __global float4* delta) {
   size_t const first = get_global_id(0) * LANES;
   Bsdf bsdf = load_bsdf(parameters);
-  BsdfView view = load_view(&bsdf, from_outside, coat_normal, viewers + first);
+  BsdfView view = load_view(&bsdf, from_outside, smooth_normal, coat_normal, viewers + first);
   for (uint lane = 0u; lane < LANES; ++lane) {
     spread[first + lane] = (float4)(LANE_FLOAT(view.to_coat, lane), LANE_FLOAT(view.to_glossy, lane),
                                     LANE_FLOAT(view.to_diffuse, lane), LANE_FLOAT(view.to_transmitted, lane));

@@ -113,6 +113,7 @@ struct BsdfCase {
   BsdfParameters parameters;
   bool from_outside = true;
   Vec3 coat_normal{0, 0, 1};
+  Vec3 smooth_normal{0, 0, 1};
 };
 
 /// For tests that take their time, and for those of every day.
@@ -130,6 +131,12 @@ inline std::vector<BsdfCase> bsdf_cases(std::vector<double> const& roughnesses =
       {"glossy glass from within", phong_bsdf(0.4, 0.3, 0.1, 0.2, 0.3, 1.5), false},
   };
   Vec3 const tilted = glm::normalize(Vec3(0.3, -0.2, 1));
+  cases.push_back({"bumpy and matt", phong_bsdf(0.8, 0, 1), true, {0, 0, 1}, tilted});
+  cases.push_back({"bumpy leaf under sheen",
+                   with_sheen(translucent(layered_bsdf(0.8, 0, 0.6), 0.6), 0.7, 0.5),
+                   true,
+                   {0, 0, 1},
+                   tilted});
   for (double const roughness : roughnesses) {
     auto const add = [&](std::string const& name, BsdfParameters const& parameters, bool from_outside = true,
                          Vec3 const& coat_normal = Vec3(0, 0, 1)) {
@@ -230,7 +237,8 @@ class BsdfProbe {
     }
     std::vector<BsdfParameters> const parameters{surface.parameters};
     std::vector<ProbeArgument> arguments{in(parameters), value(device::uint(surface.from_outside)),
-                                         value(to_float4(surface.coat_normal)), in(viewers)};
+                                         value(to_float4(surface.smooth_normal)), value(to_float4(surface.coat_normal)),
+                                         in(viewers)};
     if (others != nullptr) arguments.push_back(in(*others));
     for (std::vector<float4>* result : results) {
       result->resize(count);

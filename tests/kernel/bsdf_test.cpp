@@ -217,7 +217,7 @@ TEST_CASE("the BSDF without layers is Lambert's and GGX's formula, and reciproca
   std::size_t const count = scaled_count(20000);
   for (BsdfCase const& surface : bsdf_cases()) {
     BsdfParameters const& p = surface.parameters;
-    if (p.is_layered != 0) continue;
+    if (p.is_layered != 0 || surface.smooth_normal.z != 1) continue;
     Directions const directions = random_directions(random, count);
     std::vector<float4> const values = probe.evaluate(surface, directions.viewers, directions.lights);
     std::vector<float4> const swapped = probe.evaluate(surface, directions.lights, directions.viewers);

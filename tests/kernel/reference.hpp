@@ -142,6 +142,12 @@ inline Crossing cross_triangle(Vec3 const& a, Vec3 const& b, Vec3 const& c, Vec3
   return result;
 }
 
+/// How much a matt surface shows of a light that its bumpy normal faces: Chiang, Li and Burley 2019.
+inline double bump_share(Vec3 const& smooth, Vec3 const& bumpy, Vec3 const& light) {
+  double const g = std::clamp(glm::dot(smooth, light) / (glm::dot(bumpy, light) * glm::dot(smooth, bumpy)), 0.0, 1.0);
+  return -g * g * g + g * g + g;
+}
+
 inline double nearest_in_front(Crossing const& c, double t_max = infinity) {
   if (!c.hit()) return infinity;
   double const t = c.t_enter > 0 ? c.t_enter : c.t_leave;

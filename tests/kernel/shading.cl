@@ -4,13 +4,14 @@
 #include "shared/develop.h"
 
 __kernel void probe_reflect_light(__global PhongMaterial const* materials, __global float4 const* normals,
-                                  __global float4 const* to_lights, __global float4 const* to_viewers,
-                                  __global float4* reflected) {
+                                  __global float4 const* smooth_normals, __global float4 const* to_lights,
+                                  __global float4 const* to_viewers, __global float4* reflected) {
   size_t const i = get_global_id(0);
   ShadingPoint point;
   Phong phong;
   set_phong(&phong, lane_mask(true), materials + i);
   point.normal = normals[i].xyz;
+  point.smooth_normal = smooth_normals[i].xyz;
   point.to_viewer = to_viewers[i].xyz;
   reflected[i] = (float4)(reflect_light(&point, &phong, to_lights[i].xyz), 0.f);
 }

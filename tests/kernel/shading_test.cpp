@@ -14,7 +14,7 @@ TEST_CASE("Phong's model is the formula's", "[kernel]") {
   Random random(70);
   std::size_t const count = scaled_count(50000);
   std::vector<device::PhongMaterial> materials(count);
-  std::vector<float4> normals, lights, viewers, reflected(count);
+  std::vector<float4> normals, smooth_normals, lights, viewers, reflected(count);
   for (std::size_t i = 0; i < count; ++i) {
     auto const rgb = [&] { return Vec3(random.uniform(), random.uniform(), random.uniform()); };
     // Exponents of every sort: none, whole, between, far beyond what matters.
@@ -37,11 +37,13 @@ TEST_CASE("Phong's model is the formula's", "[kernel]") {
     if (i % 4 == 0) v = 2 * glm::dot(n, l) * n - l;                         // into the highlight
     if (i % 7 == 0) l = glm::normalize(glm::cross(n, random.direction()));  // the light on the horizon
     normals.push_back(to_float4(n));
+    smooth_normals.push_back(to_float4(i % 2 == 0 ? n : glm::normalize(n + random.in_cube(0.5))));
     lights.push_back(to_float4(l));
     viewers.push_back(to_float4(v));
   }
   ProbeProgram("shading.cl")
-      .run("probe_reflect_light", count, {in(materials), in(normals), in(lights), in(viewers), out(reflected)});
+      .run("probe_reflect_light", count,
+           {in(materials), in(normals), in(smooth_normals), in(lights), in(viewers), out(reflected)});
   for (std::size_t i = 0; i < count; ++i) {
     auto const& material = materials[i];
     Vec3 const n = to_vec3(normals[i]), l = to_vec3(lights[i]), v = to_vec3(viewers[i]);
@@ -51,8 +53,9 @@ TEST_CASE("Phong's model is the formula's", "[kernel]") {
     double const m = material.m;
     double const rv = std::max(0., glm::dot(2 * cosine * n - l, v));
     if (cosine > 0) {
-      expected = (1. - double(material.reflect) - double(material.transmit)) * cosine * to_vec3(material.kd) +
-                 (m == 0 ? 1. : std::pow(rv, m)) * to_vec3(material.ks);
+      double const matt = (1. - double(material.reflect) - double(material.transmit)) * cosine;
+      double const share = i % 2 == 0 ? 1 : bump_share(to_vec3(smooth_normals[i]), n, l);
+      expected = share * matt * to_vec3(material.kd) + (m == 0 ? 1. : std::pow(rv, m)) * to_vec3(material.ks);
     }
     // A rounding of r.v counts m times in its power.
     double const tolerance = 1e-6 + (cosine > 0 ? 16 * rounding_unit * m * std::pow(std::min(1., rv + 1e-6), m) : 0);

@@ -1,0 +1,49 @@
+/// What normal maps turn towards the light, against the formula in double precision.
+
+#include <glm/trigonometric.hpp>
+
+#include "bsdf_probe.hpp"
+#include "support/catch.hpp"
+#include "support/skip.hpp"
+
+using namespace lichtraum;
+using namespace lichtraum::test;
+
+TEST_CASE("what is matt fades out towards the smooth surface's horizon, and gloss does not", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfCase const matt{"matt", phong_bsdf(0.8, 0, 1)};
+  BsdfCase const leaf{"leaf", translucent(phong_bsdf(0.8, 0, 1), 0.6)};
+  BsdfCase const sheen{"sheen", with_sheen(phong_bsdf(0, 0, 1), 0.8, 0.5)};
+  BsdfCase const metal{"metal", layered_bsdf(0.9, 1, 0.5)};
+  std::size_t const lanes = GENERATE(1, 16);
+  BsdfProbe const probe(lanes);
+  Random random(71);
+  for (BsdfCase const& surface : {matt, leaf, sheen, metal}) {
+    for (double const tilt_degrees : {1., 20., 45., 80.}) {
+      CAPTURE(lanes, surface.name, tilt_degrees);
+      BsdfCase bumpy = surface;
+      bumpy.smooth_normal = direction_at(glm::radians(tilt_degrees), 1.2);
+      std::vector<float4> viewers, lights;
+      for (int i = 0; i < 320; ++i) {
+        Vec3 const o = random.direction();
+        viewers.push_back(to_float4({o.x, o.y, std::abs(o.z)}));
+        lights.push_back(to_float4(random.direction()));
+      }
+      std::vector<float4> const flat = probe.evaluate(surface, viewers, lights);
+      std::vector<float4> const actual = probe.evaluate(bumpy, viewers, lights);
+      int faded = 0, hidden = 0, wrong = 0;
+      for (std::size_t i = 0; i < lights.size(); ++i) {
+        Vec3 const light = to_vec3(lights[i]);
+        // Light that gets through comes from below both normals.
+        double const share = bump_share(bumpy.smooth_normal, {0, 0, 1}, light);
+        double const expected = surface.name == "metal" ? flat[i].x : share * flat[i].x;
+        wrong += std::abs(actual[i].x - expected) > 1e-5 + 1e-5 * expected || actual[i].w != flat[i].w ? 1 : 0;
+        faded += flat[i].x > 0 && share > 0 && share < 1 ? 1 : 0;
+        hidden += flat[i].x > 0 && share == 0 ? 1 : 0;
+      }
+      CHECK(wrong == 0);
+      CHECK(faded > 0);
+      CHECK((tilt_degrees < 20 || hidden > 0));
+    }
+  }
+}

@@ -129,6 +129,15 @@ void set_pbr(PbrModel const& material, Hit const& hit, ReferenceScatteringPoint&
   open_pane(material, hit, point);
 }
 
+/// The definition of find_facing_normal in kernels/integrators/scattering_point.clh.
+Vec3 facing_normal(ReferencePoint const& point) {
+  double const facing = glm::dot(point.normal, point.to_viewer);
+  double const least = std::max(glm::dot(point.smooth_normal, point.to_viewer) / 2, 1e-3);
+  if (facing >= least) return point.normal;
+  Vec3 const turned = point.normal + (least - facing) * point.to_viewer;
+  return glm::dot(turned, turned) > 1e-4 ? glm::normalize(turned) : point.geometric_normal;
+}
+
 }  // namespace
 
 Rgb ReferenceScatteringPoint::albedo() const {
@@ -162,9 +171,7 @@ Rgb attenuation(PbrModel const& solid, double distance) {
 
 ReferenceScatteringPoint find_scattering_point(Ray const& ray, Hit const& hit) {
   ReferenceScatteringPoint point{find_reference_point(ray, hit), {}};
-  if (!(glm::dot(point.normal, point.to_viewer) > 1e-4)) {
-    point.normal = point.smooth_normal = point.geometric_normal;
-  }
+  point.normal = facing_normal(point);
   Material const& material = material_of(*hit.shape);
   if (PbrModel const* const pbr = material.pbr()) {
     set_pbr(*pbr, hit, point);

@@ -16,7 +16,7 @@ struct ReferenceScatteringPoint : ReferencePoint {
   bool shows_back = true;           ///< false: seen from behind, it is not there for the camera
   PbrModel const* solid = nullptr;  ///< the body that the surface encloses, if light gets into it
 
-  /// By the normal of shading, unless that faces away from the viewer.
+  /// By the normal of shading, which find_scattering_point has turned to the viewer where it did not face him.
   ReferenceScattering scattering() const { return {bsdf, smooth_normal, normal, to_viewer, from_outside}; }
   /// What goes straight on of all the light that gets there: where nothing is, and through panes.
   Rgb straight() const { return 1.0 - opacity + opacity * passed; }

@@ -19,6 +19,8 @@ using namespace lichtraum::test;
 
 namespace {
 
+constexpr double pi = 3.14159265358979;
+
 /// An octahedron that its normals make a ball.
 std::shared_ptr<MeshGeometry const> rough_ball() {
   auto geometry = std::make_shared<MeshGeometry>();
@@ -34,7 +36,7 @@ std::shared_ptr<MeshGeometry const> facets_of_ball(std::uint32_t rows) {
   std::uint32_t const columns = 2 * rows;
   for (std::uint32_t row = 0; row <= rows; ++row) {
     for (std::uint32_t column = 0; column <= columns; ++column) {
-      double const theta = 3.14159265358979 * row / rows, phi = 2 * 3.14159265358979 * column / columns;
+      double const theta = pi * row / rows, phi = 2 * pi * column / columns;
       geometry->positions.push_back(
           {float(std::sin(theta) * std::cos(phi)), float(std::cos(theta)), float(-std::sin(theta) * std::sin(phi))});
     }
@@ -47,6 +49,37 @@ std::shared_ptr<MeshGeometry const> facets_of_ball(std::uint32_t rows) {
     }
   }
   return geometry;
+}
+
+/// A matt square around the origin that faces z, with a normal map whose only texel turns it 45 degrees towards x, by
+/// more or less than that for another scale.
+std::shared_ptr<Mesh> slanting_square(double map_scale, bool has_normals) {
+  MeshGeometry square;
+  square.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  if (has_normals) square.normals.assign(4, {0, 0, 1});
+  square.texcoords = {{{0, 1}, {1, 1}, {1, 0}, {0, 0}}};
+  square.indices = {0, 1, 2, 0, 2, 3};
+  PbrModel model = pbr(Rgb(0.8), 0, 1);
+  model.specular = 0;
+  auto const image = std::make_shared<TextureImage const>(TextureImage{"slant", 1, 1, {218, 128, 218, 255}});
+  model.normal_texture.texture = std::make_shared<Texture const>(Texture{image});
+  model.normal_scale = map_scale;
+  return std::make_shared<Mesh>("square", std::make_shared<MeshGeometry>(square),
+                                std::make_shared<Material>("m", model));
+}
+
+/// What a shape at the origin shows on +z of a lamp that is far away.
+double brightness_of(std::shared_ptr<Shape> const& shape, Vec3 const& to_lamp, Integrator integrator,
+                     bool by_reference) {
+  Scene scene =
+      scene_of(fmt::format("define light diffuse lamp {} {} {}  1 1 1\ndefine camera eye 2\n"
+                           "transform eye translate 0 0 5\n",
+                           1e4 * to_lamp.x, 1e4 * to_lamp.y, 1e4 * to_lamp.z));
+  scene.shapes.insert(shape);
+  RenderRequest request = path_request(scene, {4, 4}, 4, 0);
+  request.integrator = integrator;
+  Image const picture = by_reference ? render_reference(scene, request) : trace(scene, request);
+  return double(picture.pixel(1, 1)[0]);
 }
 
 }  // namespace
@@ -101,38 +134,39 @@ TEST_CASE("bumps that face a lamp fade out towards the horizon of the surface th
   Integrator const integrator = GENERATE(Integrator::path, Integrator::whitted);
   bool const by_reference = GENERATE(false, true);
   bool const has_normals = GENERATE(false, true);
-  auto const image = std::make_shared<TextureImage const>(TextureImage{"tilt", 1, 1, {218, 128, 218, 255}});
-  PbrModel model = pbr(Rgb(0.8), 0, 1);
-  model.specular = 0;
-  auto const brightness = [&](double lamp_degrees, bool is_bumpy) {
-    model.normal_texture = {};
-    if (is_bumpy) model.normal_texture.texture = std::make_shared<Texture const>(Texture{image});
-    auto square = std::make_shared<MeshGeometry>();
-    square->positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-    if (has_normals) square->normals.assign(4, {0, 0, 1});
-    square->texcoords = {{{0, 1}, {1, 1}, {1, 0}, {0, 0}}};
-    square->indices = {0, 1, 2, 0, 2, 3};
+  auto const brightness = [&](double lamp_degrees, double map_scale) {
     double const angle = glm::radians(lamp_degrees);
-    Scene scene =
-        scene_of(fmt::format("define light diffuse lamp {} 0 {}  1 1 1\ndefine camera eye 5\n"
-                             "transform eye translate 0 0 5\n",
-                             1e4 * std::cos(angle), 1e4 * std::sin(angle)));
-    auto const material = std::make_shared<Material>("m", model);
-    scene.materials.insert(material);
-    scene.shapes.insert(std::make_shared<Mesh>("square", square, material));
-    RenderRequest request = path_request(scene, {4, 4}, 4, 0);
-    request.integrator = integrator;
-    Image const picture = by_reference ? render_reference(scene, request) : trace(scene, request);
-    return double(picture.pixel(1, 1)[0]);
+    return brightness_of(slanting_square(map_scale, has_normals), Vec3(std::cos(angle), 0, std::sin(angle)), integrator,
+                         by_reference);
   };
-  double const unit = brightness(90, false);
+  double const unit = brightness(90, 0);
   REQUIRE(unit > 0.5);
-  double const tilt = std::atan2(2 * 218 / 255. - 1, 2 * 218 / 255. - 1);  // 45 degrees, towards the lamp
   for (double const degrees : {-10., -1., 1., 5., 15., 30., 44., 46., 80., 130.}) {
     CAPTURE(int(integrator), by_reference, has_normals, degrees);
-    double const angle = glm::radians(degrees), bumpy = std::cos(angle - (glm::radians(90.) - tilt));
-    double const g = std::clamp(std::sin(angle) / (bumpy * std::cos(tilt)), 0.0, 1.0);
-    CHECK(brightness(degrees, true) / unit == Approx(bumpy * (g + g * g - g * g * g)).margin(0.004));
+    double const angle = glm::radians(degrees), bumpy = std::cos(angle - pi / 4);
+    double const g = std::clamp(std::sin(angle) / (bumpy * std::cos(pi / 4)), 0.0, 1.0);
+    CHECK(brightness(degrees, 1) / unit == Approx(bumpy * (g + g * g - g * g * g)).margin(0.004));
+  }
+}
+
+TEST_CASE("paths: bumps that face away are turned to the viewer, half as much as the surface", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  bool const by_reference = GENERATE(false, true);
+  auto const brightness = [&](double degrees, double map_scale) {
+    auto const square = slanting_square(map_scale, true);
+    square->rotate(degrees, {0, 1, 0});
+    double const angle = glm::radians(degrees);
+    return brightness_of(square, Vec3(std::sin(angle), 0, std::cos(angle)), Integrator::path, by_reference);
+  };
+  double const unit = brightness(0, 0);
+  for (double const degrees : {0., 15., 18., 19., 25., 44., 46., 70., 85.}) {
+    CAPTURE(by_reference, degrees);
+    double const angle = glm::radians(degrees);
+    Vec3 const surface(std::sin(angle), 0, std::cos(angle)), to_viewer(0, 0, 1);
+    Vec3 normal(std::sin(angle + pi / 4), 0, std::cos(angle + pi / 4));
+    double const lacking = surface.z / 2 - normal.z;
+    if (lacking > 0) normal = glm::normalize(normal + lacking * to_viewer);
+    CHECK(brightness(degrees, 1) / unit == Approx(glm::dot(normal, surface)).margin(0.006));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cctype>
 
+#include "app/longer_stems.hpp"
 #include "app/video.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/sandboxed_path.hpp"
@@ -95,6 +96,13 @@ OutputNames::OutputNames(OutputOptions options) : options_(std::move(options)) {
 
 bool OutputNames::has_one_name() const {
   return !options_.file.empty() && options_.file != "-" && number_format_.empty() && !is_film_;
+}
+
+void OutputNames::set_inputs(std::vector<std::string> const& inputs) { longer_stems_ = longer_stems(inputs); }
+
+std::string OutputNames::stem_of(SceneSource const& source) const {
+  auto const longer = longer_stems_.find(source.name());
+  return longer != longer_stems_.end() ? longer->second : source.stem();
 }
 
 void OutputNames::begin_scene(std::size_t picture_count) {

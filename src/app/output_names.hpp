@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "app/scene_source.hpp"
 #include "lichtraum/image_io.hpp"
 #include "lichtraum/scene.hpp"
 
@@ -41,6 +43,10 @@ class OutputNames {
   bool has_one_name() const;
   /// Whether all pictures go into one film.
   bool is_film() const { return is_film_; }
+  /// All scenes of the command line: those whose files share a name get others (longer_stems).
+  void set_inputs(std::vector<std::string> const& inputs);
+  /// What a picture of that scene is called, without extension, when nothing else says.
+  std::string stem_of(SceneSource const& source) const;
   /// The number that the next picture gets; 1 unless this is called.
   void start_at(int number) { number_ = scene_end_ = number - 1; }
   /// What follows is a scene of so many pictures. They have their numbers whether they are named or not, so that no
@@ -58,6 +64,7 @@ class OutputNames {
   Output from_scene(std::string const& name, SourceLocation const& location) const;
 
   OutputOptions options_;
+  std::map<std::string, std::string> longer_stems_;
   std::string before_number_;
   std::string after_number_;
   std::string number_format_;  // of fmt, empty without a pattern

@@ -105,7 +105,7 @@ std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource co
   std::vector<RenderCommand> commands = scene.renders;
   if (commands.empty()) {
     RenderCommand command;
-    command.file = scene.filename.empty() ? source.stem() + ".png" : scene.filename;
+    command.file = scene.filename.empty() ? names.stem_of(source) + ".png" : scene.filename;
     command.location.file = source.name();
     commands.push_back(command);
   }

@@ -57,6 +57,7 @@ void combine(RenderOptions& options, std::vector<std::string> const& inputs, Out
                 "--output names one file, and there are several scenes: write a number into the name, "
                 "such as -o picture-%04d.png, or make a film, -o film.mp4");
   }
+  names.set_inputs(inputs);
   if (options.output.file == "-" && is_standard_output_closed()) {
     throw Error(ErrorKind::cannot_create, "cannot write to standard output: it is closed");
   }

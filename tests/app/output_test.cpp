@@ -1,3 +1,7 @@
+#include <filesystem>
+#include <set>
+#include <string>
+
 #include "lichtraum.hpp"
 #include "pictures.hpp"
 #include "support/catch.hpp"
@@ -93,4 +97,48 @@ TEST_CASE("an animation draws its pictures in order", "[app][output]") {
   CHECK(lichtraum.render("a.sdf b.sdf").err.find("several pictures") == std::string::npos);
   REQUIRE(lichtraum.render("- -o 100%%-%d.png", ball_scene).exit_code == 0);
   CHECK(std::filesystem::exists(lichtraum.folder / "100%-1.png"));
+}
+
+TEST_CASE("models that share a name get pictures of their own", "[app][output]") {
+  Lichtraum const lichtraum;
+  std::string const triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  std::string const stl =
+      "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid "
+      "t\n";
+  for (char const* const folder : {"pictures", "chair/new", "table/new", "table/old"}) {
+    std::filesystem::create_directories(lichtraum.folder / folder);
+  }
+  for (char const* const file : {"chair/new/scene.obj", "table/new/scene.obj", "table/old/scene.obj", "lamp.obj"}) {
+    lichtraum.folder.write(file, triangle);
+  }
+  lichtraum.folder.write("lamp.stl", stl);
+  struct Case {
+    std::string inputs;
+    std::set<std::string> pictures;
+    bool is_warned_of = false;
+  };
+  Case const cases[] = {
+      {"chair/new/scene.obj", {"scene.png"}},
+      {"chair/new/scene.obj lamp.obj", {"lamp.png", "scene.png"}},
+      {"table/new/scene.obj table/old/scene.obj", {"new_scene.png", "old_scene.png"}},
+      {"chair/new/scene.obj table/new/scene.obj lamp.obj", {"chair_new_scene.png", "lamp.png", "table_new_scene.png"}},
+      {"lamp.obj lamp.stl", {"lamp_obj.png", "lamp_stl.png"}},
+      // One file is drawn as often as it is named, and its picture is the same.
+      {"lamp.obj ./lamp.obj", {"lamp.png"}, true},
+      {"lamp.obj chair/../lamp.obj lamp.stl", {"lamp_obj.png", "lamp_stl.png"}, true},
+  };
+  for (Case const& c : cases) {
+    CAPTURE(c.inputs);
+    auto const result = lichtraum.render("--device reference --size 4x4 --output-dir pictures " + c.inputs);
+    CHECK(result.exit_code == 0);
+    CHECK((result.err.find("several pictures are called") != std::string::npos) == c.is_warned_of);
+    std::set<std::string> found;
+    for (auto const& entry : std::filesystem::directory_iterator(lichtraum.folder / "pictures")) {
+      found.insert(entry.path().filename().string());
+      std::filesystem::remove(entry.path());
+    }
+    CHECK(found == c.pictures);
+    auto const check = lichtraum("check --size 4x4 --output-dir pictures " + c.inputs);
+    for (std::string const& picture : c.pictures) CHECK_THAT(check.out, contains_text("pictures/" + picture));
+  }
 }

@@ -68,8 +68,8 @@ struct Model {
   /// Warnings: what was repaired or left out, each with its place in the file.
   std::vector<Diagnostic> diagnostics;
   ModelContents contents;
-  /// What was taken off all coordinates of an OBJ, PLY or STL model that lies far from the origin compared with its
-  /// size, so that single precision tells its vertices apart; else 0.
+  /// What was taken off all places in a model that lies far from the origin compared with its size, so that single
+  /// precision tells its vertices apart; else 0.
   Vec3 origin{0};
 };
 

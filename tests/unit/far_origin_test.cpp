@@ -1,13 +1,18 @@
 #include "io/far_origin.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "lichtraum/esdf.hpp"
+#include "lichtraum/gltf.hpp"
 #include "lichtraum/obj.hpp"
 #include "lichtraum/ply.hpp"
 #include "lichtraum/stl.hpp"
 #include "scene/graph_fold.hpp"
 #include "support/catch.hpp"
+#include "support/gltf_import.hpp"
+#include "support/gltf_triangles.hpp"
+#include "support/gltf_writer.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace lichtraum;
@@ -111,4 +116,60 @@ TEST_CASE("a far model stands in a scene where its file says, with all its detai
   folder.write("a.sdf", "define shape mesh far far.obj\n");
   Scene const there = EsdfScript::from_file(folder / "a.sdf", {}).take_scene();
   CHECK(fold_bounds(there.roots()).total().min.y == Approx(5600000).epsilon(1e-12));
+}
+
+namespace {
+
+/// A triangle on the globe with a lamp and a camera beside it, each a root, one of them by a matrix; an animation moves
+/// the triangle by a quarter each second.
+testing::GltfWriter far_gltf() {
+  testing::GltfWriter writer;
+  writer.add_mesh({0, 0, 0, 1, 0, 0, 0, 1, 0});
+  writer.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}}};
+  writer.json["extensionsUsed"] = {"KHR_lights_punctual"};
+  writer.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}, {"intensity", 10}}};
+  writer.json["nodes"] = {
+      {{"mesh", 0}, {"translation", {4e6, 5e6, 1e6}}},
+      {{"camera", 0}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 4e6 + 0.25, 5e6 + 0.5, 1e6 + 3, 1}}},
+      {{"translation", {4e6, 5e6 + 2, 1e6}}, {"children", {3}}},
+      {{"translation", {0.5, 0, 0}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}}};
+  writer.json["scenes"] = {{{"nodes", {0, 1, 2}}}};
+  int const times = writer.add_accessor("SCALAR", 1, std::vector<float>{0, 2});
+  int const places = writer.add_vec3({4e6f, 5e6f, 1e6f, 4e6f + 0.5f, 5e6f, 1e6f});
+  writer.json["animations"] = {{{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
+                                {"samplers", {{{"input", times}, {"output", places}}}}}};
+  return writer;
+}
+
+}  // namespace
+
+TEST_CASE("glTF models on the globe are moved, with cameras and lights, alike at all times", "[unit][far][gltf]") {
+  TemporaryFolder const folder;
+  folder.write("far.gltf", far_gltf().text());
+  Vec3 const origin(4e6 + 1, 5e6 + 1, 1e6);
+  auto const check = [&](Model const& model, double moved_by) {
+    CHECK(model.origin == origin);
+    Bounds const box = fold_bounds(model.scene.roots()).total();
+    CHECK(box.min.x == moved_by - 1);
+    CHECK(box.max.y == 0);
+    CHECK(box.max.z == 0);
+    REQUIRE(model.scene.cameras.size() == 1);
+    CHECK(model.scene.cameras.front().generate_ray(0, 0, {8, 8}).origin == Vec3(-0.75, -0.5, 3));
+    CHECK(*model.scene.lights.front().position() == Vec3(-0.5, 1, 0));
+  };
+  for (double const first : {-1., 0., 2.}) {
+    CAPTURE(first);
+    GltfAnimation animation(folder / "far.gltf", {});
+    Model const model = animation.pose(first < 0 ? std::nullopt : std::optional(first));
+    check(model, first > 0 ? 0.5 : 0);
+    CHECK(std::ranges::count(model.diagnostics, DiagnosticCode::far_from_origin, &Diagnostic::code) == 1);
+    CHECK(model.diagnostics.size() == 1);
+    Model const next = animation.pose(1);
+    check(next, 0.25);
+    CHECK(next.diagnostics.empty());
+  }
+  // In a scene it stands where its file says.
+  folder.write("a.sdf", "define shape mesh far far.gltf\ntransform far translate -4000000 -5000000 -1000000\n");
+  Scene const scene = EsdfScript::from_file(folder / "a.sdf", {}).take_scene();
+  CHECK(fold_bounds(scene.roots()).total().max.x == Approx(1).margin(1e-9));
 }

@@ -8,6 +8,7 @@
 
 #include "core/ascii.hpp"
 #include "core/read_file.hpp"
+#include "io/far_origin.hpp"
 #include "io/gltf/contents.hpp"
 #include "io/gltf/extensions.hpp"
 #include "io/gltf/materials.hpp"
@@ -110,6 +111,37 @@ struct GltfAnimation::State {
   }
 
   Model pose_at(std::optional<double> seconds) {
+    if (origin) return pose_near_origin(seconds);
+    Model model = pose_near_origin(seconds);
+    find_origin(model.scene, !(seconds && animation));
+    if (*origin == Vec3(0)) return model;
+    std::vector<Diagnostic> found = std::move(model.diagnostics);
+    model = pose_near_origin(seconds);
+    model.diagnostics = std::move(found);
+    model.diagnostics.push_back(moved_from(*origin, document.path.string()));
+    return model;
+  }
+
+  /// `scene`: as it was posed first. Of what moves, the file's own pose decides, so that it is the same for all
+  /// moments.
+  void find_origin(Scene const& scene, bool is_at_rest) {
+    Bounds box = fold_bounds(scene.roots()).total();
+    bool const may_be_far = far_origin(box).has_value();
+    if (may_be_far && !is_at_rest) box = fold_bounds(pose_near_origin(std::nullopt).scene.roots()).total();
+    origin = may_be_far ? far_origin(box).value_or(Vec3(0)) : Vec3(0);
+  }
+
+  /// The same pose without what is taken off all places.
+  std::vector<NodePose> without_origin(std::vector<NodePose> pose) const {
+    if (!origin || *origin == Vec3(0)) return pose;
+    std::vector<bool> const is_child = find_children(document.model);
+    for (std::size_t i = 0; i < pose.size(); ++i) {
+      if (!is_child[i]) pose[i].translate(-*origin);
+    }
+    return pose;
+  }
+
+  Model pose_near_origin(std::optional<double> seconds) {
     budget.begin_pose();
     Accessors accessors(document, *buffers, budget, findings);
     std::vector<NodePose> pose = rest_pose(document.model, findings);
@@ -118,6 +150,7 @@ struct GltfAnimation::State {
     } else if (seconds) {
       findings.warn(DiagnosticCode::option_without_effect, "/animations", "there is none; the time has no effect");
     }
+    pose = without_origin(std::move(pose));
     NodeTree const tree = build_node_tree(document.model, scene_number, pose, findings);
 
     Model result;
@@ -148,6 +181,7 @@ struct GltfAnimation::State {
     }
     result.contents = *contents;
     if (animation) result.contents.animation = std::size_t(*animation);
+    if (origin) result.origin = *origin;
     return result;
   }
 
@@ -166,7 +200,7 @@ struct GltfAnimation::State {
   /// Of the model as its file has it, so that lights which come near are bright.
   double exposure_at_rest(Bounds const& box) {
     Findings::Muted const muted(findings);
-    std::vector<NodePose> const rest = rest_pose(document.model, findings);
+    std::vector<NodePose> const rest = without_origin(rest_pose(document.model, findings));
     NodeTree const tree = build_node_tree(document.model, scene_number, rest, findings);
     return light_exposure(read_lights(document.model, tree, findings), box);
   }
@@ -201,6 +235,7 @@ struct GltfAnimation::State {
   Primitives::Geometries geometries;
   std::optional<int> animation;
   std::optional<ModelContents> contents;
+  std::optional<Vec3> origin;                 // taken off all places (far_origin), in every pose
   std::optional<Bounds> framed;               // around the whole animation
   std::optional<double> exposure;             // of the file's lights, in every pose
   std::vector<Diagnostic> early_diagnostics;  // about the model, found when that was done

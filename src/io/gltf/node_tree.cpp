@@ -22,10 +22,7 @@ class Builder {
   }
 
   NodeTree build(int scene) {
-    std::vector<bool> is_child(model_.nodes.size(), false);
-    for (auto const& node : model_.nodes) {
-      for (int const child : node.children) is_child[std::size_t(child)] = true;
-    }
+    std::vector<bool> const is_child = find_children(model_);
     std::vector<int> roots;
     if (scene >= 0) {
       roots = model_.scenes[std::size_t(scene)].nodes;
@@ -93,6 +90,14 @@ class Builder {
 };
 
 }  // namespace
+
+std::vector<bool> find_children(tinygltf::Model const& model) {
+  std::vector<bool> is_child(model.nodes.size(), false);
+  for (auto const& node : model.nodes) {
+    for (int const child : node.children) is_child[std::size_t(child)] = true;
+  }
+  return is_child;
+}
 
 NodeTree build_node_tree(tinygltf::Model const& model, int scene, std::vector<NodePose> const& pose,
                          Findings& findings) {

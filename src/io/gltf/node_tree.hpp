@@ -16,6 +16,9 @@ struct NodeTree {
   std::vector<Mat4> world_from_node;       ///< of every node, also of those in no scene (joints may be there)
 };
 
+/// By node: whether it is another one's child.
+std::vector<bool> find_children(tinygltf::Model const& model);
+
 /// `scene`: index, or -1 for all nodes that have no parent.
 NodeTree build_node_tree(tinygltf::Model const& model, int scene, std::vector<NodePose> const& pose,
                          Findings& findings);

@@ -148,6 +148,14 @@ Mat4 NodePose::parent_from_node() const {
   return glm::translate(Mat4(1), translation) * glm::mat4_cast(rotation) * glm::scale(Mat4(1), scale);
 }
 
+void NodePose::translate(Vec3 const& way) {
+  if (matrix) {
+    (*matrix)[3] += glm::dvec4(way, 0);
+  } else {
+    translation += way;
+  }
+}
+
 std::vector<NodePose> rest_pose(tinygltf::Model const& model, Findings& findings) {
   std::vector<NodePose> pose(model.nodes.size());
   for (std::size_t i = 0; i < pose.size(); ++i) {

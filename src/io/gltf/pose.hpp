@@ -21,6 +21,7 @@ struct NodePose {
   bool is_deformed = false;  ///< by weights
 
   Mat4 parent_from_node() const;
+  void translate(Vec3 const& way);  ///< in its parent
 };
 
 /// As the nodes stand in the file.

@@ -129,13 +129,15 @@ void set_pbr(PbrModel const& material, Hit const& hit, ReferenceScatteringPoint&
   open_pane(material, hit, point);
 }
 
-/// The definition of find_facing_normal in kernels/integrators/scattering_point.clh.
+/// The definition of kernels/surface/facing_normal.clh.
 Vec3 facing_normal(ReferencePoint const& point) {
   double const facing = glm::dot(point.normal, point.to_viewer);
   double const least = std::max(glm::dot(point.smooth_normal, point.to_viewer) / 2, 1e-3);
   if (facing >= least) return point.normal;
-  Vec3 const turned = point.normal + (least - facing) * point.to_viewer;
-  return glm::dot(turned, turned) > 1e-4 ? glm::normalize(turned) : point.geometric_normal;
+  Vec3 const aside = point.normal - facing * point.to_viewer;
+  double const length = glm::length(aside);
+  if (!(length > 1e-3)) return point.geometric_normal;
+  return glm::normalize(least * point.to_viewer + std::sqrt(1 - least * least) / length * aside);
 }
 
 }  // namespace

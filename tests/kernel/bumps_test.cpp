@@ -1,4 +1,4 @@
-/// What normal maps turn towards the light, against the formula in double precision.
+/// What normal maps turn towards the light and away from the viewer, against the formulae in double precision.
 
 #include <glm/trigonometric.hpp>
 
@@ -44,6 +44,38 @@ TEST_CASE("what is matt fades out towards the smooth surface's horizon, and glos
       CHECK(wrong == 0);
       CHECK(faded > 0);
       CHECK((tilt_degrees < 20 || hidden > 0));
+    }
+  }
+}
+
+TEST_CASE("a coat's normal that faces away is turned to the viewer, half as much as the surface", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe(GENERATE(1, 16));
+  Random random(72);
+  for (double const viewer_degrees : {0., 40., 70., 88.}) {
+    for (double const tilt_degrees : {5., 20., 45., 61., 80.}) {
+      CAPTURE(viewer_degrees, tilt_degrees);
+      Vec3 const viewer = viewer_at(viewer_degrees);
+      double const tilt = glm::radians(tilt_degrees);
+      Vec3 const away(-0.6 * std::sin(tilt), -0.8 * std::sin(tilt), std::cos(tilt));
+      double const facing = glm::dot(away, viewer), least = viewer.z / 2;
+      Vec3 const aside = glm::normalize(away - facing * viewer);
+      Vec3 const turned = facing < least ? least * viewer + std::sqrt(1 - least * least) * aside : away;
+      BsdfCase surface{"coat", coated(phong_bsdf(0, 0, 1), 1, 0.5)};
+      std::vector<float4> const viewers(160, to_float4(viewer));
+      std::vector<float4> lights;
+      for (std::size_t i = 0; i < viewers.size(); ++i) lights.push_back(to_float4(random.direction()));
+      surface.coat_normal = away;
+      std::vector<float4> const actual = probe.evaluate(surface, viewers, lights);
+      surface.coat_normal = turned;
+      std::vector<float4> const expected = probe.evaluate(surface, viewers, lights);
+      int lit = 0, wrong = 0;
+      for (std::size_t i = 0; i < lights.size(); ++i) {
+        lit += expected[i].x > 1e-3f ? 1 : 0;
+        wrong += std::abs(actual[i].x - expected[i].x) > 1e-5 + 1e-4 * expected[i].x ? 1 : 0;
+      }
+      CHECK(lit > 0);
+      CHECK(wrong == 0);
     }
   }
 }

@@ -103,8 +103,7 @@ TEST_CASE("models that share a name get pictures of their own", "[app][output]")
   Lichtraum const lichtraum;
   std::string const triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   std::string const stl =
-      "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid "
-      "t\n";
+      "solid t\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\nendsolid t\n";
   for (char const* const folder : {"pictures", "chair/new", "table/new", "table/old"}) {
     std::filesystem::create_directories(lichtraum.folder / folder);
   }

@@ -9,6 +9,7 @@
 #include "app/job_commands.hpp"
 #include "app/values.hpp"
 #include "core/quoted_for_shell.hpp"
+#include "core/whole_path.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -182,7 +183,7 @@ int job_script_command(Arguments const& arguments, Console& console) {
   Queue const& queue = queue_named(words[0]);
   farm::PlanFolder const folder(words[1]);
   ScriptTasks tasks;
-  tasks.folder = std::filesystem::absolute(words[1]).lexically_normal().string();
+  tasks.folder = whole_path(words[1]).string();
   tasks.unit_count = folder.plan().unit_count();
   std::int64_t const fewest = (tasks.unit_count - 1) / most_tasks + 1;
   tasks.task_units = task_units > 0 ? task_units : fewest;

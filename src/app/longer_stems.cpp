@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <set>
 
+#include "core/whole_path.hpp"
+
 namespace lichtraum::app {
 namespace {
 
@@ -38,7 +40,6 @@ std::vector<std::string> tell_apart(std::vector<fs::path> const& files) {
 
 std::map<std::string, std::string> longer_stems(std::vector<std::string> const& inputs) {
   std::map<std::string, std::set<fs::path>> by_stem;
-  auto const whole_path = [](std::string const& input) { return fs::absolute(input).lexically_normal(); };
   for (std::string const& input : inputs) {
     if (input != "-") by_stem[fs::path(input).stem().string()].insert(whole_path(input));
   }

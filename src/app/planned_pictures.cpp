@@ -5,23 +5,22 @@
 #include <algorithm>
 #include <set>
 
+#include "core/whole_path.hpp"
+
 namespace lichtraum::app {
 namespace {
 
 /// Of pictures that have no names yet.
 constexpr char const* any_picture = "%d.exr";
 
-std::string absolute_text(std::filesystem::path const& path) {
-  return std::filesystem::absolute(path).lexically_normal().string();
-}
-
 /// Other machines have other current folders.
 void make_absolute(RenderOptions& options, std::vector<std::string>& inputs) {
-  for (std::string& input : inputs) input = absolute_text(input);
+  for (std::string& input : inputs) input = whole_path(input).string();
   std::string& environment = options.job.reading.environment.source;
-  if (!environment.empty() && environment != "studio" && environment != "none")
-    environment = absolute_text(environment);
-  for (auto& folder : options.job.reading.allowed_paths) folder = absolute_text(folder);
+  if (!environment.empty() && environment != "studio" && environment != "none") {
+    environment = whole_path(environment).string();
+  }
+  for (auto& folder : options.job.reading.allowed_paths) folder = whole_path(folder);
 }
 
 /// How the pictures are to be cut, of which the first decides.
@@ -42,7 +41,7 @@ farm::Plan make_plan(RenderOptions& options, std::vector<std::string> const& giv
   }
   make_absolute(options, inputs);
   std::set<std::string> files;
-  options.load.on_read = [&files](std::filesystem::path const& path) { files.insert(absolute_text(path)); };
+  options.load.on_read = [&files](std::filesystem::path const& path) { files.insert(whole_path(path).string()); };
   options.load.set_drawing(options.job, device.kind);
   options.output.file = any_picture;
   OutputNames names(options.output);

@@ -171,6 +171,25 @@ TEST_CASE("66: inputs that do not exist", "[app][exit]") {
   CHECK_THAT(result.err, contains_text("nope.hdr"));
 }
 
+TEST_CASE("66: an empty name, and any name in a folder that was deleted", "[app][exit]") {
+  Lichtraum const lichtraum;
+  auto const check = [&](std::string const& command) {
+    CAPTURE(command);
+    Process process = lichtraum.process("");
+    process.arguments = {"sh", "-c", "mkdir gone && cd gone && rmdir ../gone && exec \"$0\" " + command,
+                         process.arguments.front(), lichtraum.folder / "plan"};
+    auto const result = run_process(process);
+    CHECK(result.exit_code == 66);
+    CHECK_THAT(result.err, contains_text("cannot open '"));
+    CHECK_THAT(result.err, contains_text("No such file or directory [E0206]"));
+  };
+  for (char const* const name : {"''", "a.sdf", "'' a.sdf ''"}) {
+    for (char const* const command : {"render --device reference ", "check ", "job plan -o \"$1\" "}) {
+      check(std::string(command) + name);
+    }
+  }
+}
+
 TEST_CASE("69: no such device", "[app][exit]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("a.sdf", ball_scene);

@@ -105,6 +105,9 @@ def test_scenes_made_here_get_hints_in_python(renderer):
     dark = lt.Scene([lt.Sphere((0, 0, -5), 1)], camera=lt.Camera())
     with pytest.warns(lt.SceneWarning, match=r"nothing gives light.*\n  hint: Light.point\(\(10, 10, 10\)\) among its items$"):
         renderer.render(dark, size=(8, 8))
+    far = lt.Scene([lt.Sphere((1e6, 0, -5), 1), lt.Light.point((1e6, 10, 10))])
+    with pytest.warns(lt.SceneWarning, match=r"2 across and 1e\+06 from the origin.* are lost \[W0824\]\n  hint: move it.*by -1e\+06 0 5$"):
+        renderer.render(far, size=(8, 8), eye=(1e6, 0, 0), look_at=(1e6, 0, -5))
     lit = lt.Scene([lt.Sphere((0, 0, -5), 1), lt.Light.point((10, 10, 10))], camera=lt.Camera())
     assert renderer.render(lit, size=(8, 8)).diagnostics == []
 

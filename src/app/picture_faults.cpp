@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "app/empty_view.hpp"
 
@@ -10,6 +12,9 @@ namespace lichtraum::app {
 namespace {
 
 constexpr double most_white = 0.5;  // of what a picture shows
+/// How many of its own sizes a scene may lie from the origin before reflections and shadows show that floats tell no
+/// more than 2,000 places apart in it. (Readers move models from 1,000 on, as it costs nothing there.)
+constexpr double most_sizes = 10'000;
 
 Diagnostic warning(DiagnosticCode code, std::string message, std::string hint = {}) {
   return {Severity::warning, code, {}, 1, std::move(message), {}, std::move(hint)};
@@ -18,6 +23,21 @@ Diagnostic warning(DiagnosticCode code, std::string message, std::string hint = 
 /// "the camera 'eye'"; the one that --orbit makes has no name.
 std::string name_in_text(Camera const& camera) {
   return camera.name().empty() ? "the camera" : fmt::format("the camera '{}'", camera.name());
+}
+
+std::optional<Diagnostic> far_scene(Bounds const& bounds) {
+  if (bounds.is_empty() || !bounds.is_finite()) return std::nullopt;
+  auto const largest = [](Vec3 const& v) { return std::max({v.x, v.y, v.z}); };
+  double const size = largest(bounds.max - bounds.min);
+  double const distance = largest(glm::max(glm::abs(bounds.min), glm::abs(bounds.max)));
+  if (distance <= most_sizes * size) return std::nullopt;
+  Vec3 const offset = Vec3(0) - bounds.center();
+  return warning(
+      DiagnosticCode::far_scene,
+      fmt::format("the scene is {:.3g} across and {:.3g} from the origin, where the device's numbers are {:.2g} apart: "
+                  "details are lost",
+                  size, distance, distance * double(std::numeric_limits<float>::epsilon())),
+      fmt::format("move it, with its cameras and lights, by {:g} {:g} {:g}", offset.x, offset.y, offset.z));
 }
 
 Diagnostic missing_light(DrawnPicture const& drawn) {
@@ -81,6 +101,7 @@ double Sight::white_share(Background const& background, Development const& devel
 
 std::vector<std::pair<PictureFault, Diagnostic>> faults_of(DrawnPicture const& drawn, Sight const& sight) {
   std::vector<std::pair<PictureFault, Diagnostic>> found;
+  if (auto far = far_scene(drawn.bounds)) found.emplace_back(PictureFault::far_away, std::move(*far));
   bool const lacks_light =
       drawn.light != SceneLight::some && !sight.is_empty() && drawn.request.planes.has(FilmPlane::radiance);
   if (lacks_light) {

@@ -46,7 +46,7 @@ struct DrawnPicture {
   bool is_whole = true;  ///< false: a region of it, which may well show nothing
 };
 
-enum class PictureFault { no_light, too_bright, nothing_seen };
+enum class PictureFault { far_away, no_light, too_bright, nothing_seen };
 
 /// Each with a warning that says why and what to do, at no place. All of the picture was added to `sight`.
 std::vector<std::pair<PictureFault, Diagnostic>> faults_of(DrawnPicture const& drawn, Sight const& sight);

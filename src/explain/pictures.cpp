@@ -267,6 +267,27 @@ define camera eye 45
 render eye picture.png 32 24
 )",
      "lichtraum render scene.sdf"},
+    {DiagnosticCode::far_scene,
+     R"(The scene lies so far from the origin, compared with its size, that the device's
+numbers, which have 24 bits, do not tell its details apart: reflections and
+shadows are displaced, and what is curved has steps. Move it to the origin, and
+its cameras and lights with it. Models are moved when they are read (W0907), and
+scenes that move them back to where they were get this warning.
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  500000 0 -5600005  1  red
+define light diffuse lamp  500005 5 -5599995  1 1 1
+define camera eye 45
+transform eye translate 500000 0 -5600000
+render eye picture.png 32 24
+)",
+     R"(define material red  1 0 0  1 0 0  0 0 0  10
+define shape sphere ball  0 0 -5  1  red
+define light diffuse lamp  5 5 5  1 1 1
+define camera eye 45
+render eye picture.png 32 24
+)",
+     "lichtraum render scene.sdf"},
 };
 static_assert(explains_all(picture_table, "08"));
 

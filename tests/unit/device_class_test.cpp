@@ -10,7 +10,7 @@
 
 using namespace lichtraum;
 
-TEST_CASE("a device that takes denormal numbers for 0 is of another class", "[unit][farm]") {
+TEST_CASE("a device that takes denormal numbers for 0 is of another class", "[unit][farm][pictures]") {
   auto const renderer = make_reference_renderer();
   std::string const hash = app::device_class_of(*renderer, "").hash;
   CHECK(app::device_class_of(*renderer, "").hash == hash);

@@ -94,7 +94,8 @@ TEST_CASE("a limit of noise takes as many samples as it needs, which are the fir
   CHECK(plain.values(FilmPlane::radiance) == loose.values(FilmPlane::radiance));
 }
 
-TEST_CASE("with a limit of noise, progress is 0 until it is known how many samples that takes", "[unit][noise]") {
+TEST_CASE("with a limit of noise, progress is 0 until it is known how many samples that takes",
+          "[unit][noise][pictures]") {
   RenderRequest request = request_for(4096);
   request.resolution = {256, 256};  // large enough for the first block to be reported on
   request.region = whole_picture(request.resolution);

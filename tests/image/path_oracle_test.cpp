@@ -115,11 +115,7 @@ TEST_CASE("paths: the reference tracer agrees, by another estimator", "[image][p
   check_against_oracle(32, 48);
 }
 
-TEST_CASE("paths: the reference tracer agrees in many samples", "[image][path][oracle][statistics][long]") {
-  REQUIRE_OPENCL_DEVICE();
-  check_against_oracle(64, 144);
-}
-TEST_CASE("paths: the reference tracer agrees in very many samples", "[image][path][oracle][statistics][long][.]") {
+TEST_CASE("paths: the reference tracer agrees in many samples", "[image][path][oracle][statistics][long][.]") {
   REQUIRE_OPENCL_DEVICE();
   check_against_oracle(128, 320);
 }

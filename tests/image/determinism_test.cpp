@@ -169,7 +169,7 @@ TEST_CASE("what is stopped keeps the blocks of samples that are whole", "[image]
   Integrator const integrator = GENERATE(Integrator::whitted, Integrator::path);
   for_each_renderer(integrator, [&](Renderer& renderer) {
     renderer.set_scene(scene);
-    RenderRequest request = seeded_request(scene, integrator);
+    RenderRequest request = seeded_request(scene, integrator, four_tiles);
     request.sampling.count = 100;
     double const after = 0.7;
     Film film;

@@ -91,6 +91,7 @@ ip -n {NAMESPACE} link set lo up"""
 
 @pytest.fixture
 def network():
+    subprocess.run(["ip", "netns", "del", NAMESPACE], capture_output=True)  # of a test that was killed
     try:
         for line in BRIDGE.splitlines():
             subprocess.run(line.split(), check=True, capture_output=True)

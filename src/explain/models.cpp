@@ -8,16 +8,24 @@ constexpr Explanation model_table[] = {
      R"(The model has no triangles, lines or points that could be drawn. Either the file
 has none, or all of them were left out, for which there are warnings.
 )",
-     R"(v 0 0 0
-v 1 0 0
-v 0 1 0
+     R"(ply
+format ascii 1.0
+element vertex 0
+property float x
+property float y
+property float z
+end_header
 )",
-     R"(v 0 0 0
-v 1 0 0
-v 0 1 0
-f 1 2 3
+     R"(ply
+format ascii 1.0
+element vertex 1
+property float x
+property float y
+property float z
+end_header
+0 0 0
 )",
-     "lichtraum check model.obj"},
+     "lichtraum check model.ply"},
     {DiagnosticCode::geometry_left_out,
      R"(Triangles or points are left out because a corner is not a finite number, or is
 a vertex that the model does not have. The rest is drawn. The message says how

@@ -22,8 +22,10 @@ f 1 2 3
 )",
      obj_command},
     {DiagnosticCode::undrawn_obj,
-     R"(The model has points, lines, or free-form curves and surfaces, which are not
-drawn. Its triangles and polygons are. Export it as polygons.
+     R"(The model has free-form curves or surfaces, which are not drawn, or lines or
+points beside faces: lines are drawn where there are no faces, and points where
+there are no lines either. Export curves and surfaces as polygons, and lines and
+points to a file of their own.
 )",
      R"(v 0 0 0
 v 1 0 0
@@ -38,9 +40,9 @@ f 1 2 3
 )",
      obj_command},
     {DiagnosticCode::faulty_face,
-     R"(A face has a corner that cannot be read, or fewer than three. It is left out. A
-corner is the number of a vertex, and perhaps those of its texture coordinate
-and normal: 1, 1/2, 1//3 or 1/2/3, from 1 on.
+     R"(A face has a corner that cannot be read, or fewer than three (a line fewer than
+two). It is left out. A corner is the number of a vertex, and perhaps those of
+its texture coordinate and normal: 1, 1/2, 1//3 or 1/2/3, from 1 on.
 )",
      R"(v 0 0 0
 v 1 0 0

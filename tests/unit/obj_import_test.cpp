@@ -115,9 +115,11 @@ TEST_CASE("OBJ: what is wrong is told with its place and left out", "[unit][obj]
       {triangle + "f 1 2 99999999999999999999\n",
        "m.obj:5:7: expected vertex/texture/normal, found '99999999999999999999': the face is left out\n"},
       {triangle + "f 1 2\n", "m.obj:5:1: a face of 2 corners is left out\n"},
-      {triangle + "f 1/5 2 3\n", "m.obj:0:0: 1 corners name a texture coordinate or normal that is not there\n"},
+      {triangle + "f 1/5 2 3\n", "m.obj:0:0: 1 corner names a texture coordinate or normal that is not there\n"},
       {triangle + "l 1 2\np 1\n",
-       "m.obj:5:0: points and lines are not drawn\nm.obj:6:0: points and lines are not drawn\n"},
+       "m.obj:5:0: lines are not drawn beside faces\nm.obj:6:0: points are not drawn beside faces\n"},
+      {"p 1\n" + triangle + "p 2\nl 1 2\nl 3 2\n",
+       "m.obj:1:0: points are not drawn beside faces\nm.obj:7:0: lines are not drawn beside faces\n"},
       {triangle + "curv 0 1 1 2\nsurf 0 1\n", "m.obj:5:0: free-form curves and surfaces are not drawn\n"},
       {"vx 1 2 3\n" + triangle, "m.obj:1:1: unknown OBJ keyword 'vx': the line is left out\n"},
       {triangle + "s 1x\n", "m.obj:5:3: expected a smoothing group's number or off, found '1x'\n"},
@@ -133,12 +135,12 @@ TEST_CASE("OBJ: what is wrong is told with its place and left out", "[unit][obj]
 }
 
 TEST_CASE("OBJ: nothing to draw is an error; faces may come before their vertices; lines may go on", "[unit][obj]") {
-  for (char const* text : {"", "v 0 0 0\n", "garbage", "\x01\x02\xFF", "f 1 2 3\n"}) {
+  for (char const* text : {"", "garbage", "\x01\x02\xFF", "f 1 2 3\n"}) {
     CHECK_THROWS_AS(import_text(text), SceneError);
   }
   CHECK(world_triangles(import_text("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0").scene).size() == 1);
   Model const model = import_text("v 0 0 \\\n0\nv 1 0 0\nv 0 \\\r\n 1 0\nf 1 2 \\\n3\nl 1 2\n");
-  CHECK(shown(model.diagnostics) == "m.obj:8:0: points and lines are not drawn\n");
+  CHECK(shown(model.diagnostics) == "m.obj:8:0: lines are not drawn beside faces\n");
   CHECK(world_triangles(model.scene)[0] == Corners{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
 }
 

@@ -58,26 +58,26 @@ class Importer {
     std::vector<ModelPart> parts;
     PartGeometry geometry(file);
     for (Part const& part : file.parts) {
-      parts.push_back(named(part, geometry.of(part, pictured_.contains(part.material)), model.scene));
+      parts.push_back(named(part, file.draws, geometry.of(part, pictured_.contains(part.material)), model.scene));
     }
     if (parts.empty())
       diagnostics_.add(Severity::error, DiagnosticCode::nothing_to_draw, {},
-                       "the model has nothing to draw: it has no triangles");
+                       "the model has nothing to draw: it has no triangles, lines or points");
     bool const has_failed = parts.empty();
     model.diagnostics = std::move(diagnostics_).finish(0);
     model.diagnostics.insert(model.diagnostics.end(), of_libraries_.begin(), of_libraries_.end());
-    check_static(options_, name_, false, model.diagnostics);
+    check_static(options_, name_, file.draws != Drawn::triangles, model.diagnostics);
     if (origin) {
       model.origin = *origin;
       model.diagnostics.push_back(moved_from(*origin, name_));
     }
     if (has_failed) throw SceneError(std::move(model.diagnostics));
-    add_parts(std::move(parts), fs::path(name_).stem().string(), model.scene);
+    add_parts(std::move(parts), fs::path(name_).stem().string(), model.scene, options_.point_size);
     return model;
   }
 
  private:
-  ModelPart named(Part const& part, std::shared_ptr<MeshGeometry const> geometry, Scene& scene) {
+  ModelPart named(Part const& part, Drawn drawn, std::shared_ptr<MeshGeometry const> geometry, Scene& scene) {
     std::shared_ptr<Material const> material = options_.material;
     if (!material) {
       auto const found = materials_.find(part.material);
@@ -87,7 +87,7 @@ class Importer {
     }
     std::string name = part.name.empty() ? part.material : part.name;
     if (!part.name.empty() && !part.material.empty()) name += "." + part.material;
-    return {name.empty() ? "mesh" : std::move(name), std::move(geometry), std::move(material)};
+    return {name.empty() ? part_name(drawn) : std::move(name), std::move(geometry), std::move(material)};
   }
 
   void read_libraries(ObjFile const& file) {

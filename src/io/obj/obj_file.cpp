@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
+#include <span>
 #include <unordered_set>
+#include <utility>
 
+#include "core/counted.hpp"
 #include "core/float3.hpp"
 #include "io/faulty_geometry.hpp"
+#include "io/obj/part_lists.hpp"
 #include "io/obj/smooth_normals.hpp"
 #include "io/polygon.hpp"
 #include "io/text/numbers.hpp"
@@ -34,7 +38,8 @@ class ObjReader {
       diagnostics_.begin_line(line);
       statement(keyword, rest);
     }
-    remove_faulty_triangles();
+    parts_.choose(file_, diagnostics_);
+    remove_faulty();
     std::erase_if(file_.parts, [](Part const& part) { return part.corners.empty(); });
     add_smooth_normals(file_);
     if (!file_.colors.empty()) file_.colors.resize(file_.positions.size(), Float3{1, 1, 1});
@@ -45,24 +50,30 @@ class ObjReader {
   void statement(Token keyword, std::string_view rest) {
     if (keyword == "v") return position(rest);
     if (keyword == "f" || keyword == "fo") return face(keyword, rest);
+    if (keyword == "l") return line(keyword, rest);
+    if (keyword == "p") return points(keyword, rest);
     if (keyword == "vn") return normal(rest);
     if (keyword == "vt") return texcoord(rest);
     if (keyword == "usemtl") return use_material(keyword, rest);
     if (keyword == "s") return smoothing_group(rest);
-    if (keyword == "o") return begin_part(object_, rest);
-    if (keyword == "g") return begin_part(group_, rest);
+    if (keyword == "o") return parts_.set_object(trimmed(rest));
+    if (keyword == "g") return parts_.set_group(trimmed(rest));
     if (keyword == "mtllib") return library(keyword, rest);
-    if (keyword == "l" || keyword == "p") return once(keyword, "points and lines are not drawn");
     for (std::string_view const known : {"mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj",
                                          "usemap", "maplib", "vp", "end", "parm", "trim", "hole", "scrv", "sp"}) {
       if (keyword == known) return;  // says nothing about triangles
     }
     for (std::string_view const known :
          {"cstype", "deg", "curv", "curv2", "surf", "bmat", "step", "con", "stech", "ctech"}) {
-      if (keyword == known) return once("surf", "free-form curves and surfaces are not drawn");
+      if (keyword == known) return free_form();
     }
     diagnostics_.add(Severity::warning, DiagnosticCode::unknown_obj_keyword, keyword,
                      fmt::format("unknown OBJ keyword {}: the line is left out", in_quotes(keyword)));
+  }
+
+  void free_form() {
+    if (std::exchange(has_free_forms_, true)) return;
+    diagnostics_.add(Severity::warning, DiagnosticCode::undrawn_obj, {}, "free-form curves and surfaces are not drawn");
   }
 
   bool number(Token word, float& out) {
@@ -125,16 +136,51 @@ class ObjReader {
   }
 
   void face(Token keyword, std::string_view rest) {
-    corners_.clear();
+    bool is_late = false;
+    if (!read_corners(keyword, rest, Drawn::triangles, is_late)) return;
     points_.clear();
-    bool is_late = false;  // names a vertex that is not there yet
+    for (Corner const& corner : corners_) {
+      if (!is_late) points_.push_back(file_.positions[corner.position]);
+    }
+    if (is_late) points_.assign(corners_.size(), Float3{0, 0, 0});  // its shape is not known: a fan
+    Part& part = parts_.part_for(Drawn::triangles, diagnostics_);
+    triangles_.clear();
+    triangulate(points_, triangles_);
+    for (auto const& triangle : triangles_) {
+      for (std::uint32_t const i : triangle) part.corners.push_back(corners_[i]);
+    }
+    part.smoothing_groups.resize(part.corners.size() / 3, smoothing_group_);
+  }
+
+  void line(Token keyword, std::string_view rest) {
+    bool is_late = false;
+    if (!read_corners(keyword, rest, Drawn::lines, is_late)) return;
+    Part& part = parts_.part_for(Drawn::lines, diagnostics_);
+    for (std::size_t i = 0; i + 1 < corners_.size(); ++i) {
+      part.corners.push_back(corners_[i]);
+      part.corners.push_back(corners_[i + 1]);
+    }
+  }
+
+  void points(Token keyword, std::string_view rest) {
+    bool is_late = false;
+    if (!read_corners(keyword, rest, Drawn::points, is_late)) return;
+    Part& part = parts_.part_for(Drawn::points, diagnostics_);
+    part.corners.insert(part.corners.end(), corners_.begin(), corners_.end());
+  }
+
+  /// All on the line, into `corners_`. `is_late`: one names a vertex that is not there yet. False after a warning.
+  bool read_corners(Token keyword, std::string_view rest, Drawn drawn, bool& is_late) {
+    std::string_view const what = PartLists::noun(drawn);
+    parts_.note(drawn, diagnostics_.line());
+    corners_.clear();
     for (Token word = next_token(rest); !word.empty() && word[0] != '#'; word = next_token(rest)) {
       Corner corner;
       if (!read_corner(word, corner)) {
         diagnostics_.add(
             Severity::warning, DiagnosticCode::faulty_face, word,
-            fmt::format("expected vertex/texture/normal, found {}: the face is left out", in_quotes(word)));
-        return;
+            fmt::format("expected vertex/texture/normal, found {}: the {} is left out", in_quotes(word), what));
+        return false;
       }
       is_late = is_late || corner.position >= file_.positions.size();
       if (corner.position >= file_.positions.size() && mentions_.size() < max_mentions) {
@@ -142,22 +188,10 @@ class ObjReader {
       }
       corners_.push_back(corner);
     }
-    if (corners_.size() < 3) {
-      diagnostics_.add(Severity::warning, DiagnosticCode::faulty_face, keyword,
-                       fmt::format("a face of {} corners is left out", corners_.size()));
-      return;
-    }
-    for (Corner const& corner : corners_) {
-      if (!is_late) points_.push_back(file_.positions[corner.position]);
-    }
-    if (is_late) points_.assign(corners_.size(), Float3{0, 0, 0});  // its shape is not known: a fan
-    Part& part = current_part();
-    triangles_.clear();
-    triangulate(points_, triangles_);
-    for (auto const& triangle : triangles_) {
-      for (std::uint32_t const i : triangle) part.corners.push_back(corners_[i]);
-    }
-    part.smoothing_groups.resize(part.corners.size() / 3, smoothing_group_);
+    if (corners_.size() >= corners_of(drawn)) return true;
+    diagnostics_.add(Severity::warning, DiagnosticCode::faulty_face, keyword,
+                     fmt::format("a {} of {} is left out", what, counted(corners_.size(), "corner")));
+    return false;
   }
 
   bool read_corner(Token word, Corner& corner) {
@@ -198,17 +232,10 @@ class ObjReader {
     Token const name = trimmed(rest);
     if (name.empty())
       diagnostics_.add(Severity::warning, DiagnosticCode::missing_obj_word, keyword, "usemtl: expected a name");
-    material_ = name;
-    part_ = nullptr;
+    parts_.set_material(name);
     if (!name.empty() && known_materials_.insert(std::string(name)).second) {
       file_.used_materials.push_back({diagnostics_.line(), name});
     }
-  }
-
-  void begin_part(std::string& name, std::string_view rest) {
-    name = trimmed(rest);
-    if (&name == &object_) group_.clear();
-    part_ = nullptr;
   }
 
   void library(Token keyword, std::string_view rest) {
@@ -218,47 +245,24 @@ class ObjReader {
     file_.libraries.push_back({diagnostics_.line(), names});
   }
 
-  void once(std::string_view what, std::string_view message, DiagnosticCode code = DiagnosticCode::undrawn_obj) {
-    if (told_.insert(std::string(what)).second) diagnostics_.add(Severity::warning, code, {}, std::string(message));
-  }
-
-  /// Files alternate between materials thousands of times; what belongs together becomes one mesh.
-  Part& current_part() {
-    if (part_) return *part_;
-    std::string name = group_.empty() ? object_ : object_.empty() ? group_ : object_ + "." + group_;
-    std::string key = name + '\n' + material_;
-    if (!part_numbers_.contains(key) && part_numbers_.size() >= max_parts) {
-      once("parts", fmt::format("more than {} objects and groups: those that follow are joined", max_parts),
-           DiagnosticCode::parts_joined);
-      name.clear();
-      key = '\n' + material_;
-    }
-    auto const [found, is_new] = part_numbers_.emplace(std::move(key), file_.parts.size());
-    if (is_new) file_.parts.push_back({std::move(name), material_, {}, {}});
-    part_ = &file_.parts[found->second];
-    return *part_;
-  }
-
-  void remove_faulty_triangles() {
+  void remove_faulty() {
     std::size_t out_of_range = 0, non_finite = 0;
+    std::size_t const count = corners_of(file_.draws);
     for (Part& part : file_.parts) {
       std::size_t kept = 0;
-      for (std::size_t i = 0; i + 2 < part.corners.size(); i += 3) {
-        auto const corners = part.corners.begin() + std::ptrdiff_t(i);
-        bool const is_there =
-            std::all_of(corners, corners + 3, [&](Corner const& c) { return c.position < file_.positions.size(); });
-        if (!is_there) {
+      for (std::size_t i = 0; i + count <= part.corners.size(); i += count) {
+        std::span const corners(&part.corners[i], count);
+        if (!std::ranges::all_of(corners, [&](Corner const& c) { return c.position < file_.positions.size(); })) {
           ++out_of_range;
-        } else if (!std::all_of(corners, corners + 3,
-                                [&](auto& c) { return is_finite(file_.positions[c.position]); })) {
+        } else if (!std::ranges::all_of(corners, [&](auto& c) { return is_finite(file_.positions[c.position]); })) {
           ++non_finite;
         } else {
-          part.smoothing_groups[kept / 3] = part.smoothing_groups[i / 3];
-          for (std::size_t k = 0; k < 3; ++k) part.corners[kept++] = checked(part.corners[i + k]);
+          if (file_.draws == Drawn::triangles) part.smoothing_groups[kept / 3] = part.smoothing_groups[i / 3];
+          for (std::size_t k = 0; k < count; ++k) part.corners[kept++] = checked(part.corners[i + k]);
         }
       }
       part.corners.resize(kept);
-      part.smoothing_groups.resize(kept / 3);
+      if (file_.draws == Drawn::triangles) part.smoothing_groups.resize(kept / 3);
     }
     for (auto const& [mention, position] : mentions_) {
       if (position < file_.positions.size()) continue;
@@ -272,11 +276,14 @@ class ObjReader {
     if (missing_attributes_ > 0) {
       diagnostics_.add(
           Severity::warning, DiagnosticCode::missing_vertex, {},
-          fmt::format("{} corners name a texture coordinate or normal that is not there", missing_attributes_));
+          fmt::format("{} {} a texture coordinate or normal that is not there", counted(missing_attributes_, "corner"),
+                      missing_attributes_ == 1 ? "names" : "name"));
     }
   }
 
+  /// Only surfaces have texture coordinates and normals.
   Corner checked(Corner corner) {
+    if (file_.draws != Drawn::triangles) return {.position = corner.position};
     if (corner.texcoord != Corner::none && corner.texcoord >= file_.texcoords.size()) {
       corner.texcoord = Corner::none;
       ++missing_attributes_;
@@ -289,24 +296,24 @@ class ObjReader {
   }
 
   void left_out(std::size_t count, std::string_view why) {
-    diagnostics_.add(Severity::warning, DiagnosticCode::geometry_left_out, {}, left_out_message(count, why));
+    std::string_view const noun = file_.draws == Drawn::triangles ? "triangle" : PartLists::noun(file_.draws);
+    diagnostics_.add(Severity::warning, DiagnosticCode::geometry_left_out, {}, left_out_message(count, why, noun));
   }
 
+  static std::size_t corners_of(Drawn drawn) { return 3 - std::size_t(drawn); }
+
   static constexpr std::size_t max_mentions = 1000;
-  static constexpr std::size_t max_parts = std::size_t(1) << 16;
 
   Diagnostics& diagnostics_;
   Vec3 origin_;
   ObjFile file_;
-  std::string object_, group_, material_;
   std::uint32_t smoothing_group_ = 0;
-  Part* part_ = nullptr;
-  std::unordered_map<std::string, std::size_t> part_numbers_;
+  PartLists parts_;
   std::unordered_set<std::string> known_materials_;
-  std::unordered_set<std::string> told_;
+  bool has_free_forms_ = false;
   std::vector<std::pair<Mention, std::uint32_t>> mentions_;  // of vertices that were not there yet
   std::size_t missing_attributes_ = 0;
-  // Of one face; kept for their memory.
+  // Of one face, line or list of points; kept for their memory.
   std::vector<Corner> corners_;
   std::vector<Float3> points_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;

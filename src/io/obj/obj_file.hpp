@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "io/drawn.hpp"
 #include "io/text/diagnostics.hpp"
 #include "lichtraum/bounds.hpp"
 #include "lichtraum/mesh_geometry.hpp"
 
 namespace lichtraum::obj {
 
-/// A corner of a triangle: numbers into the lists of an ObjFile, or `none`.
+/// A corner of a triangle, an end of a line, or a point: numbers into the lists of an ObjFile, or `none`.
 struct Corner {
   static constexpr std::uint32_t none = 0xFFFFFFFF;
   std::uint32_t position = none;
@@ -18,11 +19,11 @@ struct Corner {
   std::uint32_t normal = none;
 };
 
-/// Faces of one object or group and one material, as triangles.
+/// What one object or group has of one material: triangles, lines, or points.
 struct Part {
   std::string name;                             ///< of the object and the group; may be empty
   std::string material;                         ///< empty: none
-  std::vector<Corner> corners;                  ///< three per triangle
+  std::vector<Corner> corners;                  ///< three per triangle, two per line, one per point
   std::vector<std::uint32_t> smoothing_groups;  ///< one per triangle; 0: it is flat where it has no normals
 };
 
@@ -32,9 +33,10 @@ struct Mention {
   Token word;
 };
 
-/// What an OBJ file says, faces cut into triangles. Every index in `parts` is within its list, every position of a
-/// triangle finite.
+/// What an OBJ file says, faces cut into triangles. Every index in `parts` is within its list, every position that they
+/// name finite.
 struct ObjFile {
+  Drawn draws = Drawn::triangles;  ///< what `parts` are
   std::vector<Float3> positions;
   std::vector<Float3> colors;  ///< as written; empty or as many as positions
   std::vector<Float2> texcoords;

@@ -1,6 +1,7 @@
 #include "io/obj/part_geometry.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/srgb.hpp"
 #include "io/distinct_keys.hpp"
@@ -18,10 +19,11 @@ PartGeometry::PartGeometry(ObjFile const& file)
 
 std::shared_ptr<MeshGeometry const> PartGeometry::of(Part const& part, bool has_picture) {
   auto geometry = std::make_shared<MeshGeometry>();
-  bool const has_texcoords =
-      std::any_of(part.corners.begin(), part.corners.end(), [](auto& c) { return c.texcoord != Corner::none; });
-  bool const has_normals =
-      std::any_of(part.corners.begin(), part.corners.end(), [](auto& c) { return c.normal != Corner::none; });
+  bool const is_surface = file_.draws == Drawn::triangles;
+  bool const has_texcoords = is_surface && std::any_of(part.corners.begin(), part.corners.end(),
+                                                       [](auto& c) { return c.texcoord != Corner::none; });
+  bool const has_normals = is_surface && std::any_of(part.corners.begin(), part.corners.end(),
+                                                     [](auto& c) { return c.normal != Corner::none; });
   with_colors_ = !linear_colors_.empty() && !(has_picture && has_texcoords);
   if (has_texcoords) geometry->texcoords.emplace_back();
   geometry->indices.reserve(part.corners.size());
@@ -31,6 +33,8 @@ std::shared_ptr<MeshGeometry const> PartGeometry::of(Part const& part, bool has_
     index_positions(part, *geometry);
   }
   if (!has_normals) geometry->normals.clear();
+  if (file_.draws == Drawn::lines) geometry->lines = std::exchange(geometry->indices, {});
+  if (file_.draws == Drawn::points) geometry->indices.clear();  // one number for each of its positions
   return geometry;
 }
 

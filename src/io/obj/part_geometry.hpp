@@ -6,8 +6,8 @@
 
 namespace lichtraum::obj {
 
-/// Turns the corners of parts, which number positions, texture coordinates and normals each for themselves, into meshes
-/// with one number for all, each of its own vertices only.
+/// Turns the corners of parts, which number positions, texture coordinates and normals each for themselves, into
+/// geometry with one number for all, each of its own vertices only.
 class PartGeometry {
  public:
   explicit PartGeometry(ObjFile const& file);

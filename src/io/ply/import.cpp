@@ -91,18 +91,6 @@ class Materials {
   Names names_;
 };
 
-char const* part_name(Drawn drawn) {
-  switch (drawn) {
-    case Drawn::triangles:
-      return "mesh";
-    case Drawn::lines:
-      return "lines";
-    case Drawn::points:
-      return "points";
-  }
-  return "";
-}
-
 Model import(std::string_view bytes, std::string const& name, std::optional<fs::path> const& folder,
              ModelOptions const& options) {
   Diagnostics diagnostics(name, max_findings);

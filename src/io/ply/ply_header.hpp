@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/drawn.hpp"
 #include "io/text/diagnostics.hpp"
 
 namespace lichtraum::ply {
@@ -26,8 +27,6 @@ struct Element {
   std::uint64_t count = 0;
   std::vector<Property> properties;
 };
-
-enum class Drawn { triangles, lines, points };
 
 /// What stands before the data (Turk 1994, "The PLY Polygon File Format").
 struct Header {

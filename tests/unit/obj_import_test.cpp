@@ -95,6 +95,22 @@ TEST_CASE("OBJ: colours of vertices become linear", "[unit][obj]") {
   CHECK(mesh_of(model.scene, "mesh").material()->pbr());  // they change its base colour
 }
 
+TEST_CASE("OBJ: colours of vertices that are written as bytes are read as such", "[unit][obj]") {
+  Model const model = import_text("v 0 0 0 255 128 0\nv 1 0 0\nv 0 1 0 1 1 1\nv 0 0 1\nf 1 2 3\nf 1 3 4\n");
+  CHECK(shown(model.diagnostics) ==
+        "m.obj:0:0: colours of vertices go up to 255: read as 0 to 255, though OBJ's go from 0 to 1\n");
+  auto const& colors = mesh_of(model.scene, "mesh").geometry()->colors;
+  REQUIRE(colors.size() == 4);
+  CHECK(colors[0][0] == Approx(1));
+  CHECK(colors[0][1] == Approx(0.2158605));  // IEC 61966-2-1
+  CHECK(colors[0][2] == 0);
+  CHECK(colors[1] == Float4{1, 1, 1, 1});  // has none
+  CHECK(colors[2][0] == Approx(1 / (255 * 12.92)));
+  CHECK(colors[3] == Float4{1, 1, 1, 1});
+  // A little more than white is no byte.
+  CHECK(shown(import_text("v 0 0 0 1.01 1 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").diagnostics) == "");
+}
+
 TEST_CASE("OBJ: what is wrong is told with its place and left out", "[unit][obj]") {
   struct Case {
     std::string text;

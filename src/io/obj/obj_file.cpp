@@ -23,6 +23,7 @@ namespace lichtraum::obj {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr Float3 no_color{nan, nan, nan};
 
 class ObjReader {
  public:
@@ -42,7 +43,7 @@ class ObjReader {
     remove_faulty();
     std::erase_if(file_.parts, [](Part const& part) { return part.corners.empty(); });
     add_smooth_normals(file_);
-    if (!file_.colors.empty()) file_.colors.resize(file_.positions.size(), Float3{1, 1, 1});
+    finish_colors();
     return std::move(file_);
   }
 
@@ -110,11 +111,31 @@ class ObjReader {
     if (fourth.empty() || fourth[0] == '#') return;
     Token const fifth = next_token(rest), sixth = next_token(rest);
     if (fifth.empty() || sixth.empty()) return;  // a weight, which is for curves
-    Float3 color{1, 1, 1};
+    Float3 color = no_color;
     bool const is_color = number(fourth, color[0]) && number(fifth, color[1]) && number(sixth, color[2]);
     if (!is_color) return;
-    file_.colors.resize(file_.positions.size() - 1, Float3{1, 1, 1});
+    file_.colors.resize(file_.positions.size() - 1, no_color);
     file_.colors.push_back(color);
+  }
+
+  /// Takes those beyond 1 for bytes, as some programs write them, and vertices without one for white.
+  void finish_colors() {
+    if (file_.colors.empty()) return;
+    file_.colors.resize(file_.positions.size(), no_color);
+    float largest = 0;
+    for (Float3 const& color : file_.colors) {
+      for (float const channel : color) largest = std::max(largest, channel);  // not if it is no number
+    }
+    constexpr float surely_bytes = 2;
+    float const white = largest > surely_bytes ? 255 : 1;
+    for (Float3& color : file_.colors) {
+      for (float& channel : color) channel = std::isnan(channel) ? 1 : channel / white;
+    }
+    if (white == 1) return;
+    diagnostics_.begin_line({});
+    diagnostics_.add(
+        Severity::warning, DiagnosticCode::faulty_number, {},
+        fmt::format("colours of vertices go up to {:g}: read as 0 to 255, though OBJ's go from 0 to 1", largest));
   }
 
   void normal(std::string_view rest) {

@@ -44,9 +44,10 @@ std::string describe_behind(Camera const& camera) {
 /// Of a scene whose middle, so far ahead, is in view.
 std::string describe_ahead(double depth, double diameter, double pixel) {
   constexpr double few_pixels = 4;
-  return fmt::format(
-      "the scene is in view, {:.3g} away and {:.3g} wide: its shapes {}", depth, diameter,
-      diameter < few_pixels * pixel ? "are too small for the pixels" : "lie beside what the camera sees");
+  return fmt::format("the scene is in view, {:.3g} away and {:.3g} wide: its shapes {}", depth, diameter,
+                     diameter < few_pixels * pixel
+                         ? "are too small for the pixels"
+                         : "lie beside what the camera sees, or are invisible (alpha or d of 0)");
 }
 
 }  // namespace

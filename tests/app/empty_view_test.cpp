@@ -44,6 +44,17 @@ TEST_CASE("a camera that sees nothing: where the scene is", "[app][view]") {
   CHECK(warning(sphere_at("0 0 5"), "-q").empty());
 }
 
+TEST_CASE("a camera that sees nothing: what is invisible", "[app][view]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("m.obj", "mtllib m.mtl\nusemtl clear\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  auto const said = [&](std::string const& dissolve) {
+    lichtraum.folder.write("m.mtl", "newmtl clear\nKd 1 0 0\nd " + dissolve + "\n");
+    return lichtraum.render("m.obj --size 32x24").err;
+  };
+  CHECK_THAT(said("0"), contains_text("or are invisible (alpha or d of 0) [W0816]"));
+  CHECK_THAT(said("0.5"), !contains_text("sees nothing"));
+}
+
 TEST_CASE("a camera that sees nothing: which convention would show the scene", "[app][view]") {
   // The camera of the standard's example, and something that lies where it ought to look.
   std::string const standard =

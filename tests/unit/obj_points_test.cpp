@@ -37,7 +37,7 @@ TEST_CASE("OBJ: vertices that nothing names are points with their colours", "[un
   CHECK_THROWS_AS(import_text("v nan 0 0\n"), SceneError);
   CHECK_THROWS_AS(import_text("vn 0 0 1\n"), SceneError);
   // What names vertices in vain has no points either.
-  for (char const* const vain : {"f 1 2\n", "f 1 2 9\n", "l 1\n", "p 9\n", "p x\n", "p\n"}) {
+  for (char const* const vain : {"f 1 2\n", "f 1 2 9\n", "l 1\n", "p 9\n", "p x\n", "p\n", "curv 0 1 1 2\n"}) {
     CAPTURE(vain);
     CHECK_THROWS_AS(import_text(std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\n") + vain), SceneError);
   }

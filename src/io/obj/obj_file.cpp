@@ -73,6 +73,7 @@ class ObjReader {
   }
 
   void free_form() {
+    parts_.note(Drawn::triangles, diagnostics_.line());  // so that what it names is not drawn as points
     if (std::exchange(has_free_forms_, true)) return;
     diagnostics_.add(Severity::warning, DiagnosticCode::undrawn_obj, {}, "free-form curves and surfaces are not drawn");
   }

@@ -1,5 +1,6 @@
 /// What normal maps turn towards the light and away from the viewer, against the formulae in double precision.
 
+#include <algorithm>
 #include <glm/trigonometric.hpp>
 
 #include "bsdf_probe.hpp"
@@ -15,6 +16,7 @@ TEST_CASE("what is matt fades out towards the smooth surface's horizon, and glos
   BsdfCase const leaf{"leaf", translucent(phong_bsdf(0.8, 0, 1), 0.6)};
   BsdfCase const sheen{"sheen", with_sheen(phong_bsdf(0, 0, 1), 0.8, 0.5)};
   BsdfCase const metal{"metal", layered_bsdf(0.9, 1, 0.5)};
+  std::size_t const count = std::max<std::size_t>(scaled_count(320), 64);  // of 64, some fade out in each case
   std::size_t const lanes = GENERATE(1, 16);
   BsdfProbe const probe(lanes);
   Random random(71);
@@ -24,7 +26,7 @@ TEST_CASE("what is matt fades out towards the smooth surface's horizon, and glos
       BsdfCase bumpy = surface;
       bumpy.smooth_normal = direction_at(glm::radians(tilt_degrees), 1.2);
       std::vector<float4> viewers, lights;
-      for (int i = 0; i < 320; ++i) {
+      for (std::size_t i = 0; i < count; ++i) {
         Vec3 const o = random.direction();
         viewers.push_back(to_float4({o.x, o.y, std::abs(o.z)}));
         lights.push_back(to_float4(random.direction()));
@@ -50,6 +52,7 @@ TEST_CASE("what is matt fades out towards the smooth surface's horizon, and glos
 
 TEST_CASE("a coat's normal that faces away is turned to the viewer, half as much as the surface", "[kernel]") {
   NEEDS_OPENCL_DEVICE();
+  std::size_t const count = std::max<std::size_t>(scaled_count(160), 32);
   BsdfProbe const probe(GENERATE(1, 16));
   Random random(72);
   for (double const viewer_degrees : {0., 40., 70., 88.}) {
@@ -62,7 +65,7 @@ TEST_CASE("a coat's normal that faces away is turned to the viewer, half as much
       Vec3 const aside = glm::normalize(away - facing * viewer);
       Vec3 const turned = facing < least ? least * viewer + std::sqrt(1 - least * least) * aside : away;
       BsdfCase surface{"coat", coated(phong_bsdf(0, 0, 1), 1, 0.5)};
-      std::vector<float4> const viewers(160, to_float4(viewer));
+      std::vector<float4> const viewers(count, to_float4(viewer));
       std::vector<float4> lights;
       for (std::size_t i = 0; i < viewers.size(); ++i) lights.push_back(to_float4(random.direction()));
       surface.coat_normal = away;

@@ -134,16 +134,25 @@ TEST_CASE("programs find the installed library, link to it, and draw what the pr
   }
 }
 
-TEST_CASE("a project that contains lichtraum builds its libraries and nothing else of it", "[app][long][package]") {
-  TemporaryFolder const folder;
+namespace {
+
+/// Configures a project that contains all of this one, in `folder`.
+void make_containing_project(fs::path const& folder) {
   std::string lists = documented("cmake");
   replace(lists, "find_package(lichtraum 0.1 CONFIG REQUIRED)", "add_subdirectory(" LICHTRAUM_SOURCE_DIR " lichtraum)");
-  make_consumer(folder / "whole", lists);
+  make_consumer(folder, lists);
   // Pictures have the same bytes as with -O3, and that would take minutes.
   std::vector<std::string> words = configure({});
   words.insert(words.end(), {"-D", "CMAKE_CXX_FLAGS_RELEASE=-O0", "-D", "LICHTRAUM_UNITY_BUILD=ON", "-D",
                              "LICHTRAUM_PRECOMPILE_KERNELS=OFF"});
-  run_well(folder / "whole", words);
+  run_well(folder, words);
+}
+
+}  // namespace
+
+TEST_CASE("a project that contains lichtraum builds its libraries and nothing else of it", "[app][long][package]") {
+  TemporaryFolder const folder;
+  make_containing_project(folder / "whole");
   std::string const all = run_well(folder / "whole", {"ninja", "-C", "build", "-t", "commands", "all"});
   CHECK_THAT(all, contains_text("picture.cpp"));
   CHECK_THAT(all, contains_text("liblichtraum.so"));
@@ -151,6 +160,15 @@ TEST_CASE("a project that contains lichtraum builds its libraries and nothing el
     INFO(other);
     CHECK(all.find(other) == std::string::npos);
   }
+  // What it writes for its compiler, and with that its own file.
+  std::string const target = "CMakeFiles/picture.dir/picture.cpp.o";
+  run_well(folder / "whole", {LICHTRAUM_CMAKE, "--build", "build", "--target", "lichtraum_kernels", target});
+  CHECK(fs::exists(folder / "whole/build" / target));
+}
+
+TEST_CASE("a project that contains lichtraum draws the same with it", "[app][long][package][.]") {
+  TemporaryFolder const folder;
+  make_containing_project(folder / "whole");
   run_well(folder / "whole", {LICHTRAUM_CMAKE, "--build", "build", "--parallel", "2", "--target", "picture"});
   run_well(folder / "whole", {"build/picture", scene});
   CHECK(read(folder / "whole/picture.ppm") == drawn_by(LICHTRAUM_PROGRAM, folder));

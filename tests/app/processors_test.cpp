@@ -83,13 +83,13 @@ struct Run {
   Files machine_code;
 };
 
-/// `processors`: a class, or nothing for the one that PoCL chooses. In a process and with a cache of its own.
+/// `processors`: a class. In a process and with a cache of its own.
 Run draw(Lichtraum const& lichtraum, std::string const& words, std::string const& extension,
          std::string const& processors) {
   TemporaryFolder const pictures, cache;
   Process process = lichtraum.process("render -q --device cpu --output-dir " + pictures.path().string() + words);
   process.environment["POCL_CACHE_DIR"] = cache.path().string();
-  if (!processors.empty()) process.environment["POCL_KERNELLIB_NAME"] = processors;
+  process.environment["POCL_KERNELLIB_NAME"] = processors;
   process.timeout_seconds = 300;
   ProcessResult const result = run_process(process);
   INFO(processors << words << ": " << result.err);
@@ -116,19 +116,21 @@ void check_classes(std::string const& options, std::string const& extension, std
   std::string const inputs = scenes() + gallery_models(lichtraum.folder / "models");
   REQUIRE(std::count(inputs.begin(), inputs.end(), ' ') >= 20);
   std::string const words = " --size 64x48 --samples 2x2 " + options + " -o %04d" + extension + inputs;
-  Run const usual = draw(lichtraum, words, extension, "");
-  REQUIRE(usual.pictures.size() >= 20);
-  std::vector<Files> machine_codes;
+  std::vector<Run> runs;
   for (ProcessorClass const& processors : classes) {
     if (processors.name == left_out || !is_supported(processors)) continue;  // the latter is said by the test below
     Run run = draw(lichtraum, words, extension, processors.name);
     INFO(processors.name);
-    CHECK(differing_names(usual.pictures, run.pictures) == "");
+    CHECK(run.pictures.size() >= 20);
     // Else PoCL was built for one class only, or heeds another variable, and nothing was tried.
     CHECK(!run.machine_code.empty());
-    CHECK(std::count(machine_codes.begin(), machine_codes.end(), run.machine_code) == 0);
-    machine_codes.push_back(std::move(run.machine_code));
+    for (Run const& other : runs) {
+      CHECK(run.machine_code != other.machine_code);
+      CHECK(differing_names(other.pictures, run.pictures) == "");
+    }
+    runs.push_back(std::move(run));
   }
+  if (runs.size() < 2) SKIP_TEST("this processor stands for one class only");
 }
 
 }  // namespace

@@ -10,14 +10,14 @@
 using namespace lichtraum;
 using namespace lichtraum::test;
 
-TEST_CASE("what is matt fades out towards the smooth surface's horizon, and gloss does not", "[kernel]") {
-  NEEDS_OPENCL_DEVICE();
+namespace {
+
+void check_fading(std::size_t lanes) {
   BsdfCase const matt{"matt", phong_bsdf(0.8, 0, 1)};
   BsdfCase const leaf{"leaf", translucent(phong_bsdf(0.8, 0, 1), 0.6)};
   BsdfCase const sheen{"sheen", with_sheen(phong_bsdf(0, 0, 1), 0.8, 0.5)};
   BsdfCase const metal{"metal", layered_bsdf(0.9, 1, 0.5)};
   std::size_t const count = std::max<std::size_t>(scaled_count(320), 64);  // of 64, some fade out in each case
-  std::size_t const lanes = GENERATE(1, 16);
   BsdfProbe const probe(lanes);
   Random random(71);
   for (BsdfCase const& surface : {matt, leaf, sheen, metal}) {
@@ -50,14 +50,13 @@ TEST_CASE("what is matt fades out towards the smooth surface's horizon, and glos
   }
 }
 
-TEST_CASE("a coat's normal that faces away is turned to the viewer, half as much as the surface", "[kernel]") {
-  NEEDS_OPENCL_DEVICE();
+void check_turned_coats(std::size_t lanes) {
   std::size_t const count = std::max<std::size_t>(scaled_count(160), 32);
-  BsdfProbe const probe(GENERATE(1, 16));
+  BsdfProbe const probe(lanes);
   Random random(72);
   for (double const viewer_degrees : {0., 40., 70., 88.}) {
     for (double const tilt_degrees : {5., 20., 45., 61., 80.}) {
-      CAPTURE(viewer_degrees, tilt_degrees);
+      CAPTURE(lanes, viewer_degrees, tilt_degrees);
       Vec3 const viewer = viewer_at(viewer_degrees);
       double const tilt = glm::radians(tilt_degrees);
       Vec3 const away(-0.6 * std::sin(tilt), -0.8 * std::sin(tilt), std::cos(tilt));
@@ -81,4 +80,26 @@ TEST_CASE("a coat's normal that faces away is turned to the viewer, half as much
       CHECK(wrong == 0);
     }
   }
+}
+
+}  // namespace
+
+TEST_CASE("what is matt fades out towards the smooth surface's horizon, and gloss does not", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  check_fading(1);
+}
+
+TEST_CASE("what is matt fades out towards the horizon in each of sixteen lanes", "[kernel][layouts]") {
+  NEEDS_OPENCL_DEVICE();
+  check_fading(16);
+}
+
+TEST_CASE("a coat's normal that faces away is turned to the viewer, half as much as the surface", "[kernel]") {
+  NEEDS_OPENCL_DEVICE();
+  check_turned_coats(1);
+}
+
+TEST_CASE("a coat's normal that faces away is turned in each of sixteen lanes", "[kernel][layouts]") {
+  NEEDS_OPENCL_DEVICE();
+  check_turned_coats(16);
 }

@@ -119,7 +119,7 @@ class ObjReader {
     file_.colors.push_back(color);
   }
 
-  /// Takes those beyond 1 for bytes, as some programs write them, and vertices without one for white.
+  /// From 0 to 255 where one is above 2, as some programs write them. Vertices without one are white.
   void finish_colors() {
     if (file_.colors.empty()) return;
     file_.colors.resize(file_.positions.size(), no_color);

@@ -81,7 +81,7 @@ TEST_CASE("each example of what a picture shows has that finding and no other, a
       ++examples;
     }
   }
-  CHECK(examples == 8);
+  CHECK(examples == 9);
 }
 
 TEST_CASE("a failure that has no place in a scene has a code, a refused command line none", "[app][explain]") {

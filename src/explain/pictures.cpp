@@ -271,8 +271,8 @@ render eye picture.png 32 24
      R"(The scene lies so far from the origin, compared with its size, that the device's
 numbers, which have 24 bits, do not tell its details apart: reflections and
 shadows are displaced, and what is curved has steps. Move it to the origin, and
-its cameras and lights with it. Models are moved when they are read (W0907), and
-scenes that move them back to where they were get this warning.
+its cameras and lights with it. A model that is drawn by itself is moved when it
+is read (W0907); in a scene it stands where its file says, and is translated.
 )",
      R"(define material red  1 0 0  1 0 0  0 0 0  10
 define shape sphere ball  500000 0 -5600005  1  red

@@ -1,4 +1,3 @@
-#include "io/points.hpp"
 #include "support/obj_import.hpp"
 
 using namespace lichtraum;

@@ -158,13 +158,11 @@ class ObjReader {
   }
 
   void face(Token keyword, std::string_view rest) {
-    bool is_late = false;
-    if (!read_corners(keyword, rest, Drawn::triangles, is_late)) return;
-    points_.clear();
-    for (Corner const& corner : corners_) {
-      if (!is_late) points_.push_back(file_.positions[corner.position]);
+    if (!read_corners(keyword, rest, Drawn::triangles)) return;
+    points_.assign(corners_.size(), Float3{0, 0, 0});  // where its shape is not known yet: a fan
+    if (std::ranges::all_of(corners_, [&](Corner const& c) { return is_there(c); })) {
+      std::ranges::transform(corners_, points_.begin(), [&](Corner const& c) { return file_.positions[c.position]; });
     }
-    if (is_late) points_.assign(corners_.size(), Float3{0, 0, 0});  // its shape is not known: a fan
     Part& part = parts_.part_for(Drawn::triangles, diagnostics_);
     triangles_.clear();
     triangulate(points_, triangles_);
@@ -175,8 +173,7 @@ class ObjReader {
   }
 
   void line(Token keyword, std::string_view rest) {
-    bool is_late = false;
-    if (!read_corners(keyword, rest, Drawn::lines, is_late)) return;
+    if (!read_corners(keyword, rest, Drawn::lines)) return;
     Part& part = parts_.part_for(Drawn::lines, diagnostics_);
     for (std::size_t i = 0; i + 1 < corners_.size(); ++i) {
       part.corners.push_back(corners_[i]);
@@ -185,14 +182,16 @@ class ObjReader {
   }
 
   void points(Token keyword, std::string_view rest) {
-    bool is_late = false;
-    if (!read_corners(keyword, rest, Drawn::points, is_late)) return;
+    if (!read_corners(keyword, rest, Drawn::points)) return;
     Part& part = parts_.part_for(Drawn::points, diagnostics_);
     part.corners.insert(part.corners.end(), corners_.begin(), corners_.end());
   }
 
-  /// All on the line, into `corners_`. `is_late`: one names a vertex that is not there yet. False after a warning.
-  bool read_corners(Token keyword, std::string_view rest, Drawn drawn, bool& is_late) {
+  /// Names a vertex that is above its line, or, at the end of the file, anywhere.
+  bool is_there(Corner const& corner) const { return corner.position < file_.positions.size(); }
+
+  /// All on the line, into `corners_`. False after a warning.
+  bool read_corners(Token keyword, std::string_view rest, Drawn drawn) {
     std::string_view const what = PartLists::noun(drawn);
     parts_.note(drawn, diagnostics_.line());
     corners_.clear();
@@ -204,8 +203,7 @@ class ObjReader {
             fmt::format("expected vertex/texture/normal, found {}: the {} is left out", in_quotes(word), what));
         return false;
       }
-      is_late = is_late || corner.position >= file_.positions.size();
-      if (corner.position >= file_.positions.size() && mentions_.size() < max_mentions) {
+      if (!is_there(corner) && mentions_.size() < max_mentions) {
         mentions_.push_back({{diagnostics_.line(), word}, corner.position});
       }
       corners_.push_back(corner);
@@ -274,7 +272,7 @@ class ObjReader {
       std::size_t kept = 0;
       for (std::size_t i = 0; i + count <= part.corners.size(); i += count) {
         std::span const corners(&part.corners[i], count);
-        if (!std::ranges::all_of(corners, [&](Corner const& c) { return c.position < file_.positions.size(); })) {
+        if (!std::ranges::all_of(corners, [&](Corner const& c) { return is_there(c); })) {
           ++out_of_range;
         } else if (!std::ranges::all_of(corners, [&](auto& c) { return is_finite(file_.positions[c.position]); })) {
           ++non_finite;

@@ -20,7 +20,9 @@ press Left
 until_true changed back.png stepped.png || exit 1
 press Home
 until_true same start.png opened.png || exit 1
+kill -STOP $window # as a busy machine may stop it, until Shift is let go of
 press shift+Right
+kill -CONT $window
 until_true changed turned.png start.png || exit 1
 press r
 until_true same straight.png opened.png || exit 1

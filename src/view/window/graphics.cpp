@@ -86,8 +86,8 @@ void Graphics::open(std::string const& title, Resolution const& size, std::optio
     bool const is_capital = character >= 'A' && character <= 'Z';
     graphics_of(w).characters.push_back(is_capital ? character - 'A' + 'a' : character);
   });
-  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
-    if (action != GLFW_RELEASE) graphics_of(w).keys.push_back(key);
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
+    if (action != GLFW_RELEASE) graphics_of(w).keys.push_back({key, (modifiers & GLFW_MOD_SHIFT) != 0});
   });
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, char const** files) {
     graphics_of(w).dropped.assign(files, files + count);

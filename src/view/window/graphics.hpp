@@ -19,6 +19,12 @@ struct ShownPicture {
   void upload(Resolution const& new_size, std::vector<unsigned char> const& pixels);
 };
 
+/// With what was held down when it was pressed, which may be let go of before a slow frame looks.
+struct PressedKey {
+  int key = 0;  ///< GLFW_KEY_*
+  bool with_shift = false;
+};
+
 /// GLFW's and Dear ImGui's part of a window.
 struct Graphics {
   GLFWwindow* window = nullptr;
@@ -26,7 +32,7 @@ struct Graphics {
   ShownPicture marking;
   /// Since they were handled last. Characters rather than keys, so that a keyboard's layout plays no role.
   std::vector<char32_t> characters;
-  std::vector<int> keys;
+  std::vector<PressedKey> keys;
   std::vector<std::string> dropped;  ///< files
 
   /// Throws Error{unavailable} when there is no display, as `open` does.

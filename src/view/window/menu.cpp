@@ -56,7 +56,7 @@ void draw_menu(char const* name, Entry const (&entries)[count], Graphics& graphi
     if (entry.character != 0) {
       graphics.characters.push_back(entry.character);
     } else {
-      graphics.keys.push_back(entry.key);
+      graphics.keys.push_back({entry.key});
     }
     glfwPostEmptyEvent();  // it is done in the next turn of the window's loop, which must not wait
   }

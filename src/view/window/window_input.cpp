@@ -64,13 +64,13 @@ void Window::handle_keys() {
   }
   for (char32_t const character : std::exchange(graphics_->characters, {})) handle_character(character);
   constexpr double step_degrees = 5;
-  for (int const key : std::exchange(graphics_->keys, {})) {
+  for (auto const [key, with_shift] : std::exchange(graphics_->keys, {})) {
     if (key == GLFW_KEY_ESCAPE && !close_topmost()) close();
     if (key == GLFW_KEY_PAGE_DOWN) step(1);
     if (key == GLFW_KEY_PAGE_UP) step(-1);
     if (key == GLFW_KEY_TAB) is_panel_open_ = !is_panel_open_;
     bool const is_sideways = key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT;
-    if (playback_.duration() > 0 && !ImGui::GetIO().KeyShift) {
+    if (playback_.duration() > 0 && !with_shift) {
       handle_animation_key(key);
       if (is_sideways) continue;
     }

@@ -2,9 +2,10 @@
 # To be sourced: functions that use a window of `lichtraum view` as a user would, on a display of its own. They need Xvfb,
 # xdotool and ffmpeg, and write into the current folder.
 
-# until_true COMMAND...: for at most 30 seconds.
+# until_true COMMAND...: for at most two minutes, which a machine that also compiles may need.
 until_true() {
-  for ((i = 0; i < 300; ++i)); do
+  local end=$((SECONDS + 120))
+  while ((SECONDS < end)); do
     "$@" && return 0
     sleep 0.1
   done
@@ -51,7 +52,7 @@ settled() {
 drawn() { settled "$1" && [[ -n $(ffmpeg -v error -i "$1" -vf crop=iw/4:ih/4 -f rawvideo -pix_fmt gray - | tr -d '\000-\017' | head -c 1) ]]; }
 # changed PICTURE OTHER: a settled one that is not the other.
 changed() { settled "$1" && ! cmp -s "$1" "$2"; }
-without_text() { ffmpeg -v error -i "$1" -vf crop=iw:ih-120:0:120 -f rawvideo -; }
+without_text() { ffmpeg -v error -i "$1" -vf crop=iw:ih-120:0:120 -f rawvideo - 2>/dev/null; } # cmp may close the pipe early
 # same PICTURE OTHER: one that is the other below the text at the top, which has the time that it took and may need a line more.
 same() { shot "$1" && cmp -s <(without_text "$1") <(without_text "$2"); }
 

@@ -4,7 +4,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGE_VENDOR "")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "ray tracer for scene graphs, on OpenCL")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "ray tracer for scenes in plain text and models, on OpenCL")
 set(CPACK_PACKAGE_CONTACT "\$ENV{DEBFULLNAME} <\$ENV{DEBEMAIL}>")  # of whoever calls cpack
 set(CPACK_COMPONENTS_ALL application desktop library development)
 foreach(component application desktop)

@@ -13,7 +13,8 @@ using namespace lichtraum::app;
 namespace {
 
 std::string help() {
-  std::string text = "lichtraum draws scenes by ray tracing.\n\nUsage: lichtraum COMMAND [OPTION]...\n\nCommands:\n";
+  std::string text =
+      "lichtraum draws scenes and models by ray tracing.\n\nUsage: lichtraum COMMAND [OPTION]...\n\nCommands:\n";
   for (Command const& command : commands) {
     text += fmt::format("  {:<28}{}\n", fmt::format("{} {}", command.name, command.arguments), command.summary);
   }

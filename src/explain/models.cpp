@@ -100,8 +100,8 @@ Pictures belong beside the model, by the names that it has for them.
     {DiagnosticCode::faulty_number,
      R"(A line of an OBJ, MTL, PLY or STL file has a word that is not a number, one that
 is too large, or too few of them. What it belongs to is left out. Exporters that
-write commas for decimal points cause this often. Colours of vertices that OBJ
-has from 0 to 1 may be written as bytes: they are read as such.
+write commas for decimal points cause this often. Colours of vertices that
+should go from 0 to 1 may go up to 255 or 65535: they are read as such.
 )",
      R"(v 0 0 0
 v 1 0 0

@@ -14,6 +14,7 @@
 #include "core/counted.hpp"
 #include "core/float3.hpp"
 #include "io/faulty_geometry.hpp"
+#include "io/float_colors.hpp"
 #include "io/obj/part_lists.hpp"
 #include "io/obj/smooth_normals.hpp"
 #include "io/polygon.hpp"
@@ -119,7 +120,7 @@ class ObjReader {
     file_.colors.push_back(color);
   }
 
-  /// From 0 to 255 where one is above 2, as some programs write them. Vertices without one are white.
+  /// Vertices without one are white.
   void finish_colors() {
     if (file_.colors.empty()) return;
     file_.colors.resize(file_.positions.size(), no_color);
@@ -127,16 +128,13 @@ class ObjReader {
     for (Float3 const& color : file_.colors) {
       for (float const channel : color) largest = std::max(largest, channel);  // not if it is no number
     }
-    constexpr float surely_bytes = 2;
-    float const white = largest > surely_bytes ? 255 : 1;
+    float const white = white_of(largest);
     for (Float3& color : file_.colors) {
       for (float& channel : color) channel = std::isnan(channel) ? 1 : channel / white;
     }
     if (white == 1) return;
     diagnostics_.begin_line({});
-    diagnostics_.add(
-        Severity::warning, DiagnosticCode::faulty_number, {},
-        fmt::format("colours of vertices go up to {:g}: read as 0 to 255, though OBJ's go from 0 to 1", largest));
+    diagnostics_.add(Severity::warning, DiagnosticCode::faulty_number, {}, read_to_white(largest, "OBJ's"));
   }
 
   void normal(std::string_view rest) {

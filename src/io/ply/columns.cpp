@@ -64,8 +64,10 @@ Slot slot_of(Property const& property) {
   return none;
 }
 
-/// The largest value of a colour's type: 1 for floats.
-double full_scale(Type type) {
+bool is_float(Type type) { return type == Type::float32 || type == Type::float64; }
+
+/// The largest value of a colour's type.
+double full_scale(Type type, double float_white) {
   switch (type) {
     case Type::int8:
       return 127;
@@ -80,19 +82,24 @@ double full_scale(Type type) {
       return 255;  // colours of 0..255 that were written carelessly
     case Type::float32:
     case Type::float64:
-      return 1;
+      return float_white;
   }
   return 1;
 }
 
 }  // namespace
 
-Columns::Columns(Element const& element) {
+Columns::Columns(Element const& element, double float_white) {
   for (Property const& property : element.properties) {
     Slot const slot = slot_of(property);
-    bool const is_color = slot >= red && slot <= alpha;
+    Range range;
+    if (slot == alpha) {
+      range.divisor = full_scale(property.type, 1);
+    } else if (slot == red || slot == green || slot == blue) {
+      range = {.divisor = full_scale(property.type, float_white), .is_float_color = is_float(property.type)};
+    }
     slots.push_back(slot);
-    scales.push_back(is_color ? full_scale(property.type) : 1);
+    ranges.push_back(range);
     has[slot] = true;
   }
 }

@@ -30,11 +30,18 @@ struct Columns {
     none = slot_count
   };
 
-  explicit Columns(Element const& element);
+  /// How a number of a colour becomes one from 0 to 1; others stay as they are.
+  struct Range {
+    double divisor = 1;
+    bool is_float_color = false;
+  };
+
+  /// `float_white`: the largest value of colours that are floats.
+  Columns(Element const& element, double float_white);
   bool has_colors() const { return has[red] && has[green] && has[blue]; }
 
-  std::vector<Slot> slots;     ///< of each property
-  std::vector<double> scales;  ///< what its numbers are divided by
+  std::vector<Slot> slots;    ///< of each property
+  std::vector<Range> ranges;  ///< likewise
   std::array<bool, slot_count + 1> has{};
 };
 

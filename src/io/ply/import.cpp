@@ -5,6 +5,7 @@
 #include "core/read_file.hpp"
 #include "io/far_origin.hpp"
 #include "io/faulty_geometry.hpp"
+#include "io/float_colors.hpp"
 #include "io/model_scene.hpp"
 #include "io/names.hpp"
 #include "io/ply/parts.hpp"
@@ -98,13 +99,18 @@ Model import(std::string_view bytes, std::string const& name, std::optional<fs::
   std::vector<Part> parts;
   std::optional<Vec3> origin;
   if (read_header(bytes, header, diagnostics)) {
-    Data data = read_data(bytes, header, diagnostics);
+    Data data = read_data(bytes, header, diagnostics, {});
     origin = far_origin(data.extent);
-    if (origin) {
+    float const largest_color = data.largest_color, white = white_of(largest_color);
+    if (origin || white != 1) {
       Diagnostics same(name, max_findings);
-      data = read_data(bytes, header, same, *origin);
+      data = read_data(bytes, header, same, {origin.value_or(Vec3(0)), white});
     }
     diagnostics.begin_line({});
+    if (white != 1) {
+      diagnostics.add(Severity::warning, DiagnosticCode::faulty_number, {},
+                      read_to_white(largest_color, "those that are floats"));
+    }
     parts = divide(std::move(data), header, folder, options, diagnostics);
     reduce(parts, header.draws(), diagnostics);
   }

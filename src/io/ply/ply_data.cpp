@@ -19,21 +19,21 @@ namespace {
 template <class Source>
 class DataReader {
  public:
-  DataReader(Source source, bool reads_edges, Vec3 const& origin)
-      : source_(std::move(source)), reads_edges_(reads_edges), origin_(origin) {}
+  DataReader(Source source, Drawn drawn, Reading const& reading)
+      : source_(std::move(source)), drawn_(drawn), reading_(reading) {}
 
   Data run(std::vector<Element> const& elements) {
     for (Element const& element : elements) {
       if (element.properties.empty()) continue;
-      bool const is_whole = element.name == "vertex"                 ? vertices(element)
-                            : element.name == "face"                 ? faces(element, false)
-                            : element.name == "tristrips"            ? faces(element, true)
-                            : element.name == "edge" && reads_edges_ ? edges(element)
-                                                                     : skip(element);
+      bool const is_whole = element.name == "vertex"                           ? vertices(element)
+                            : element.name == "face"                           ? faces(element, false)
+                            : element.name == "tristrips"                      ? faces(element, true)
+                            : element.name == "edge" && drawn_ == Drawn::lines ? edges(element)
+                                                                               : skip(element);
       if (!is_whole) break;  // told already
     }
     faces_.resize(geometry_.triangle_count());
-    return {std::move(geometry_), std::move(faces_), extent_};
+    return {std::move(geometry_), std::move(faces_), extent_, largest_color_};
   }
 
  private:
@@ -47,14 +47,16 @@ class DataReader {
 
   bool read_row(Element const& element, Columns const& columns) {
     for (std::size_t k = 0; k < columns.slots.size(); ++k) {
-      if (!read_property(element.properties[k], columns.slots[k], columns.scales[k])) return false;
+      if (!read_property(element.properties[k], columns.slots[k], columns.ranges[k])) return false;
     }
     return true;
   }
-  bool read_property(Property const& property, Slot slot, double scale) {
+  bool read_property(Property const& property, Slot slot, Columns::Range const& range) {
     if (property.is_list) return skip_list(property);
-    if (!source_.number(property.type, row_[slot])) return false;
-    if (scale != 1) row_[slot] /= scale;
+    double& value = row_[slot];
+    if (!source_.number(property.type, value)) return false;
+    if (range.divisor != 1) value /= range.divisor;
+    if (range.is_float_color) largest_color_ = std::max(largest_color_, finite(value));
     return true;
   }
 
@@ -63,7 +65,7 @@ class DataReader {
   }
 
   bool vertices(Element const& element) {
-    Columns const columns(element);
+    Columns const columns(element, reading_.float_white);
     auto const& has = columns.has;
     if (!has[x] || !has[y] || !has[z]) {
       source_.warn("the vertices have no x, y and z");
@@ -80,7 +82,7 @@ class DataReader {
       if (!read_row(element, columns)) return ends_early(element, i);
       Vec3 const point(row_[x], row_[y], row_[z]);
       extent_.add(point);
-      geometry_.positions.push_back(to_float3(point - origin_));
+      geometry_.positions.push_back(to_float3(point - reading_.origin));
       if (has_normals) geometry_.normals.push_back(unit({row_[nx], row_[ny], row_[nz]}));
       if (has_texcoords) geometry_.texcoords[0].push_back({finite(row_[u]), finite(1 - row_[v])});
       if (columns.has_colors()) geometry_.colors.push_back(color_of_row());
@@ -89,7 +91,7 @@ class DataReader {
   }
 
   bool edges(Element const& element) {
-    Columns const columns(element);
+    Columns const columns(element, reading_.float_white);
     if (!columns.has[begin] || !columns.has[end]) {
       source_.warn("the edges have no vertex1 and vertex2");
       return skip(element);
@@ -119,7 +121,7 @@ class DataReader {
   }
 
   bool faces(Element const& element, bool are_strips) {
-    Columns const columns(element);
+    Columns const columns(element, reading_.float_white);
     if (!columns.has[corners]) return skip(element);
     if (!are_strips) {
       faces_.has_texcoords = columns.has[texcoords];
@@ -145,7 +147,7 @@ class DataReader {
       Slot const slot = columns.slots[k];
       bool const is_whole = slot == corners     ? read_list(property, corners_, number_of)
                             : slot == texcoords ? read_list(property, uvs_, finite)
-                                                : read_property(property, slot, columns.scales[k]);
+                                                : read_property(property, slot, columns.ranges[k]);
       if (!is_whole) return false;
     }
     return true;
@@ -258,9 +260,10 @@ class DataReader {
   }
 
   Source source_;
-  bool reads_edges_;
-  Vec3 origin_;
+  Drawn drawn_;
+  Reading reading_;
   Bounds extent_;
+  float largest_color_ = 0;
   MeshGeometry geometry_;
   FaceAttributes faces_;
   std::array<double, slot_count + 1> row_{};  // of a vertex, an edge or a face; what none of its properties is stays
@@ -275,14 +278,13 @@ class DataReader {
 
 }  // namespace
 
-Data read_data(std::string_view bytes, Header const& header, Diagnostics& diagnostics, Vec3 const& origin) {
-  bool const reads_edges = header.draws() == Drawn::lines;
+Data read_data(std::string_view bytes, Header const& header, Diagnostics& diagnostics, Reading const& reading) {
   if (header.encoding == Encoding::ascii) {
     AsciiSource source(bytes.substr(header.data_offset), header.data_line, diagnostics);
-    return DataReader(std::move(source), reads_edges, origin).run(header.elements);
+    return DataReader(std::move(source), header.draws(), reading).run(header.elements);
   }
   BinarySource source(bytes, header.data_offset, header.encoding == Encoding::big_endian, diagnostics);
-  return DataReader(std::move(source), reads_edges, origin).run(header.elements);
+  return DataReader(std::move(source), header.draws(), reading).run(header.elements);
 }
 
 }  // namespace lichtraum::ply

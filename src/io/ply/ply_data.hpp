@@ -9,12 +9,18 @@ namespace lichtraum::ply {
 struct Data {
   MeshGeometry geometry;
   FaceAttributes faces;
-  Bounds extent;  ///< of the positions as written
+  Bounds extent;            ///< of the positions as written
+  float largest_color = 0;  ///< of those that are floats
+};
+
+/// What a first look at the data may show to be needed.
+struct Reading {
+  Vec3 origin{0};          ///< taken off all positions
+  double float_white = 1;  ///< the largest value of colours that are floats
 };
 
 /// Reads vertices and faces (also as strips). What is wrong is a warning; where the data ends too early, what was read
 /// until then counts. The indices are not checked yet. Colours become linear, texture coordinates count from above.
-/// `origin` is taken off all positions.
-Data read_data(std::string_view bytes, Header const& header, Diagnostics& diagnostics, Vec3 const& origin = Vec3(0));
+Data read_data(std::string_view bytes, Header const& header, Diagnostics& diagnostics, Reading const& reading);
 
 }  // namespace lichtraum::ply

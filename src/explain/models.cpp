@@ -29,7 +29,8 @@ end_header
     {DiagnosticCode::geometry_left_out,
      R"(Triangles or points are left out because a corner is not a finite number, or is
 a vertex that the model does not have. The rest is drawn. The message says how
-many; export the model again.
+many; export the model again. Gaussian splats are drawn as points: those that
+more than half of the light goes through are left out.
 )",
      R"(ply
 format ascii 1.0

@@ -1,3 +1,6 @@
+#include <cmath>
+#include <numbers>
+
 #include "lichtraum/ply.hpp"
 #include "support/catch.hpp"
 
@@ -14,6 +17,10 @@ std::string vertices(std::size_t count, std::string const& more) {
 }
 
 std::string const float_colors = "property float red\nproperty float green\nproperty double blue\n";
+std::string const splats =
+    "property float f_dc_0\nproperty float f_dc_1\nproperty float f_dc_2\nproperty float f_rest_0\n"
+    "property float opacity\n";
+
 MeshGeometry const& points_of(Model const& model) {
   return *dynamic_cast<PointCloud const&>(**model.scene.shapes.find("points")).geometry();
 }
@@ -59,4 +66,39 @@ TEST_CASE("PLY: a model far from the origin may have colours from 0 to 255 as we
 TEST_CASE("PLY: an alpha of 1 stays one beside colours up to 255", "[unit][ply]") {
   Model const model = import_ply_text(vertices(1, float_colors + "property float alpha\n"), "0 0 0 255 0 0 1\n");
   CHECK(points_of(model).colors[0] == Float4{1, 0, 0, 1});
+}
+
+TEST_CASE("PLY: Gaussian splats are points in their mean colours, unless they are faint", "[unit][ply][points]") {
+  double const first_harmonic = 1 / (2 * std::sqrt(std::numbers::pi));
+  std::string const of_188 = std::to_string((188 / 255.0 - 0.5) / first_harmonic);
+  std::string const half = std::to_string(0.5 / first_harmonic);
+  Model const model = import_ply_text(vertices(4, splats), "0 0 0 " + half + " " + of_188 + " -" + half +
+                                                               " 9 0\n1 0 0 5 -5 0 9 3\n2 0 0 0 0 0 9 -0.1\n"
+                                                               "3 0 0 0 0 0 9 nan\n");
+  CHECK(shown(model) ==
+        "Gaussian splats are drawn as points of one size, in their mean colours; left out, as more than half of the "
+        "light goes through them: 2\n");
+  MeshGeometry const& points = points_of(model);
+  REQUIRE(points.positions == std::vector<Float3>{{0, 0, 0}, {1, 0, 0}});
+  CHECK(points.colors[0][0] == Approx(1));
+  CHECK(points.colors[0][1] == Approx(linear_of_188).epsilon(1e-4));
+  CHECK(points.colors[0][2] == Approx(0).margin(1e-5));
+  CHECK(points.colors[1][0] == 1);  // what exceeds a colour's range ends there
+  CHECK(points.colors[1][1] == 0);
+  CHECK(points.colors[1][3] == 1);
+}
+
+TEST_CASE("PLY: splats that have colours as others have them show those", "[unit][ply][points]") {
+  Model const model =
+      import_ply_text(vertices(1, splats + "property uchar red\nproperty uchar green\nproperty uchar blue\n"),
+                      "0 0 0 0 0 0 0 -9 255 0 188\n");
+  CHECK(shown(model).empty());
+  REQUIRE(points_of(model).colors.size() == 1);
+  CHECK(points_of(model).colors[0][2] == Approx(linear_of_188));
+}
+
+TEST_CASE("PLY: vertices of a surface keep their numbers, whatever they are called", "[unit][ply]") {
+  Model const model = import_ply_text(vertices(3, splats) + "element face 1\nproperty list uchar int vertex_indices\n",
+                                      "0 0 0 0 0 0 0 -9\n1 0 0 0 0 0 0 -9\n0 1 0 0 0 0 0 9\n3 0 1 2\n");
+  CHECK(shown(model).empty());
 }

@@ -1,5 +1,6 @@
 #include "io/ply/columns.hpp"
 
+#include <algorithm>
 #include <span>
 
 #include "core/ascii.hpp"
@@ -55,8 +56,16 @@ constexpr SlotName list_names[] = {
     {"texcoord", texcoords},
 };
 
-Slot slot_of(Property const& property) {
-  std::span<SlotName const> const names = property.is_list ? std::span<SlotName const>(list_names) : number_names;
+constexpr SlotName splat_names[] = {
+    {"f_dc_0", red},
+    {"f_dc_1", green},
+    {"f_dc_2", blue},
+    {"opacity", opacity},
+};
+/// One over the first spherical harmonic, which is the same in all directions: 2 sqrt(pi).
+constexpr double splat_divisor = 3.5449077018110318;
+
+Slot slot_of(Property const& property, std::span<SlotName const> names) {
   std::string const word = to_lower_ascii(property.name);
   for (SlotName const& known : names) {
     if (known.name == word) return known.slot;
@@ -87,13 +96,28 @@ double full_scale(Type type, double float_white) {
   return 1;
 }
 
+bool are_splats_without_colors(Element const& element) {
+  auto const has = [&](Slot slot, std::span<SlotName const> names) {
+    return std::ranges::any_of(element.properties,
+                               [&](Property const& p) { return !p.is_list && slot_of(p, names) == slot; });
+  };
+  auto const has_colors = [&](std::span<SlotName const> names) {
+    return has(red, names) && has(green, names) && has(blue, names);
+  };
+  return has_colors(splat_names) && !has_colors(number_names);
+}
+
 }  // namespace
 
-Columns::Columns(Element const& element, double float_white) {
+Columns::Columns(Element const& element, double float_white) : are_splats(are_splats_without_colors(element)) {
   for (Property const& property : element.properties) {
-    Slot const slot = slot_of(property);
+    Slot slot = slot_of(property, property.is_list ? std::span<SlotName const>(list_names) : number_names);
+    Slot const of_splat = are_splats && !property.is_list ? slot_of(property, splat_names) : none;
     Range range;
-    if (slot == alpha) {
+    if (of_splat != none) {
+      slot = of_splat;
+      if (slot != opacity) range = {.divisor = splat_divisor, .offset = 0.5, .is_clamped = true};
+    } else if (slot == alpha) {
       range.divisor = full_scale(property.type, 1);
     } else if (slot == red || slot == green || slot == blue) {
       range = {.divisor = full_scale(property.type, float_white), .is_float_color = is_float(property.type)};

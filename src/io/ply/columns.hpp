@@ -23,6 +23,7 @@ struct Columns {
     green,
     blue,
     alpha,
+    opacity,  ///< of a Gaussian splat, before the logistic function
     picture,
     corners,    ///< a list: the vertices of a face
     texcoords,  ///< a list: u and v for each corner of a face
@@ -33,6 +34,8 @@ struct Columns {
   /// How a number of a colour becomes one from 0 to 1; others stay as they are.
   struct Range {
     double divisor = 1;
+    double offset = 0;
+    bool is_clamped = false;
     bool is_float_color = false;
   };
 
@@ -43,6 +46,9 @@ struct Columns {
   std::vector<Slot> slots;    ///< of each property
   std::vector<Range> ranges;  ///< likewise
   std::array<bool, slot_count + 1> has{};
+  /// The colours are those of Gaussian splats (Kerbl et al. 2023, "3D Gaussian Splatting for Real-Time Radiance Field
+  /// Rendering"): the first spherical harmonic of each channel, in sRGB's units, less 0.5.
+  bool are_splats = false;
 };
 
 }  // namespace lichtraum::ply

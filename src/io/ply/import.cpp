@@ -67,6 +67,13 @@ void reduce(std::vector<Part>& parts, Drawn drawn, Diagnostics& diagnostics) {
                   fmt::format("the model has nothing to draw: it has no {}", missing));
 }
 
+void report_splats(std::size_t left_out, Diagnostics& diagnostics) {
+  diagnostics.add(Severity::warning, DiagnosticCode::geometry_left_out, {},
+                  fmt::format("Gaussian splats are drawn as points of one size, in their mean colours; left out, as "
+                              "more than half of the light goes through them: {}",
+                              left_out));
+}
+
 /// A material for each picture, called like it, and one for all parts without.
 class Materials {
  public:
@@ -111,6 +118,7 @@ Model import(std::string_view bytes, std::string const& name, std::optional<fs::
       diagnostics.add(Severity::warning, DiagnosticCode::faulty_number, {},
                       read_to_white(largest_color, "those that are floats"));
     }
+    if (data.are_splats) report_splats(data.faint_splats, diagnostics);
     parts = divide(std::move(data), header, folder, options, diagnostics);
     reduce(parts, header.draws(), diagnostics);
   }

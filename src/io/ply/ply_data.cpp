@@ -33,7 +33,7 @@ class DataReader {
       if (!is_whole) break;  // told already
     }
     faces_.resize(geometry_.triangle_count());
-    return {std::move(geometry_), std::move(faces_), extent_, largest_color_};
+    return {std::move(geometry_), std::move(faces_), extent_, largest_color_, are_splats_, faint_splats_};
   }
 
  private:
@@ -55,7 +55,8 @@ class DataReader {
     if (property.is_list) return skip_list(property);
     double& value = row_[slot];
     if (!source_.number(property.type, value)) return false;
-    if (range.divisor != 1) value /= range.divisor;
+    if (range.divisor != 1) value = value / range.divisor + range.offset;
+    if (range.is_clamped) value = std::clamp(value, 0.0, 1.0);
     if (range.is_float_color) largest_color_ = std::max(largest_color_, finite(value));
     return true;
   }
@@ -77,9 +78,14 @@ class DataReader {
     // A header may promise more than the file holds.
     std::uint64_t const possible = source_.capacity(Type::uint8) / element.properties.size();
     geometry_.positions.reserve(std::size_t(std::min(element.count, possible)));
+    are_splats_ = columns.are_splats && drawn_ == Drawn::points;
     row_[alpha] = 1;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!read_row(element, columns)) return ends_early(element, i);
+      if (are_splats_ && has[opacity] && !(row_[opacity] >= 0)) {
+        ++faint_splats_;
+        continue;
+      }
       Vec3 const point(row_[x], row_[y], row_[z]);
       extent_.add(point);
       geometry_.positions.push_back(to_float3(point - reading_.origin));
@@ -264,6 +270,8 @@ class DataReader {
   Reading reading_;
   Bounds extent_;
   float largest_color_ = 0;
+  bool are_splats_ = false;
+  std::size_t faint_splats_ = 0;
   MeshGeometry geometry_;
   FaceAttributes faces_;
   std::array<double, slot_count + 1> row_{};  // of a vertex, an edge or a face; what none of its properties is stays

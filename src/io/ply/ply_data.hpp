@@ -11,6 +11,8 @@ struct Data {
   FaceAttributes faces;
   Bounds extent;            ///< of the positions as written
   float largest_color = 0;  ///< of those that are floats
+  bool are_splats = false;
+  std::size_t faint_splats = 0;  ///< left out: more than half of the light goes through them
 };
 
 /// What a first look at the data may show to be needed.

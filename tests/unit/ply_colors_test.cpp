@@ -57,8 +57,8 @@ TEST_CASE("PLY: colours that are floats from 0 to 255 or 65535 are read as such"
 }
 
 TEST_CASE("PLY: a model far from the origin may have colours from 0 to 255 as well", "[unit][ply]") {
-  Model const model = import_ply_text(vertices(2, float_colors), "1000000 0 0 255 188 0\n1000001 1 1 0 0 1\n");
-  CHECK(model.origin.x == Approx(1e6).margin(10));
+  Model const model = import_ply_text(vertices(2, float_colors), "100000000 0 0 255 188 0\n100000001 1 1 0 0 1\n");
+  CHECK(model.origin.x == Approx(1e8).margin(10));
   CHECK(points_of(model).positions[1][0] - points_of(model).positions[0][0] == 1);
   CHECK(points_of(model).colors[0][1] == Approx(linear_of_188));
 }

@@ -22,14 +22,14 @@ struct ShadingTables : device::ShadingArrays {
       std::make_shared<EnvironmentTable>();
 };
 
-/// Those of the shading, which come next.
+/// Calls f(array) for each array of the shading that kernels take; they come after those of a SceneBuffers.
 template <class F>
 void for_each_array(ShadingTables const& tables, F const& f) {
   device::for_each_array(static_cast<device::ShadingArrays const&>(tables), f);
   device::for_each_array(static_cast<device::EnvironmentArrays const&>(*tables.environment_table), f);
 }
 
-/// Puts in its light and its tables. `known`: tables whose environment's may serve, as it is of the same map.
+/// Makes it the environment of the tables. `known`: others, whose table of the same map serves again; null: none.
 void set_environment(ShadingTables& tables, std::optional<EnvironmentLight> const& environment,
                      ShadingTables const* known);
 

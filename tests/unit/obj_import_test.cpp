@@ -97,8 +97,7 @@ TEST_CASE("OBJ: colours of vertices become linear", "[unit][obj]") {
 
 TEST_CASE("OBJ: colours of vertices that are written as bytes are read as such", "[unit][obj]") {
   Model const model = import_text("v 0 0 0 255 128 0\nv 1 0 0\nv 0 1 0 1 1 1\nv 0 0 1\nf 1 2 3\nf 1 3 4\n");
-  CHECK(shown(model.diagnostics) ==
-        "m.obj:0:0: colours of vertices go up to 255: read as 0 to 255, though OBJ's go from 0 to 1\n");
+  CHECK(shown(model.diagnostics) == "m.obj:0:0: colours go up to 255: read as 0 to 255, though OBJ's go from 0 to 1\n");
   auto const& colors = mesh_of(model.scene, "mesh").geometry()->colors;
   REQUIRE(colors.size() == 4);
   CHECK(colors[0][0] == Approx(1));

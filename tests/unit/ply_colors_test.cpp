@@ -42,16 +42,14 @@ TEST_CASE("PLY: colours that are floats from 0 to 255 or 65535 are read as such"
   CHECK(points_of(fractions).colors[1][2] > 1);
 
   Model const bytes = import_ply_text(vertices(2, float_colors), "0 0 0 255 188 0\n1 1 1 0 0 1\n");
-  CHECK(shown(bytes) ==
-        "colours of vertices go up to 255: read as 0 to 255, though those that are floats go from 0 to 1\n");
+  CHECK(shown(bytes) == "colours go up to 255: read as 0 to 255, though those that are floats go from 0 to 1\n");
   CHECK(points_of(bytes).colors[0][0] == 1);
   CHECK(points_of(bytes).colors[0][1] == Approx(linear_of_188));
   CHECK(points_of(bytes).colors[1][2] == Approx(1 / 255.0 / 12.92));
   CHECK(points_of(bytes).colors[0][3] == 1);
 
   Model const words = import_ply_text(vertices(1, float_colors), "0 0 0 65535 48316 0\n");
-  CHECK(shown(words) ==
-        "colours of vertices go up to 65535: read as 0 to 65535, though those that are floats go from 0 to 1\n");
+  CHECK(shown(words) == "colours go up to 65535: read as 0 to 65535, though those that are floats go from 0 to 1\n");
   CHECK(points_of(words).colors[0][0] == 1);
   CHECK(points_of(words).colors[0][1] == Approx(linear_of_188));
 }

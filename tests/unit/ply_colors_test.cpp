@@ -54,6 +54,23 @@ TEST_CASE("PLY: colours that are floats from 0 to 255 or 65535 are read as such"
   CHECK(points_of(words).colors[0][1] == Approx(linear_of_188));
 }
 
+TEST_CASE("PLY: so are those of faces and edges", "[unit][ply]") {
+  std::string const points = "0 0 0\n1 0 0\n0 1 0\n";
+  Model const face =
+      import_ply_text(vertices(3, "") + "element face 1\nproperty list uchar int vertex_indices\n" + float_colors,
+                      points + "3 0 1 2 255 188 0\n");
+  Model const edge =
+      import_ply_text(vertices(3, "") + "element edge 1\nproperty int vertex1\nproperty int vertex2\n" + float_colors,
+                      points + "0 1 255 188 0\n");
+  auto const& mesh = *dynamic_cast<Mesh const&>(**face.scene.shapes.begin()).geometry();
+  auto const& lines = *dynamic_cast<LineSet const&>(**edge.scene.shapes.begin()).geometry();
+  for (MeshGeometry const* geometry : {&mesh, &lines}) {
+    REQUIRE(!geometry->colors.empty());
+    CHECK(geometry->colors[0][0] == 1);
+    CHECK(geometry->colors[0][1] == Approx(linear_of_188));
+  }
+}
+
 TEST_CASE("PLY: a model far from the origin may have colours from 0 to 255 as well", "[unit][ply]") {
   Model const model = import_ply_text(vertices(2, float_colors), "100000000 0 0 255 188 0\n100000001 1 1 0 0 1\n");
   CHECK(model.origin.x == Approx(1e8).margin(10));

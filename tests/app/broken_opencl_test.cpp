@@ -3,6 +3,7 @@
 #include "lichtraum.hpp"
 #include "lichtraum/device.hpp"
 #include "support/catch.hpp"
+#include "support/project_files.hpp"
 #include "support/skip.hpp"
 
 // What OpenCL can do to a program, and that this one survives it.
@@ -75,7 +76,7 @@ TEST_CASE("69: a PoCL that would abort for want of a linker is told of, with wha
   // Nothing was compiled before, and the program's own machine code is left out.
   process.environment = {{"PATH", lichtraum.folder.path().string()},
                          {"POCL_CACHE_DIR", lichtraum.folder.path().string()},
-                         {"LICHTRAUM_KERNEL_DIR", LICHTRAUM_SOURCE_DIR "/kernels"}};
+                         {"LICHTRAUM_KERNEL_DIR", project_path("kernels")}};
   auto const result = run_process(process);
   CHECK(result.signal == 0);
   CHECK(result.exit_code == 69);

@@ -1,5 +1,3 @@
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 
@@ -7,6 +5,8 @@
 #include "lichtraum/model.hpp"
 #include "pictures.hpp"
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
+#include "support/project_files.hpp"
 #include "support/skip.hpp"
 
 // What `cmake --install` puts in place for desktops, in a folder of its own.
@@ -30,13 +30,6 @@ std::filesystem::path install(TemporaryFolder const& folder) {
   run(folder.path(),
       {LICHTRAUM_CMAKE, "--install", LICHTRAUM_BUILD_DIR, "--prefix", folder.path(), "--component", "desktop"});
   return folder / "share";
-}
-
-std::string read(std::filesystem::path const& path) {
-  std::ifstream file(path, std::ios::binary);
-  INFO(path);
-  REQUIRE(file);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// The value of a key of a desktop entry or a thumbnailer entry.
@@ -68,11 +61,11 @@ bool has_mime_tools() { return is_installed("update-mime-database") && is_instal
 
 TEST_CASE("the thumbnailer's command draws a thumbnail, as file managers run it", "[app][desktop]") {
   Lichtraum const lichtraum;
-  std::string const entry = read(install(lichtraum.folder) / "thumbnailers/lichtraum.thumbnailer");
+  std::string const entry = file_contents(install(lichtraum.folder) / "thumbnailers/lichtraum.thumbnailer");
   CHECK(entry.substr(0, 20) == "[Thumbnailer Entry]\n");
   CHECK(value_of(entry, "TryExec") == "lichtraum");
   std::string command = value_of(entry, "Exec");
-  std::filesystem::copy_file(LICHTRAUM_SOURCE_DIR "/scenes/hello.sdf", lichtraum.folder / "hello there.sdf");
+  std::filesystem::copy_file(project_path("scenes/hello.sdf"), lichtraum.folder / "hello there.sdf");
   std::string const folder = lichtraum.folder.path();
   auto const fill_in = [&](std::string const& field, std::string const& value) {
     REQUIRE(command.find(field) != std::string::npos);
@@ -98,10 +91,10 @@ TEST_CASE("the desktop entry is valid and opens the window", "[app][desktop]") {
   TemporaryFolder const folder;
   auto const share = install(folder);
   auto const path = share / "applications/lichtraum.desktop";
-  std::string const entry = read(path);
+  std::string const entry = file_contents(path);
   CHECK(value_of(entry, "Exec") == "lichtraum view %f");
   CHECK(std::filesystem::exists(share / "icons/hicolor/scalable/apps" / (value_of(entry, "Icon") + ".svg")));
-  std::string const thumbnailer = read(share / "thumbnailers/lichtraum.thumbnailer");
+  std::string const thumbnailer = file_contents(share / "thumbnailers/lichtraum.thumbnailer");
   CHECK(value_of(entry, "MimeType") == value_of(thumbnailer, "MimeType"));
   if (!is_installed("desktop-file-validate")) SKIP_TEST("desktop-file-utils is not installed");
   CHECK(run(folder.path(), {"desktop-file-validate", path}).empty());
@@ -115,9 +108,9 @@ TEST_CASE("what lichtraum reads has types that it opens, and they are its own ex
   TemporaryFolder const folder;
   mime_database(folder);
   // 50:model/obj:*.obj
-  std::string const globs = read(folder / "share/mime/globs2");
+  std::string const globs = file_contents(folder / "share/mime/globs2");
   std::set<std::string> without_extension =
-      parts(value_of(read(folder / "share/thumbnailers/lichtraum.thumbnailer"), "MimeType"));
+      parts(value_of(file_contents(folder / "share/thumbnailers/lichtraum.thumbnailer"), "MimeType"));
   auto const types = without_extension;
   for (std::string const extension : {".sdf", ".esdf", ".gltf", ".glb", ".obj", ".ply", ".stl"}) {
     INFO(extension);
@@ -144,7 +137,7 @@ TEST_CASE("a scene without an extension is known, and no other text is taken for
   std::string const statement = "define shape sphere ball 0 0 -3 1 red\n";
   CHECK(type_of("scene", statement) == "text/x-esdf\n");
   CHECK(type_of("scene", "# A ball.\n\n" + statement) == "text/x-esdf\n");
-  CHECK(type_of("scene", read(LICHTRAUM_SOURCE_DIR "/scenes/hello.sdf")) == "text/x-esdf\n");
+  CHECK(type_of("scene", read_project_file("scenes/hello.sdf")) == "text/x-esdf\n");
   CHECK(type_of("model", "ply\nformat ascii 1.0\n") == "model/x-ply\n");
   CHECK(type_of("notes", "We define shape and material.\n") == "text/plain\n");
   CHECK(type_of("header", "int a;\n#define shape 1\n") == "text/plain\n");

@@ -1,10 +1,10 @@
-#include <fstream>
 #include <iterator>
 #include <regex>
 #include <set>
 
 #include "lichtraum.hpp"
 #include "support/catch.hpp"
+#include "support/project_files.hpp"
 #include "support/skip.hpp"
 
 namespace {
@@ -12,12 +12,6 @@ namespace {
 char const* const commands[] = {"render", "view", "preview", "thumbnail", "job",   "denoise",
                                 "check",  "info", "explain", "devices",   "doctor"};
 char const* const job_commands[] = {"plan", "work", "status", "merge", "script"};
-
-std::string read_source(std::string const& name) {
-  std::ifstream file(std::string(LICHTRAUM_SOURCE_DIR "/") + name);
-  REQUIRE(file);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::vector<std::string> matches(std::string const& text, std::string const& pattern) {
   std::regex const expression(pattern);
@@ -88,10 +82,10 @@ TEST_CASE("the examples in the help texts are good commands", "[app][help]") {
 
 TEST_CASE("the man page and the completions know every command and option", "[app][help]") {
   Lichtraum const lichtraum;
-  std::string const man = read_source("docs/lichtraum.1");
-  std::string const bash = read_source("completions/lichtraum.bash");
-  std::string const zsh = read_source("completions/_lichtraum");
-  std::string const fish = read_source("completions/lichtraum.fish");
+  std::string const man = read_project_file("docs/lichtraum.1");
+  std::string const bash = read_project_file("completions/lichtraum.bash");
+  std::string const zsh = read_project_file("completions/_lichtraum");
+  std::string const fish = read_project_file("completions/lichtraum.fish");
   std::set<std::string> all;
   for (std::string const command : commands) {
     INFO(command);
@@ -134,7 +128,7 @@ TEST_CASE("bash completes each command with its options, and with no others", "[
   for (std::string const command : commands) {
     Process shell = lichtraum.process("");
     shell.arguments = {"bash", "-c",
-                       "source " LICHTRAUM_SOURCE_DIR "/completions/lichtraum.bash; COMP_WORDS=(lichtraum " + command +
+                       "source " + project_path("completions/lichtraum.bash") + "; COMP_WORDS=(lichtraum " + command +
                            " --); COMP_CWORD=2; _lichtraum; printf '\\n  %s' \"${COMPREPLY[@]}\""};
     INFO(command);
     CHECK(options_of(run_process(shell).out) == options_of(lichtraum(command + " --help").out));
@@ -142,7 +136,7 @@ TEST_CASE("bash completes each command with its options, and with no others", "[
   for (std::string const command : job_commands) {
     Process shell = lichtraum.process("");
     shell.arguments = {"bash", "-c",
-                       "source " LICHTRAUM_SOURCE_DIR "/completions/lichtraum.bash; COMP_WORDS=(lichtraum job " +
+                       "source " + project_path("completions/lichtraum.bash") + "; COMP_WORDS=(lichtraum job " +
                            command + " --); COMP_CWORD=3; _lichtraum; printf '\\n  %s' \"${COMPREPLY[@]}\""};
     INFO(command);
     CHECK(options_of(run_process(shell).out) == options_of(lichtraum("job " + command + " --help").out));

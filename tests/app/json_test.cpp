@@ -1,10 +1,10 @@
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "lichtraum.hpp"
 #include "support/catch.hpp"
+#include "support/project_files.hpp"
 
 using Json = nlohmann::json;
 
@@ -20,9 +20,7 @@ void collect_keys(Json const& json, std::set<std::string>& keys) {
 
 /// The chapter of docs/JSON.md that has this title, with what goes for all of them.
 std::string documented(std::string const& title) {
-  std::ifstream file(LICHTRAUM_SOURCE_DIR "/docs/JSON.md");
-  REQUIRE(file);
-  std::string const text(std::istreambuf_iterator<char>(file), {});
+  std::string const text = read_project_file("docs/JSON.md");
   auto const chapter = [&](std::string const& heading) {
     std::size_t const begin = text.find("\n## " + heading);
     REQUIRE(begin != std::string::npos);

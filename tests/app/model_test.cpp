@@ -6,6 +6,7 @@
 #include "pictures.hpp"
 #include "support/catch.hpp"
 #include "support/gltf_writer.hpp"
+#include "support/project_files.hpp"
 #include "support/skip.hpp"
 
 using lichtraum::testing::GltfWriter;
@@ -504,7 +505,7 @@ TEST_CASE("programs compiled with lichtraum draw the same bytes as their source"
   lichtraum.folder.write("ball.sdf", ball_scene);
   auto const picture = [&](std::string const& words, bool from_source) {
     Process process = lichtraum.process("render -q -o a.pfm " + words);
-    if (from_source) process.environment = {{"LICHTRAUM_KERNEL_DIR", LICHTRAUM_SOURCE_DIR "/kernels"}};
+    if (from_source) process.environment = {{"LICHTRAUM_KERNEL_DIR", project_path("kernels")}};
     auto const result = run_process(process);
     INFO(result.err);
     REQUIRE(result.exit_code == 0);

@@ -6,6 +6,8 @@
 
 #include "lichtraum.hpp"
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
+#include "support/project_files.hpp"
 #include "support/skip.hpp"
 
 // The library as others use it: installed, moved to another folder, found by CMake and by pkg-config.
@@ -33,16 +35,9 @@ std::string run_well(fs::path const& folder, std::vector<std::string> const& wor
   return result.out;
 }
 
-std::string read(fs::path const& path) {
-  std::ifstream file(path, std::ios::binary);
-  INFO(path);
-  REQUIRE(file);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// The first block of that language in docs/LIBRARY.md.
 std::string documented(std::string const& language) {
-  std::string const text = read(LICHTRAUM_SOURCE_DIR "/docs/LIBRARY.md");
+  std::string const text = read_project_file("docs/LIBRARY.md");
   std::string const fence = "```" + language + "\n";
   std::size_t const begin = text.find(fence);
   REQUIRE(begin != std::string::npos);
@@ -85,10 +80,10 @@ std::vector<std::string> configure(fs::path const& prefix) {
 }
 
 /// The picture of hello.sdf by the program `lichtraum`, which the documented program has to give as well.
-std::string const scene = LICHTRAUM_SOURCE_DIR "/scenes/hello.sdf";
+std::string const scene = project_path("scenes/hello.sdf");
 std::string drawn_by(fs::path const& lichtraum, TemporaryFolder const& folder) {
   run_well(folder.path(), {lichtraum.string(), "render", "-q", scene, "-o", "drawn.ppm", "--size", "640x360"});
-  std::string const picture = read(folder / "drawn.ppm");
+  std::string const picture = file_contents(folder / "drawn.ppm");
   REQUIRE(picture.size() > 640 * 360 * 3);
   return picture;
 }
@@ -106,7 +101,7 @@ TEST_CASE("programs find the installed library, link to it, and draw what the pr
     run_well(folder / "shared", configure(prefix));
     run_well(folder / "shared", {LICHTRAUM_CMAKE, "--build", "build"});
     run_well(folder / "shared", {"build/picture", scene});  // CMake leaves an rpath
-    CHECK(read(folder / "shared/picture.ppm") == drawn);
+    CHECK(file_contents(folder / "shared/picture.ppm") == drawn);
     CHECK_THAT(run_well(folder / "shared", {"ldd", "build/picture"}),
                contains_text((library / "liblichtraum.so.0").string()));
   }
@@ -118,7 +113,7 @@ TEST_CASE("programs find the installed library, link to it, and draw what the pr
     run_well(folder / "static", configure(prefix));
     run_well(folder / "static", {LICHTRAUM_CMAKE, "--build", "build"});
     run_well(folder / "static", {"build/picture", scene});
-    CHECK(read(folder / "static/picture.ppm") == drawn);
+    CHECK(file_contents(folder / "static/picture.ppm") == drawn);
     CHECK(run_well(folder / "static", {"ldd", "build/picture"}).find("liblichtraum") == std::string::npos);
   }
   SECTION("by pkg-config") {
@@ -130,7 +125,7 @@ TEST_CASE("programs find the installed library, link to it, and draw what the pr
     words.insert(words.end(), std::istream_iterator<std::string>(in), {});
     run_well(folder / "plain", words);
     run_well(folder / "plain", {"./picture", scene}, {{"LD_LIBRARY_PATH", library.string()}});
-    CHECK(read(folder / "plain/picture.ppm") == drawn);
+    CHECK(file_contents(folder / "plain/picture.ppm") == drawn);
   }
 }
 
@@ -139,7 +134,7 @@ namespace {
 /// Configures a project that contains all of this one, in `folder`.
 void make_containing_project(fs::path const& folder) {
   std::string lists = documented("cmake");
-  replace(lists, "find_package(lichtraum 0.1 CONFIG REQUIRED)", "add_subdirectory(" LICHTRAUM_SOURCE_DIR " lichtraum)");
+  replace(lists, "find_package(lichtraum 0.1 CONFIG REQUIRED)", "add_subdirectory(" + project_path("") + " lichtraum)");
   make_consumer(folder, lists);
   // Pictures have the same bytes as with -O3, and that would take minutes.
   std::vector<std::string> words = configure({});
@@ -171,7 +166,7 @@ TEST_CASE("a project that contains lichtraum draws the same with it", "[app][lon
   make_containing_project(folder / "whole");
   run_well(folder / "whole", {LICHTRAUM_CMAKE, "--build", "build", "--parallel", "2", "--target", "picture"});
   run_well(folder / "whole", {"build/picture", scene});
-  CHECK(read(folder / "whole/picture.ppm") == drawn_by(LICHTRAUM_PROGRAM, folder));
+  CHECK(file_contents(folder / "whole/picture.ppm") == drawn_by(LICHTRAUM_PROGRAM, folder));
 }
 
 TEST_CASE("Debian packages hold a program and a library that draw the same", "[app][long][package]") {
@@ -180,7 +175,7 @@ TEST_CASE("Debian packages hold a program and a library that draw the same", "[a
   }
   TemporaryFolder const folder;
   run_well(
-      folder.path(), {LICHTRAUM_SOURCE_DIR "/tools/package", "packages"},
+      folder.path(), {project_path("tools/package"), "packages"},
       {{"LICHTRAUM_BUILT", LICHTRAUM_BUILD_DIR}, {"DEBFULLNAME", "Ada Lovelace"}, {"DEBEMAIL", "ada@lichtraum.org"}});
   std::vector<std::string> packages;
   for (auto const& entry : fs::directory_iterator(folder / "packages")) packages.push_back(entry.path().string());
@@ -199,8 +194,8 @@ TEST_CASE("Debian packages hold a program and a library that draw the same", "[a
   run_well(folder / "shared", configure(folder / "system/usr"));
   run_well(folder / "shared", {LICHTRAUM_CMAKE, "--build", "build"});
   run_well(folder / "shared", {"build/picture", scene});
-  CHECK(read(folder / "shared/picture.ppm") == drawn_by(folder / "system/usr/bin/lichtraum", folder));
-  CHECK(read(folder / "drawn.ppm") == drawn_by(LICHTRAUM_PROGRAM, folder));
+  CHECK(file_contents(folder / "shared/picture.ppm") == drawn_by(folder / "system/usr/bin/lichtraum", folder));
+  CHECK(file_contents(folder / "drawn.ppm") == drawn_by(LICHTRAUM_PROGRAM, folder));
   CHECK_THAT(run_well(folder / "shared", {"ldd", "build/picture"}), contains_text((folder / "system/usr/").string()));
 
   if (!is_installed("lintian")) SKIP_TEST("lintian is not installed");

@@ -10,6 +10,7 @@
 #include "lichtraum.hpp"
 #include "lichtraum/device.hpp"
 #include "support/catch.hpp"
+#include "support/project_files.hpp"
 #include "support/skip.hpp"
 
 // Pictures have the same bytes on every processor. PoCL compiles for one of a few classes of x86 processors, which
@@ -60,7 +61,7 @@ Files files_in(fs::path const& folder, std::string const& extension) {
 
 /// Eight of the gallery's models, as words of a command line.
 std::string gallery_models(fs::path const& folder) {
-  Process make{{"python3", LICHTRAUM_SOURCE_DIR "/tools/make_models", folder.string(), "knot", "gears", "fence", "jug",
+  Process make{{"python3", project_path("tools/make_models"), folder.string(), "knot", "gears", "fence", "jug",
                 "window", "materials", "glasses", "globe"}};
   make.timeout_seconds = 120;
   REQUIRE(run_process(make).exit_code == 0);
@@ -71,7 +72,7 @@ std::string gallery_models(fs::path const& folder) {
 
 std::string scenes() {
   std::string words;
-  for (auto const& entry : fs::recursive_directory_iterator(LICHTRAUM_SOURCE_DIR "/scenes")) {
+  for (auto const& entry : fs::recursive_directory_iterator(project_path("scenes"))) {
     if (entry.path().extension() == ".sdf") words += " " + entry.path().string();
   }
   return words;
@@ -162,7 +163,7 @@ TEST_CASE("kernels are compiled for each class of processors that a package is f
   Process script{{LICHTRAUM_CMAKE, "-D", "OUTPUT=" + (folder / "part.inc").string(), "-D",
                   "PROGRAM=" LICHTRAUM_BUILD_DIR "/src/precompile_kernels", "-D", "CLASSES=ssse3,sse41,ssse3", "-D",
                   fmt::format("NUMBER={}", develop), "-D", fmt::format("COUNT={}", count), "-P",
-                  LICHTRAUM_SOURCE_DIR "/tools/precompile_kernels.cmake"}};
+                  project_path("tools/precompile_kernels.cmake")}};
   script.timeout_seconds = 300;
   ProcessResult const result = run_process(script);
   INFO(result.out + result.err);

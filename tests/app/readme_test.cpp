@@ -3,11 +3,9 @@
 
 #include "lichtraum.hpp"
 #include "support/catch.hpp"
-#include "support/esdf.hpp"
+#include "support/project_files.hpp"
 
 // What README.md shows is true.
-
-using namespace lichtraum::test;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "lichtraum/device.hpp"
 #include "pictures.hpp"
 #include "support/catch.hpp"
+#include "support/project_files.hpp"
 #include "support/skip.hpp"
 
 using Json = nlohmann::json;
@@ -368,7 +369,7 @@ TEST_CASE("a terminal is told that the device's compiler is at work", "[app][ren
   auto const told = [&](std::string const& words, bool has_terminal) {
     Process process = lichtraum.process("render a.sdf --size 16x16 " + words);
     process.has_terminal = has_terminal;
-    process.environment = {{"LICHTRAUM_KERNEL_DIR", LICHTRAUM_SOURCE_DIR "/kernels"}};
+    process.environment = {{"LICHTRAUM_KERNEL_DIR", project_path("kernels")}};
     auto const result = run_process(process);
     CHECK(result.exit_code == 0);
     return result.err;

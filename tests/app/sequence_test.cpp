@@ -6,6 +6,7 @@
 #include "pictures.hpp"
 #include "support/catch.hpp"
 #include "support/gltf_writer.hpp"
+#include "support/project_files.hpp"
 
 using Json = nlohmann::json;
 
@@ -358,7 +359,7 @@ TEST_CASE("the two programs that write an animation write the same good scene", 
   Process process;
   process.arguments = {LICHTRAUM_MAKE_ANIMATION, "5"};
   std::string const text = run_process(process).out;
-  process.arguments = {"python3", LICHTRAUM_SOURCE_DIR "/tools/make_animation.py", "5"};
+  process.arguments = {"python3", project_path("tools/make_animation.py"), "5"};
   CHECK(run_process(process).out == text);
   CHECK(lichtraum("check --strict -", text).out.rfind("-: good\n", 0) == 0);
   auto const result = lichtraum.render("- --size 32x18 -o %d.png", text);

@@ -3,6 +3,7 @@
 #include "pictures.hpp"
 #include "support/catch.hpp"
 #include "support/gltf_writer.hpp"
+#include "support/project_files.hpp"
 #include "support/skip.hpp"
 
 namespace {
@@ -44,11 +45,10 @@ TEST_CASE("the window plays an animation, and goes through it frame by frame", "
   Lichtraum const lichtraum;
   lichtraum.folder.write("moving.glb", moving_model());
   Process process;
-  process.arguments = {LICHTRAUM_SOURCE_DIR "/tests/app/view_animation_in_xvfb.sh", LICHTRAUM_PROGRAM,
-                       lichtraum.folder.path()};
+  process.arguments = {project_path("tests/app/view_animation_in_xvfb.sh"), LICHTRAUM_PROGRAM, lichtraum.folder.path()};
   process.timeout_seconds = 400;
   auto const result = run_process(process);
-  std::filesystem::path const artifacts = LICHTRAUM_ARTIFACT_DIR "/view_animation";
+  std::filesystem::path const artifacts = artifact_path("view_animation");
   std::filesystem::create_directories(artifacts);
   for (auto const& entry : std::filesystem::directory_iterator(lichtraum.folder.path())) {
     std::error_code ignored;

@@ -5,6 +5,7 @@
 #include "lichtraum.hpp"
 #include "pictures.hpp"
 #include "support/catch.hpp"
+#include "support/project_files.hpp"
 #include "support/skip.hpp"
 
 namespace {
@@ -51,8 +52,7 @@ int outlined(DecodedImage const& image, Area const& area) {
 ProcessResult run_in_xvfb(char const* script, Lichtraum const& lichtraum, int timeout_seconds) {
   lichtraum.folder.write("scene.sdf", scene);
   Process process;
-  process.arguments = {std::string(LICHTRAUM_SOURCE_DIR "/tests/app/") + script, LICHTRAUM_PROGRAM,
-                       lichtraum.folder.path()};
+  process.arguments = {project_path("tests/app/" + std::string(script)), LICHTRAUM_PROGRAM, lichtraum.folder.path()};
   process.timeout_seconds = timeout_seconds;
   return run_process(process);
 }
@@ -67,7 +67,7 @@ TEST_CASE("text and widgets grow with the scale that was asked for", "[app][view
   auto const result = run_in_xvfb("view_scale_in_xvfb.sh", lichtraum, 200);
   INFO(result.out + result.err);
   REQUIRE(result.exit_code == 0);
-  std::filesystem::path const artifacts = LICHTRAUM_ARTIFACT_DIR "/view_scale";
+  std::filesystem::path const artifacts = artifact_path("view_scale");
   std::filesystem::create_directories(artifacts);
   for (std::string const name : {"opened.png", "chosen.png"}) {
     std::filesystem::copy_file(std::filesystem::path(lichtraum.folder.path()) / name, artifacts / name,
@@ -123,7 +123,7 @@ TEST_CASE("the panel selects objects, changes lights and shows depth, normals an
   }
   Lichtraum const lichtraum;
   auto const result = run_in_xvfb("view_panel_in_xvfb.sh", lichtraum, 400);
-  std::filesystem::path const artifacts = LICHTRAUM_ARTIFACT_DIR "/view_panel";
+  std::filesystem::path const artifacts = artifact_path("view_panel");
   std::filesystem::create_directories(artifacts);
   for (auto const& entry : std::filesystem::directory_iterator(lichtraum.folder.path())) {
     std::error_code ignored;

@@ -4,6 +4,7 @@
 #include "lichtraum.hpp"
 #include "pictures.hpp"
 #include "support/catch.hpp"
+#include "support/project_files.hpp"
 #include "support/skip.hpp"
 
 namespace {
@@ -85,11 +86,10 @@ std::string obstacle() {
 /// Runs a script of this folder that uses a window, and keeps the pictures that it makes.
 void use_window(Lichtraum const& lichtraum, char const* script, std::initializer_list<char const*> pictures) {
   Process process;
-  process.arguments = {std::string(LICHTRAUM_SOURCE_DIR "/tests/app/") + script, LICHTRAUM_PROGRAM,
-                       lichtraum.folder.path()};
+  process.arguments = {project_path("tests/app/" + std::string(script)), LICHTRAUM_PROGRAM, lichtraum.folder.path()};
   process.timeout_seconds = 150;
   auto const result = run_process(process);
-  std::filesystem::path const artifacts = LICHTRAUM_ARTIFACT_DIR "/view";
+  std::filesystem::path const artifacts = artifact_path("view");
   std::filesystem::create_directories(artifacts);
   for (char const* const name : pictures) {
     std::error_code ignored;

@@ -11,8 +11,9 @@
 #include "reference/renderer.hpp"
 #include "support/catch.hpp"
 #include "support/decode.hpp"
-#include "support/esdf.hpp"
+#include "support/file_contents.hpp"
 #include "support/picture_check.hpp"
+#include "support/project_files.hpp"
 
 using namespace lichtraum;
 using namespace lichtraum::test;
@@ -23,12 +24,11 @@ using namespace lichtraum::test;
 
 namespace {
 
-std::filesystem::path const project = LICHTRAUM_SOURCE_DIR;
 constexpr int width = 120;
 
 std::vector<std::filesystem::path> gallery() {
   std::vector<std::filesystem::path> files;
-  for (auto const& entry : std::filesystem::recursive_directory_iterator(project / "scenes")) {
+  for (auto const& entry : std::filesystem::recursive_directory_iterator(project_path("scenes"))) {
     if (entry.path().extension() == ".sdf") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
@@ -56,14 +56,14 @@ Image image_of(DecodedImage const& decoded) {
 
 /// What the picture was; `picture` becomes that where baselines are to be written.
 Image baseline(Image const& picture, std::string const& name) {
-  auto const path = project / "tests/image/baselines" / (name + ".png");
+  std::filesystem::path const path = project_path("tests/image/baselines/" + name + ".png");
   if (std::getenv("LICHTRAUM_WRITE_BASELINES")) {
     std::filesystem::create_directories(path.parent_path());
     write_file_atomically(path, image_format_named("png").encode(picture, {}));
   }
   INFO(path << " is missing: see the top of gallery_test.cpp");
   REQUIRE(std::filesystem::exists(path));
-  return image_of(decode(read_project_file(path)));
+  return image_of(decode(file_contents(path)));
 }
 
 void compare_with_baseline(Image picture, std::string const& name) {
@@ -133,7 +133,7 @@ TEST_CASE("the gallery looks as it did, on every device", "[image]") {
 }
 
 TEST_CASE("the standard's composite example shows box and sphere with left-handed rotations only", "[image]") {
-  auto const file = project / "scenes/standard/composite.sdf";
+  auto const file = project_path("scenes/standard/composite.sdf");
   EsdfOptions options;
   options.rotation = RotationSense::left;
   Scene const left = EsdfScript::from_file(file, options).take_scene();

@@ -3,6 +3,7 @@
 #include "lichtraum/model.hpp"
 #include "support/catch.hpp"
 #include "support/picture_check.hpp"
+#include "support/project_files.hpp"
 #include "support/skip.hpp"
 #include "support/subprocess.hpp"
 #include "support/temporary_folder.hpp"
@@ -21,7 +22,7 @@ constexpr char const* python = nullptr;
 #endif
 
 std::string make_models(std::string const& words) {
-  Process process{{python, LICHTRAUM_SOURCE_DIR "/tools/make_models"}};
+  Process process{{python, project_path("tools/make_models")}};
   std::istringstream in(words);
   for (std::string word; in >> word;) process.arguments.push_back(word);
   process.timeout_seconds = 300;

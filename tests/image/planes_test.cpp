@@ -15,7 +15,7 @@ using namespace lichtraum::test;
 
 namespace {
 
-Resolution const size{160, 120};
+Resolution const small_size{160, 120};
 
 /// Shapes of each kind; a part that occurs four times (an instance on the device: it has more than eight primitives),
 /// between shapes of the world before and after it; shapes that occur twice and are copied.
@@ -61,7 +61,7 @@ void check_planes(Scene const& scene, std::string const& name) {
   std::vector<Tolerated> const planes{{FilmPlane::alpha, 0},    {FilmPlane::albedo, 1e-3},   {FilmPlane::normal, 2e-4},
                                       {FilmPlane::depth, 2e-5}, {FilmPlane::position, 1e-4}, {FilmPlane::object, 0},
                                       {FilmPlane::instance, 0}, {FilmPlane::material, 0}};
-  RenderRequest request = whole_picture(scene.cameras.front(), size);
+  RenderRequest request = whole_picture(scene.cameras.front(), small_size);
   request.sampling = {Sampling::Pattern::seeded, 3};
   request.planes.add(FilmPlane::radiance);
   for (auto const& [plane, tolerance] : planes) request.planes.add(plane);
@@ -72,7 +72,7 @@ void check_planes(Scene const& scene, std::string const& name) {
       Film const actual = film_on(device, scene, request, traversal);
       for (auto const& [plane, tolerance] : planes) {
         INFO("plane " << info_of(plane).name);
-        std::size_t const values = info_of(plane).channels.size() * std::size_t(size.width * size.height);
+        std::size_t const values = info_of(plane).channels.size() * std::size_t(small_size.width * small_size.height);
         // Silhouettes, which three samples cross more often, and a bumpy normal's steps.
         CHECK(differing(actual, expected, plane, tolerance) <= values / 200);
         RenderRequest alone = request;
@@ -103,7 +103,7 @@ TEST_CASE("what needs no light looks for none", "[image][planes][path]") {
   std::string lights;
   for (int i = 0; i < 1000; ++i) lights += "define light " + std::to_string(i) + " -3 4 5 0.001 0.001 0.001 1\n";
   Scene const scene = scene_of(graph + lights);
-  RenderRequest request = whole_picture(scene.cameras.front(), size);
+  RenderRequest request = whole_picture(scene.cameras.front(), small_size);
   for (Integrator const integrator : {Integrator::whitted, Integrator::path}) {
     request.integrator = integrator;
     for (DeviceInfo const& device : opencl_devices()) {
@@ -125,13 +125,13 @@ TEST_CASE("a picture's objects lead back to their places in the graph", "[image]
   CHECK(objects.count() == 2 * (8 + 1 + 8) + 2);
   auto const renderer = make_renderer(opencl_devices().front());
   renderer->set_scene(scene);
-  RenderRequest request = whole_picture(scene.cameras.front(), size);
+  RenderRequest request = whole_picture(scene.cameras.front(), small_size);
   auto const name_at = [&](Vec3 const& point) {
     // Where the camera sees a point: its coordinates in the camera's frame.
     Vec3 const p = request.camera.world_from_camera().inverse().point(point);
     double const width = 2 * std::tan(0.5 * 50 * 3.14159265358979 / 180);
-    int const x = int(size.width * (0.5 - p.x / p.z / width)),
-              y = int(size.height / 2.0 + size.width * p.y / p.z / width);
+    int const x = int(small_size.width * (0.5 - p.x / p.z / width)),
+              y = int(small_size.height / 2.0 + small_size.width * p.y / p.z / width);
     auto const seen = look_at_pixel(*renderer, request, x, y);
     if (!seen) return std::string("nothing");
     CHECK(glm::distance(seen->position, request.camera.world_from_camera().point(Vec3(0))) ==

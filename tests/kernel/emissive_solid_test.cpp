@@ -17,7 +17,7 @@ using namespace lichtraum::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The shape on the host: all points center + axes * p where p is in the unit ball, or in the cube from -1 to 1.
 struct Solid {
@@ -121,13 +121,13 @@ SceneArrays scene_of_solids(std::vector<Case> const& all) {
 
 using Pair = std::array<float, 2>;
 
-struct Samples {
+struct SolidSamples {
   std::vector<float4> directions;  // w: how far rays may go
   std::vector<Pair> found;         // density, radiance
 };
-Samples sample(SceneArrays const& scene, std::vector<device::uint> const& numbers, std::vector<float4> const& positions,
-               std::vector<Pair> const& uniforms, std::size_t lanes) {
-  Samples samples{std::vector<float4>(numbers.size()), std::vector<Pair>(numbers.size())};
+SolidSamples sample_solids(SceneArrays const& scene, std::vector<device::uint> const& numbers,
+                           std::vector<float4> const& positions, std::vector<Pair> const& uniforms, std::size_t lanes) {
+  SolidSamples samples{std::vector<float4>(numbers.size()), std::vector<Pair>(numbers.size())};
   ProbeProgram("emissive_solid.cl", fmt::format("-D LANES={}", lanes))
       .run("probe_sample", numbers.size() / lanes,
            scene.arguments({in(numbers), in(positions), in(uniforms), out(samples.directions), out(samples.found)}));
@@ -167,7 +167,7 @@ struct Listed {
 
 }  // namespace
 
-TEST_CASE("Samples of solids that shine lie on them, before anything of them", "[kernel]") {
+TEST_CASE("SolidSamples of solids that shine lie on them, before anything of them", "[kernel]") {
   NEEDS_OPENCL_DEVICE();
   auto const all = cases();
   SceneArrays const scene = scene_of_solids(all);
@@ -177,7 +177,7 @@ TEST_CASE("Samples of solids that shine lie on them, before anything of them", "
   std::vector<Pair> uniforms;
   for (std::size_t i = 0; i < listed.numbers.size(); ++i) uniforms.push_back(random_pair(random));
   uniforms[5][0] = -1;
-  Samples const samples = sample(scene, listed.numbers, listed.positions, uniforms, 16);
+  SolidSamples const samples = sample_solids(scene, listed.numbers, listed.positions, uniforms, 16);
   CHECK(samples.found[5] == Pair{0, 0});
   std::size_t misses = 0;
   std::vector<float4> positions, directions;
@@ -217,7 +217,7 @@ TEST_CASE("Samples of solids that shine lie on them, before anything of them", "
   }
 }
 
-TEST_CASE("Samples of solids that shine are the same alone and in lanes", "[kernel]") {
+TEST_CASE("SolidSamples of solids that shine are the same alone and in lanes", "[kernel]") {
   NEEDS_OPENCL_DEVICE();
   auto const all = cases();
   SceneArrays const scene = scene_of_solids(all);
@@ -225,8 +225,8 @@ TEST_CASE("Samples of solids that shine are the same alone and in lanes", "[kern
   Listed const listed(all, 16);
   std::vector<Pair> uniforms;
   for (std::size_t i = 0; i < listed.numbers.size(); ++i) uniforms.push_back(random_pair(random));
-  Samples const alone = sample(scene, listed.numbers, listed.positions, uniforms, 1);
-  Samples const together = sample(scene, listed.numbers, listed.positions, uniforms, 16);
+  SolidSamples const alone = sample_solids(scene, listed.numbers, listed.positions, uniforms, 1);
+  SolidSamples const together = sample_solids(scene, listed.numbers, listed.positions, uniforms, 16);
   CHECK(alone.found == together.found);
   auto const same = [](float4 const& a, float4 const& b) {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
@@ -237,7 +237,7 @@ TEST_CASE("Samples of solids that shine are the same alone and in lanes", "[kern
 /// A function's integral over the directions in which a solid is seen, two ways: by its samples and their density, and
 /// by directions all around, of which the host says which meet it. The function is 1 in one of the octants around the
 /// way to the middle, so that a density that is wrong anywhere shows.
-TEST_CASE("Samples of solids that shine are as dense as is said", "[kernel][statistics]") {
+TEST_CASE("SolidSamples of solids that shine are as dense as is said", "[kernel][statistics]") {
   NEEDS_OPENCL_DEVICE();
   auto const all = cases();
   SceneArrays const scene = scene_of_solids(all);
@@ -246,7 +246,7 @@ TEST_CASE("Samples of solids that shine are as dense as is said", "[kernel][stat
   Listed const listed(all, each);
   std::vector<Pair> uniforms;
   for (std::size_t i = 0; i < listed.numbers.size(); ++i) uniforms.push_back(random_pair(random));
-  Samples const samples = sample(scene, listed.numbers, listed.positions, uniforms, 16);
+  SolidSamples const samples = sample_solids(scene, listed.numbers, listed.positions, uniforms, 16);
   constexpr int octants = 8;
   struct Sum {
     double first = 0, second = 0, count = 0;

@@ -19,7 +19,7 @@ using namespace lichtraum::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Uniforms = std::vector<std::array<float, 2>>;
 using Texel = std::array<double, 3>;
 
@@ -82,12 +82,12 @@ std::vector<float4> evaluate(ProbeProgram const& program, Environment const& env
   return values;
 }
 
-struct Samples {
+struct MapSamples {
   std::vector<float4> directions, radiances;
 };
-Samples sample(ProbeProgram const& program, Environment const& environment, Uniforms const& uniforms,
-               std::size_t lanes = 1) {
-  Samples samples{std::vector<float4>(uniforms.size()), std::vector<float4>(uniforms.size())};
+MapSamples sample_map(ProbeProgram const& program, Environment const& environment, Uniforms const& uniforms,
+                      std::size_t lanes = 1) {
+  MapSamples samples{std::vector<float4>(uniforms.size()), std::vector<float4>(uniforms.size())};
   program.run("probe_sample", uniforms.size() / lanes,
               environment.scene.arguments({in(uniforms), out(samples.directions), out(samples.radiances)}));
   return samples;
@@ -295,7 +295,7 @@ TEST_CASE("an environment's samples have the density that it says (chi-square)",
       INFO(map->width << " x " << map->height << ", compensated: " << is_compensated);
       Environment const environment(map, is_compensated);
       std::vector<double> const probability = probabilities(program, environment, 2);
-      Samples const samples = sample(program, environment, random_uniforms(random, count));
+      MapSamples const samples = sample_map(program, environment, random_uniforms(random, count));
       std::vector<double> found(probability.size());
       for (float4 const& direction : samples.directions) {
         REQUIRE(direction.w > 0);
@@ -333,7 +333,7 @@ TEST_CASE("what is sampled of an environment is its radiance there, and the dens
     for (auto const& map : {random_map(40, 20), sky_map(512, 256), random_map(3, 1)}) {
       INFO(map->width << " x " << map->height << ", rotation " << rotation);
       Environment const environment(map, false, rotation, 0.5, rotation == 0 ? Vec3(0, 1, 0) : Vec3(1, 2, -3));
-      Samples const samples = sample(program, environment, random_uniforms(random, count));
+      MapSamples const samples = sample_map(program, environment, random_uniforms(random, count));
       std::vector<float4> const values = evaluate(program, environment, samples.directions);
       std::size_t others = 0;
       double power = 0;
@@ -362,7 +362,7 @@ TEST_CASE("of a black or constant environment nothing is sampled, and all of one
   for (auto const& [map, is_compensated] : {std::pair{black, true}, {black, false}, {constant_map(), true}}) {
     Environment const environment(map, is_compensated);
     CHECK(environment.scene.constants.environment_sampled_power == 0);
-    Samples const samples = sample(program, environment, uniforms);
+    MapSamples const samples = sample_map(program, environment, uniforms);
     for (std::size_t i = 0; i < uniforms.size(); ++i) {
       if (samples.directions[i].w != 0) FAIL("density");
       if (!(max_abs(to_vec3(samples.directions[i])) <= 1)) FAIL("direction");
@@ -376,7 +376,7 @@ TEST_CASE("of a black or constant environment nothing is sampled, and all of one
 
   for (auto const& [column, row] : {std::pair{100, 37}, {0, 0}, {511, 255}, {511, 128}}) {
     Environment const environment(one_texel_map(512, 256, column, row));
-    Samples const samples = sample(program, environment, uniforms);
+    MapSamples const samples = sample_map(program, environment, uniforms);
     for (float4 const& direction : samples.directions) {
       auto const [u, v] = place_of(to_vec3(direction));
       // With half of each neighbour, by interpolation; a row at a pole all around it.
@@ -406,7 +406,7 @@ TEST_CASE("every texel of an environment can be sampled, however many there are"
     columns.push_back(column);
     uniforms.push_back({(float(column) + 0.5f) / float(width), float(random.uniform())});
   }
-  Samples const samples = sample(program, environment, uniforms);
+  MapSamples const samples = sample_map(program, environment, uniforms);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     double const u = place_of(to_vec3(samples.directions[i]))[0];
     INFO(i << ": " << u * width << ", " << columns[i]);
@@ -432,7 +432,7 @@ TEST_CASE("sixteen samples of an environment at once are those of one by one",
         directions.push_back(to_float4(i % 11 == 0 ? Vec3(i % 2, i % 3, 0) : random.direction()));
         if (i % 13 == 0) directions.back().z = i % 2 == 0 ? float_nan : float_infinity;
       }
-      Samples const a = sample(one, environment, uniforms), b = sample(sixteen, environment, uniforms, 16);
+      MapSamples const a = sample_map(one, environment, uniforms), b = sample_map(sixteen, environment, uniforms, 16);
       auto const c = evaluate(one, environment, directions), d = evaluate(sixteen, environment, directions, 16);
       auto const are_same = [&](std::vector<float4> const& x, std::vector<float4> const& y) {
         return std::memcmp(x.data(), y.data(), count * sizeof(float4)) == 0;

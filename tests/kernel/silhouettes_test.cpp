@@ -31,20 +31,20 @@ struct RoundShape {
   double numbers(Vec3 const& origin) const { return size + glm::length(center) + glm::length(origin - center); }
 };
 
-enum class Kind { sphere, cylinder, cone };
+enum class RoundKind { sphere, cylinder, cone };
 
 /// As large as `size`, up to ten thousand times that away from the world's origin, and of any proportions.
-RoundShape random_shape(Kind kind, double size, Random& random) {
+RoundShape random_shape(RoundKind kind, double size, Random& random) {
   Vec3 const middle = size * std::pow(10., random.uniform(-2, 4)) * random.direction();
   auto const material = std::make_shared<Material>();
-  if (kind == Kind::sphere) {
+  if (kind == RoundKind::sphere) {
     return {std::make_shared<Sphere>("", middle, size, material), middle, size, sphere_body(middle, size)};
   }
   double const slimness = std::pow(10., random.uniform(-2, 2));
   double const radius = size / std::hypot(1., slimness);
   Vec3 const half = radius * slimness * random.direction();
   Vec3 const p1 = middle - half, p2 = middle + half;
-  if (kind == Kind::cylinder) {
+  if (kind == RoundKind::cylinder) {
     return {std::make_shared<Cylinder>("", p1, p2, radius, material), middle, size, cylinder_body(p1, p2, radius)};
   }
   return {std::make_shared<Cone>("", p1, p2, radius, material), middle, size, cone_body(p1, p2, radius)};
@@ -88,7 +88,7 @@ void add_silhouette(RoundShape const& round, Random& random, Rays& rays, Truth& 
 }
 
 /// By how many roundings rays pass, at most, of which the kernels say what is wrong.
-double worst_roundings(Kind kind, std::size_t shapes, Random& random) {
+double worst_roundings(RoundKind kind, std::size_t shapes, Random& random) {
   double worst = 0;
   std::size_t wrong = 0, near = 0;
   for (std::size_t i = 0; i < shapes; ++i) {
@@ -123,7 +123,7 @@ TEST_CASE("silhouettes of spheres, cylinders and cones are where they belong, bu
           "[kernel][layouts]") {
   NEEDS_OPENCL_DEVICE();
   Random random(70);
-  for (Kind const kind : {Kind::sphere, Kind::cylinder, Kind::cone}) {
+  for (RoundKind const kind : {RoundKind::sphere, RoundKind::cylinder, RoundKind::cone}) {
     INFO("kind " << int(kind));
     CHECK(worst_roundings(kind, scaled_count(60), random) < promised_roundings);
   }

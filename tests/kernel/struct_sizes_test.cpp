@@ -17,7 +17,7 @@
 #include "support/opencl_probe.hpp"
 #include "support/skip.hpp"
 
-using namespace lichtraum::device;
+using lichtraum::device::uint;
 using lichtraum::test::out;
 using lichtraum::test::ProbeProgram;
 
@@ -25,11 +25,11 @@ TEST_CASE("Host and device agree on sizes and offsets of shared structs", "[kern
   NEEDS_OPENCL_DEVICE();
   std::vector<uint> expected;
   std::vector<std::string> names;
-#define STRUCT(type)                      \
-  expected.push_back(uint(sizeof(type))); \
+#define STRUCT(type)                                         \
+  expected.push_back(uint(sizeof(lichtraum::device::type))); \
   names.push_back("sizeof " #type);
-#define MEMBER(type, member)                        \
-  expected.push_back(uint(offsetof(type, member))); \
+#define MEMBER(type, member)                                           \
+  expected.push_back(uint(offsetof(lichtraum::device::type, member))); \
   names.push_back(#type "." #member);
 #include "struct_members.h"
 

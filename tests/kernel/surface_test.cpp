@@ -8,7 +8,7 @@ using namespace lichtraum::test;
 
 namespace {
 
-enum class Kind { triangle, sphere, ellipsoid, box, flat_box, cylinder, cone, plane };
+enum class SurfaceKind { triangle, sphere, ellipsoid, box, flat_box, cylinder, cone, plane };
 
 /// A unit shape's map, with its middle at `at`.
 Affine upright(Random& random, double scale, Vec3 const& at) {
@@ -27,11 +27,11 @@ void take_nearest(double face_off, Vec3 const& face_normal, double& off, Vec3& n
 struct OneShape {
   SceneArrays scene;
   Affine shape_from_world;  // into the shape's own frame: the triangle's and sphere's object, the unit sphere, the box
-  Kind kind;
+  SurfaceKind kind;
   Vec3 center;  // world
   double size;
 
-  OneShape(Kind k, double scale, Vec3 const& place, bool instanced, Random& random)
+  OneShape(SurfaceKind k, double scale, Vec3 const& place, bool instanced, Random& random)
       : kind(k), center(place), size(scale) {
     Affine const world_from_object =
         instanced ? Affine{random.rotation() * Mat3(0.5, 0, 0, 0, 2, 0, 0, 0, -1) * random.rotation(), place}
@@ -39,24 +39,24 @@ struct OneShape {
     // In an instance the shape sits at a distance from the object's origin, too.
     Vec3 const at = instanced ? random.in_cube(2 * scale) : place;
     Affine frame;
-    if (k == Kind::triangle) {
+    if (k == SurfaceKind::triangle) {
       scene.add(make_triangle(at + random.in_cube(scale), at + random.in_cube(scale), at + random.in_cube(scale)));
-    } else if (k == Kind::sphere) {
+    } else if (k == SurfaceKind::sphere) {
       scene.add(make_sphere(at, scale));
-    } else if (k == Kind::ellipsoid) {
+    } else if (k == SurfaceKind::ellipsoid) {
       scene.add(make_ellipsoid({random_affine(random, scale, 0).linear, at}));
       frame = from_device(scene.ellipsoids[0].unit_from_object);
-    } else if (k == Kind::cylinder) {
+    } else if (k == SurfaceKind::cylinder) {
       scene.add(make_unit_shape<device::CylinderPrimitive>(upright(random, scale, at)));
       frame = from_device(scene.cylinders[0].unit_from_object);
-    } else if (k == Kind::cone) {
+    } else if (k == SurfaceKind::cone) {
       scene.add(make_unit_shape<device::ConePrimitive>(upright(random, scale, at)));
       frame = from_device(scene.cones[0].unit_from_object);
-    } else if (k == Kind::plane) {
+    } else if (k == SurfaceKind::plane) {
       scene.add(make_unit_shape<device::PlanePrimitive>({random_affine(random, scale, 0).linear, at}));
       frame = from_device(scene.planes[0].unit_from_object);
     } else {
-      Vec3 const corner = scale * Vec3(0.7, 0.4, k == Kind::flat_box ? 0 : 0.9);
+      Vec3 const corner = scale * Vec3(0.7, 0.4, k == SurfaceKind::flat_box ? 0 : 0.9);
       scene.add(make_box({random.rotation(), at}, -corner, corner));
       frame = from_device(scene.boxes[0].box_from_object);
     }
@@ -76,27 +76,27 @@ struct OneShape {
     Vec3 const p = shape_from_world.point(world);
     double off = 0;
     Vec3 normal(0);
-    if (kind == Kind::triangle) {
+    if (kind == SurfaceKind::triangle) {
       auto const& t = scene.triangles[0];
       Vec3 const a = to_vec3(t.vertices[0]);
       normal = glm::normalize(glm::cross(to_vec3(t.vertices[1]) - a, to_vec3(t.vertices[2]) - a));
       off = glm::dot(normal, p - a);
-    } else if (kind == Kind::sphere || kind == Kind::ellipsoid) {
-      bool const unit = kind == Kind::ellipsoid;
+    } else if (kind == SurfaceKind::sphere || kind == SurfaceKind::ellipsoid) {
+      bool const unit = kind == SurfaceKind::ellipsoid;
       Vec3 const from_center = p - (unit ? Vec3(0) : to_vec3(scene.spheres[0].center));
       off = glm::length(from_center) - (unit ? 1. : double(scene.spheres[0].radius));
       normal = glm::normalize(from_center);
-    } else if (kind == Kind::cylinder) {
+    } else if (kind == SurfaceKind::cylinder) {
       Vec3 const across(p.x, 0, p.z);
       take_nearest(glm::length(across) - 1, glm::normalize(across), off, normal);
       take_nearest(-p.y, {0, -1, 0}, off, normal);
       take_nearest(p.y - 1, {0, 1, 0}, off, normal);
-    } else if (kind == Kind::cone) {
+    } else if (kind == SurfaceKind::cone) {
       Vec3 const across(p.x, 0, p.z);
       take_nearest((glm::length(across) - (1 - p.y)) / std::sqrt(2.),
                    glm::normalize(glm::normalize(across) + Vec3(0, 1, 0)), off, normal);
       take_nearest(-p.y, {0, -1, 0}, off, normal);
-    } else if (kind == Kind::plane) {
+    } else if (kind == SurfaceKind::plane) {
       off = p.y;
       normal = {0, 1, 0};
     } else {
@@ -128,9 +128,10 @@ TEST_CASE("Points lie on the surface within their offset, and rays that leave it
   for (double const scale : {1e-3, 1., 1e3, 1e6}) {
     for (double const far : {0., 1., 100.}) {
       for (bool const instanced : {false, true}) {
-        for (Kind const kind : {Kind::triangle, Kind::sphere, Kind::ellipsoid, Kind::box, Kind::flat_box,
-                                Kind::cylinder, Kind::cone, Kind::plane}) {
-          Random& random = kind < Kind::cylinder ? usual : rare;
+        for (SurfaceKind const kind :
+             {SurfaceKind::triangle, SurfaceKind::sphere, SurfaceKind::ellipsoid, SurfaceKind::box,
+              SurfaceKind::flat_box, SurfaceKind::cylinder, SurfaceKind::cone, SurfaceKind::plane}) {
+          Random& random = kind < SurfaceKind::cylinder ? usual : rare;
           OneShape const shape(kind, scale, random.in_cube(far * scale), instanced, random);
           std::vector<ProbeRay> rays(count);
           for (std::size_t i = 0; i < count; ++i) {
@@ -156,8 +157,8 @@ TEST_CASE("Points lie on the surface within their offset, and rays that leave it
             worst = std::max(worst, std::abs(off) / offset);
             largest_offset = std::max(largest_offset, offset);
             // Two faces are equally near at an edge.
-            bool const edge =
-                kind == Kind::box || kind == Kind::flat_box || kind == Kind::cylinder || kind == Kind::cone;
+            bool const edge = kind == SurfaceKind::box || kind == SurfaceKind::flat_box ||
+                              kind == SurfaceKind::cylinder || kind == SurfaceKind::cone;
             if (!edge && glm::length(n - normal) > 1e-3 && glm::length(n + normal) > 1e-3) FAIL("normal");
             if (std::abs(glm::length(n) - 1) > 1e-6) FAIL("length of the normal");
             Vec3 d = random.direction();
@@ -175,7 +176,8 @@ TEST_CASE("Points lie on the surface within their offset, and rays that leave it
             if (hits[i].kind == none) continue;
             // All shapes are convex: nothing is outside; inside there is the other side, except of what is flat.
             acne += next[i].kind != none;
-            bool const solid = kind != Kind::triangle && kind != Kind::flat_box && kind != Kind::plane;
+            bool const solid =
+                kind != SurfaceKind::triangle && kind != SurfaceKind::flat_box && kind != SurfaceKind::plane;
             if (solid && i % 4 != 0) leaks += crossing[i].kind == none;
             if (!solid) acne += crossing[i].kind != none;
           }
@@ -185,7 +187,7 @@ TEST_CASE("Points lie on the surface within their offset, and rays that leave it
           CHECK(acne == 0);
           CHECK(leaks <= found / 1000);
           // Points of a plane may be far away, where numbers are larger.
-          if (kind != Kind::plane) CHECK(largest_offset < 2e-4 * scale * (1 + far));
+          if (kind != SurfaceKind::plane) CHECK(largest_offset < 2e-4 * scale * (1 + far));
           if (count >= 1000) CHECK(found > count / 100);  // some triangles are slivers
         }
       }

@@ -44,10 +44,4 @@ std::size_t count_errors(std::vector<Diagnostic> const& diagnostics) {
   return static_cast<std::size_t>(std::count_if(diagnostics.begin(), diagnostics.end(), is_error));
 }
 
-std::string read_project_file(std::filesystem::path const& path) {
-  std::ifstream in(std::filesystem::path(LICHTRAUM_SOURCE_DIR) / path, std::ios::binary);
-  REQUIRE(in);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace lichtraum::test

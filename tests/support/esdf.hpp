@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,6 +16,13 @@ std::vector<Diagnostic> findings(std::string const& text, EsdfOptions const& opt
 /// The same as a reader sees it, without the notes on dialects.
 std::string shown(std::string const& text, EsdfOptions const& options = {});
 
+/// Reads on after an error.
+inline EsdfOptions const keep_going = [] {
+  EsdfOptions options;
+  options.keep_going = true;
+  return options;
+}();
+
 /// Whether `text` loads.
 bool loads(std::string const& text, EsdfOptions const& options = {});
 
@@ -25,8 +31,5 @@ std::size_t count_errors(std::vector<Diagnostic> const& diagnostics);
 /// A material "red" and a camera "eye", for scenes that need some.
 inline std::string const red = "define material red 1 0 0 1 0 0 1 0 0 10\n";
 inline std::string const eye = "define camera eye 45\n";
-
-/// The whole of a file below the project's folder.
-std::string read_project_file(std::filesystem::path const& path);
 
 }  // namespace lichtraum::test

@@ -2,8 +2,10 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lichtraum/gltf.hpp"
+#include "support/diagnostic_lines.hpp"
 #include "support/gltf_writer.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -17,10 +19,9 @@ inline Model import_model(GltfWriter const& writer, ModelOptions const& options 
 }
 
 /// Its warnings, a line each.
-inline std::string messages(Model const& model) {
-  std::string all;
-  for (auto const& d : model.diagnostics) all += d.message + '\n';
-  return all;
-}
+inline std::string messages(Model const& model) { return test::message_lines(model.diagnostics); }
+
+/// The corners of a triangle, for models that need no other.
+inline std::vector<float> const triangle_positions = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
 }  // namespace lichtraum::testing

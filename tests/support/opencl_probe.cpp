@@ -10,6 +10,7 @@
 
 #include "cl/opencl.hpp"
 #include "cl/program.hpp"
+#include "support/project_files.hpp"
 
 namespace lichtraum::test {
 namespace {
@@ -89,14 +90,14 @@ struct ProbeProgram::State {
 
 ProbeProgram::ProbeProgram(std::string const& file, std::string const& options) : state_(std::make_unique<State>()) {
   char const* const changed_kernels = std::getenv("LICHTRAUM_KERNEL_DIR");
-  std::string const kernel_dir = changed_kernels ? changed_kernels : LICHTRAUM_SOURCE_DIR "/kernels";
-  std::ifstream stream((file == "render.cl" ? kernel_dir : LICHTRAUM_SOURCE_DIR "/tests/kernel") + "/" + file);
+  std::string const kernel_dir = changed_kernels ? changed_kernels : project_path("kernels");
+  std::ifstream stream((file == "render.cl" ? kernel_dir : project_path("tests/kernel")) + "/" + file);
   if (!stream) throw std::runtime_error("cannot read " + file);
   std::string const source{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   Device const& device = test_device().value();
   cl::Program program(device.context, source);
   try {
-    program.build({device.device}, ("-cl-std=CL1.2 -I " + kernel_dir + " -I " LICHTRAUM_SOURCE_DIR "/tests/kernel " +
+    program.build({device.device}, ("-cl-std=CL1.2 -I " + kernel_dir + " -I " + project_path("tests/kernel") + " " +
                                     options + exact_rounding_option(device.device))
                                        .c_str());
   } catch (cl::Error const& error) {

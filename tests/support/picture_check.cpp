@@ -9,6 +9,7 @@
 #include "lichtraum/image_io.hpp"
 #include "reference/renderer.hpp"
 #include "support/catch.hpp"
+#include "support/project_files.hpp"
 
 namespace lichtraum::test {
 namespace {
@@ -52,9 +53,8 @@ void leave_picture(Image const& image, std::string name) {
   for (char& c : name) {
     if (c == ' ' || c == ',' || c == '/') c = '_';
   }
-  std::filesystem::create_directories(LICHTRAUM_ARTIFACT_DIR);
-  write_file_atomically(std::filesystem::path(LICHTRAUM_ARTIFACT_DIR) / name,
-                        image_format_named("png").encode(image, {}));
+  std::filesystem::create_directories(artifact_path(""));
+  write_file_atomically(artifact_path(name), image_format_named("png").encode(image, {}));
 }
 
 std::string list(std::vector<DifferingPixel> const& pixels, Image const& actual, Image const& expected) {
@@ -83,7 +83,7 @@ void check_picture(Image const& actual, Image const& expected, std::string const
   leave_picture(expected, name + ".expected.png");
   leave_picture(difference_picture(actual, expected), name + ".difference.png");
   FAIL_CHECK(name << ": " << differing.size() << " of " << pixels
-                  << " pixels differ (allowed: " << allowed_share * pixels << "); see " LICHTRAUM_ARTIFACT_DIR << "\n"
+                  << " pixels differ (allowed: " << allowed_share * pixels << "); see " << artifact_path("") << "\n"
                   << list(differing, actual, expected));
 }
 

@@ -16,7 +16,7 @@ inline constexpr double differing_share = 0.001;
 
 /// Checks that `actual` agrees with `expected` in all but `allowed_share` of the pixels. When it does not, the failure
 /// names the differing pixels, and <name>.actual.png, .expected.png and .difference.png (differences times eight) are
-/// left in the folder LICHTRAUM_ARTIFACT_DIR.
+/// left at their artifact_path.
 void check_picture(Image const& actual, Image const& expected, std::string const& name,
                    double allowed_share = differing_share);
 

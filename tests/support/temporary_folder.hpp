@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "support/file_contents.hpp"
 
 /// A new folder that is removed, with all in it, at the end of the test.
 class TemporaryFolder {
@@ -33,11 +34,7 @@ class TemporaryFolder {
     std::ofstream(path_ / name, std::ios::binary) << text;
     return path_ / name;
   }
-  std::string read(std::string_view name) const {
-    std::ifstream file(path_ / name, std::ios::binary);
-    if (!file) throw std::runtime_error("there is no file " + (path_ / name).string());
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
+  std::string read(std::string_view name) const { return file_contents(path_ / name); }
   /// The names in it, sorted; hidden files too.
   std::vector<std::string> names() const {
     std::vector<std::string> names;

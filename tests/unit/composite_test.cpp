@@ -3,18 +3,14 @@
 
 #include "lichtraum/shapes.hpp"
 #include "support/catch.hpp"
+#include "support/shape_hit.hpp"
 
 using namespace lichtraum;
+using namespace lichtraum::test;
 
 namespace {
 
 std::shared_ptr<Sphere> unit_sphere() { return std::make_shared<Sphere>("ball", Vec3(0), 1, nullptr); }
-
-Hit hit_of(Shape const& shape, Ray const& ray) {
-  Hit hit;
-  shape.closest_hit(ray, 0, hit);
-  return hit;
-}
 
 double distance(Vec3 const& a, Vec3 const& b) { return glm::length(a - b); }
 

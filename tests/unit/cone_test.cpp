@@ -5,21 +5,10 @@
 #include "lichtraum/shapes.hpp"
 #include "support/catch.hpp"
 #include "support/convex_oracle.hpp"
+#include "support/shape_hit.hpp"
 
 using namespace lichtraum;
 using namespace lichtraum::test;
-
-namespace {
-
-Hit hit_of(Shape const& shape, Vec3 const& origin, Vec3 const& direction) {
-  Hit hit;
-  shape.closest_hit({origin, direction}, 0, hit);
-  return hit;
-}
-
-bool is_normal(Hit const& hit, Vec3 const& expected) { return glm::length(hit.normal - expected) < 1e-12; }
-
-}  // namespace
 
 TEST_CASE("a cone is met where the numbers say, from every distance", "[unit][shape]") {
   std::mt19937_64 random(6);

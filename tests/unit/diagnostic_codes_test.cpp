@@ -4,6 +4,7 @@
 
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
+#include "support/project_files.hpp"
 
 using namespace lichtraum;
 using namespace lichtraum::test;

@@ -19,7 +19,7 @@ struct Opened {
 };
 
 constexpr char const* first = "# define material red is below\n";
-constexpr char const* red = "  define material red 0 0 0  0.5 0 0  0 0 0  1 # dull\n";
+constexpr char const* red_statement = "  define material red 0 0 0  0.5 0 0  0 0 0  1 # dull\n";
 constexpr char const* middle = "define material blue 0 0 0  0 0 1  0 0 0  1\ndefine shape sphere red 0 0 0  1 red\n";
 constexpr char const* lamp = "define light diffuse lamp 0 5 0  1 1 1\n";
 constexpr char const* last = "define light ambient sky 1 1 1\n";
@@ -33,11 +33,11 @@ void set_material(view::SceneValues& values, Rgb const& kd) {
 }  // namespace
 
 TEST_CASE("a scene is saved with what was edited, all else to the byte", "[unit][view]") {
-  Opened opened(std::string(first) + red + middle + lamp + last);
+  Opened opened(std::string(first) + red_statement + middle + lamp + last);
   CHECK_THROWS_AS(view::edited_scene(first, opened.values), Error);  // nothing was edited
   set_material(opened.values, Rgb(0.25, 1, 0));
   opened.values.lights[0] = Light("lamp", PointLight{.ld = Rgb(2), .position = Vec3(1, 2, 3)});
-  std::string const text = view::edited_scene(std::string(first) + red + middle + lamp + last, opened.values);
+  std::string const text = view::edited_scene(std::string(first) + red_statement + middle + lamp + last, opened.values);
   CHECK(text == std::string(first) + "  define material red  0.8 0.8 0.8  0.25 1 0  0 0 0  1 # dull\n" + middle +
                     "define light diffuse lamp  1 2 3  2 2 2\n" + last);
   Opened const again(text);
@@ -46,7 +46,7 @@ TEST_CASE("a scene is saved with what was edited, all else to the byte", "[unit]
 }
 
 TEST_CASE("edits have lights only where one was edited: those of a pose move on", "[unit][view][edits]") {
-  Opened opened(std::string(red) + middle + lamp + last);
+  Opened opened(std::string(red_statement) + middle + lamp + last);
   set_material(opened.values, Rgb(0.25, 1, 0));
   CHECK(!opened.values.edits().lights);
   CHECK(opened.values.edits().materials.size() == 1);
@@ -115,7 +115,7 @@ TEST_CASE("a scene is saved with the names that it has", "[unit][view]") {
 }
 
 TEST_CASE("a scene is not saved where an edit would be lost", "[unit][view]") {
-  Opened opened(std::string(red) + middle + "define light lamp 0 5 0  1 1 1  2\n");
+  Opened opened(std::string(red_statement) + middle + "define light lamp 0 5 0  1 1 1  2\n");
   set_material(opened.values, Rgb(1));
   CHECK_THROWS_WITH(view::edited_scene(std::string(middle), opened.values), contains_text("material red"));
   opened.values.reset();
@@ -125,7 +125,7 @@ TEST_CASE("a scene is not saved where an edit would be lost", "[unit][view]") {
 }
 
 TEST_CASE("a scene is not saved where it could not be read", "[unit][view]") {
-  std::string const scene = std::string(red) + middle;
+  std::string const scene = std::string(red_statement) + middle;
   CHECK_NOTHROW(view::check_readable(scene, "scene.sdf", {}));
   CHECK_THROWS_WITH(view::check_readable(scene + "define shape sphere b 0 0 0  1 gone\n", "scene.sdf", {}),
                     contains_text("nothing is saved") && contains_text("scene.sdf:4:"));

@@ -25,7 +25,7 @@ using test::film_of;
 
 namespace {
 
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+constexpr float quiet_nan = std::numeric_limits<float>::quiet_NaN();
 
 /// As files have it, from the least byte on.
 std::string bytes_of(std::int32_t value) { return {reinterpret_cast<char const*>(&value), sizeof value}; }
@@ -299,7 +299,7 @@ TEST_CASE("no memory is taken for what an OpenEXR header claims and its file can
 }
 
 TEST_CASE("values that are no light are counted, and the first is named", "[unit][environment]") {
-  for (float const wrong : {not_a_number, std::numeric_limits<float>::infinity(), -0.5f}) {
+  for (float const wrong : {quiet_nan, std::numeric_limits<float>::infinity(), -0.5f}) {
     for (char const* const format : {"exr", "pfm"}) {
       Image image = sample_image(9, 5);
       image.data()[3 * (2 * 9 + 4) + 1] = wrong;

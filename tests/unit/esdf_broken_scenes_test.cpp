@@ -8,6 +8,7 @@
 #include "core/read_file.hpp"
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
+#include "support/project_files.hpp"
 #include "support/skip.hpp"
 
 // How far somebody has to look for a mistake: scenes are broken by one slip of a hand each, and the first error must
@@ -136,7 +137,7 @@ void check_where_errors_are(std::vector<std::string> const& scenes) {
 }  // namespace
 
 TEST_CASE("the first error is in the line that was broken", "[unit][esdf][broken]") {
-  check_where_errors_are(good_scenes(fs::path(LICHTRAUM_SOURCE_DIR) / "scenes"));
+  check_where_errors_are(good_scenes(project_path("scenes")));
 }
 
 TEST_CASE("the first error is in the line that was broken, in real scenes", "[unit][esdf][broken][corpus]") {

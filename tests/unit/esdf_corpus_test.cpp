@@ -9,6 +9,7 @@
 #include "core/read_file.hpp"
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
+#include "support/project_files.hpp"
 #include "support/skip.hpp"
 
 // Real scene files, whose folder LICHTRAUM_CORPUS names. esdf_corpus_outcomes.tsv says for each whether it loads, or
@@ -70,7 +71,7 @@ TEST_CASE("real scene files load as they did", "[unit][esdf][corpus]") {
     CHECK((loads(text, keep_going) || outcome == "errors: 1"));
   }
   if (std::getenv("LICHTRAUM_WRITE_OUTCOMES")) {
-    std::ofstream out(fs::path(LICHTRAUM_SOURCE_DIR) / outcomes_file);
+    std::ofstream out(project_path(outcomes_file));
     for (auto const& [name, outcome] : outcomes) out << name << '\t' << outcome << '\n';
   }
   std::cout << loading << " of " << outcomes.size() << " real scene files load\n";

@@ -5,6 +5,7 @@
 #include "core/read_file.hpp"
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
+#include "support/project_files.hpp"
 
 // What docs/ESDF.md and scenes/ show is true.
 
@@ -81,8 +82,7 @@ TEST_CASE("the examples of docs/ESDF.md are right", "[unit][esdf][docs]") {
 
 TEST_CASE("the scenes beside the program are free of problems", "[unit][esdf][docs]") {
   int count = 0;
-  for (auto const& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(LICHTRAUM_SOURCE_DIR) / "scenes")) {
+  for (auto const& entry : std::filesystem::directory_iterator(project_path("scenes"))) {
     if (entry.path().extension() != ".sdf") continue;
     INFO(entry.path());
     CHECK(shown(read_file(entry.path())).empty());

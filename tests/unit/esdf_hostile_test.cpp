@@ -10,12 +10,6 @@ using namespace lichtraum::test;
 
 namespace {
 
-EsdfOptions const keep_going = [] {
-  EsdfOptions options;
-  options.keep_going = true;
-  return options;
-}();
-
 /// Sanitizers, which see what is wrong with a tenth as well, and take twenty times as long, get that.
 #ifdef LICHTRAUM_SANITIZED
 constexpr int million = 100'000;

@@ -8,12 +8,6 @@ using namespace lichtraum::test;
 
 namespace {
 
-EsdfOptions const keep_going = [] {
-  EsdfOptions options;
-  options.keep_going = true;
-  return options;
-}();
-
 Composite const& composite(Scene const& scene, std::string const& name) {
   return dynamic_cast<Composite const&>(**scene.shapes.find(name));
 }

@@ -14,7 +14,7 @@
 #include "core/utf8.hpp"
 #include "lichtraum/model.hpp"
 #include "support/catch.hpp"
-#include "support/esdf.hpp"
+#include "support/project_files.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace lichtraum;
@@ -157,7 +157,7 @@ TEST_CASE("what a page cannot show has its code, too", "[unit][codes]") {
 }
 
 TEST_CASE("docs/DIAGNOSTICS.md says what the tables say", "[unit][codes][docs]") {
-  std::string const path = LICHTRAUM_SOURCE_DIR "/docs/DIAGNOSTICS.md";
+  std::string const path = project_path("docs/DIAGNOSTICS.md");
   if (std::getenv("LICHTRAUM_WRITE_DOCS")) std::ofstream(path, std::ios::binary) << page();
   CHECK(read_project_file("docs/DIAGNOSTICS.md") == page());
 }

@@ -14,6 +14,7 @@
 #include "scene/flatten.hpp"
 #include "support/catch.hpp"
 #include "support/gltf_triangles.hpp"
+#include "support/project_files.hpp"
 #include "support/skip.hpp"
 
 using namespace lichtraum;
@@ -29,7 +30,7 @@ fs::path corpus_folder() {
   return folder ? fs::path(folder) / "gltf" : fs::path();
 }
 
-fs::path const outcomes_file = fs::path(LICHTRAUM_SOURCE_DIR) / "tests/unit/gltf_corpus_outcomes.tsv";
+fs::path const outcomes_file = project_path("tests/unit/gltf_corpus_outcomes.tsv");
 
 std::vector<std::string> split(std::string const& line) {
   std::vector<std::string> cells;
@@ -128,8 +129,8 @@ TEST_CASE("every model of the corpus ends as it did: drawn, drawn with warnings,
     CHECK(outcome == recorded[path]);
   }
   if (found != recorded) {  // for `git diff --no-index`, and to become the new record when the change is meant
-    fs::create_directories(LICHTRAUM_ARTIFACT_DIR);
-    std::ofstream out(fs::path(LICHTRAUM_ARTIFACT_DIR) / "gltf_corpus_outcomes.tsv");
+    fs::create_directories(artifact_path(""));
+    std::ofstream out(artifact_path("gltf_corpus_outcomes.tsv"));
     for (auto const& [path, outcome] : found) out << path << '\t' << outcome << '\n';
   }
 }

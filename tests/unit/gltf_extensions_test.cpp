@@ -4,11 +4,12 @@
 
 #include "io/gltf/extensions.hpp"
 #include "support/catch.hpp"
+#include "support/project_files.hpp"
 
 using namespace lichtraum;
 
 TEST_CASE("docs/GLTF.md lists the extensions that the importer reads", "[unit][gltf]") {
-  std::ifstream in(std::string(LICHTRAUM_SOURCE_DIR) + "/docs/GLTF.md");
+  std::ifstream in(project_path("docs/GLTF.md"));
   REQUIRE(in);
   std::set<std::string> documented;
   for (std::string line; std::getline(in, line);) {

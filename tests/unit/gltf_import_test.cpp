@@ -16,11 +16,10 @@ using testing::GltfWriter;
 using testing::import_model;
 using testing::is_same_triangle;
 using testing::messages;
+using testing::triangle_positions;
 using testing::world_triangles;
 
 namespace {
-
-std::vector<float> const triangle_positions = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
 /// A triangle whose normals are +z and whose tangents are +x; -1: the bitangents are -y.
 GltfWriter triangle_with_tangents() {

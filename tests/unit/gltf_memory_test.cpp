@@ -143,7 +143,7 @@ TEST_CASE("many primitives may share one large vertex buffer", "[unit][gltf]") {
 namespace {
 
 /// Why it cannot be imported; "" where it can.
-std::string refusal(GltfWriter const& writer) {
+std::string error_of(GltfWriter const& writer) {
   try {
     import_model(writer);
     return "";
@@ -169,7 +169,7 @@ TEST_CASE("copies that nodes deform take no more memory than the file may ask fo
   add_zeros(writer, 1'000'000);
   auto const import_with = [&](std::size_t nodes, nlohmann::json const& node) {
     writer.json["nodes"] = std::vector<nlohmann::json>(nodes, node);
-    return refusal(writer);
+    return error_of(writer);
   };
   CHECK(import_with(2, {{"mesh", 0}, {"weights", {1}}}) == "");
   CHECK(import_with(50, {{"mesh", 0}}) == "");  // one shape
@@ -186,7 +186,7 @@ TEST_CASE("copies that joints move take no more memory than the file may ask for
   writer.json["skins"] = {{{"joints", {0}}}};
   auto const import_with = [&](std::size_t nodes) {
     writer.json["nodes"] = std::vector<nlohmann::json>(nodes, {{"mesh", 0}, {"skin", 0}});
-    return refusal(writer);
+    return error_of(writer);
   };
   CHECK(import_with(2) == "");
   CHECK(import_with(50).find(unfolds) != std::string::npos);
@@ -199,7 +199,7 @@ TEST_CASE("instances take no more memory than the file may ask for", "[unit][glt
     writer.json["accessors"][1] = {{"componentType", 5126}, {"count", count}, {"type", "VEC3"}};
     writer.json["nodes"][0]["name"] = name;
     writer.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = 1;
-    return refusal(writer);
+    return error_of(writer);
   };
   CHECK(import_with(1000, "node") == "");
   CHECK(import_with(1'048'576, "node").find(unfolds) != std::string::npos);
@@ -210,9 +210,9 @@ TEST_CASE("long names of primitives take no more memory than the file may ask fo
   GltfWriter writer;
   nlohmann::json const primitive = writer.add_mesh({0, 0, 0, 1, 0, 0, 0, 1, 0});
   writer.json["meshes"][0]["primitives"] = std::vector<nlohmann::json>(10'000, primitive);
-  CHECK(refusal(writer) == "");
+  CHECK(error_of(writer) == "");
   writer.json["meshes"][0]["name"] = std::string(100'000, 'n');
-  CHECK(refusal(writer).find(unfolds) != std::string::npos);
+  CHECK(error_of(writer).find(unfolds) != std::string::npos);
 }
 
 TEST_CASE("poses made one after the other share no budget", "[unit][gltf]") {

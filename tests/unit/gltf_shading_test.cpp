@@ -8,10 +8,9 @@ using namespace lichtraum;
 using testing::GltfWriter;
 using testing::import_model;
 using testing::messages;
+using testing::triangle_positions;
 
 namespace {
-
-std::vector<float> const triangle_positions = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
 /// A triangle and a spot light of these angles, in radians, at the origin.
 Model with_spot(double inner, double outer) {

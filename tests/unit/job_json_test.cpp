@@ -5,7 +5,7 @@
 
 #include "lichtraum/job.hpp"
 #include "support/catch.hpp"
-#include "support/esdf.hpp"
+#include "support/project_files.hpp"
 
 // A job as JSON: there and back, and what text that nobody trusts may do.
 
@@ -197,7 +197,7 @@ TEST_CASE("a job's background is a colour, two, the environment or none", "[unit
 }
 
 TEST_CASE("docs/JOB.md names every key, and its example is a job", "[unit][job]") {
-  std::string const document = test::read_project_file("docs/JOB.md");
+  std::string const document = read_project_file("docs/JOB.md");
   // Only an unknown key tells all known ones.
   for (std::string const place : {"", "\"esdf\": ", "\"model\": ", "\"view\": ", "\"encoding\": "}) {
     std::string const text = refusal(with(place.empty() ? "\"no\": 1" : place + "{\"no\": 1}"));

@@ -7,9 +7,11 @@
 #include "scene/flatten.hpp"
 #include "scene/mesh_point.hpp"
 #include "support/catch.hpp"
+#include "support/diagnostic_lines.hpp"
 #include "support/gltf_import.hpp"
 
 using namespace lichtraum;
+using namespace lichtraum::test;
 using testing::GltfWriter;
 
 namespace {
@@ -31,12 +33,6 @@ LineSet const& lines_of(Scene const& scene, char const* name) {
   return dynamic_cast<LineSet const&>(**scene.shapes.find(name));
 }
 
-std::string shown(std::vector<Diagnostic> const& diagnostics) {
-  std::string all;
-  for (auto const& d : diagnostics) all += d.message + "\n";
-  return all;
-}
-
 std::shared_ptr<MeshGeometry> corner() {  // from red along x to green, and on along y to blue
   auto geometry = std::make_shared<MeshGeometry>();
   geometry->positions = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}};
@@ -51,7 +47,7 @@ std::shared_ptr<Material const> white() { return std::make_shared<Material>("whi
 
 TEST_CASE("PLY: edges without faces are lines with their vertices' colours", "[unit][ply][lines]") {
   Model const model = import_edges("0 0 0 255 0 0\n3 4 0 0 255 0\n9 9 9 0 0 255\n", 3, "0 1\n", 1);
-  CHECK(shown(model.diagnostics) == "");
+  CHECK(message_lines(model.diagnostics) == "");
   LineSet const& set = lines_of(model.scene, "lines");
   CHECK(set.geometry()->lines == Lines{0, 1});
   CHECK(set.geometry()->colors[1] == Float4{0, 1, 0, 1});
@@ -64,7 +60,7 @@ TEST_CASE("PLY: edges may have colours of their own", "[unit][ply][lines]") {
   Model const model =
       import_edges("0 0 0 9 9 9\n1 0 0 9 9 9\n1 1 0 9 9 9\n", 3, "0 1 255 0 0\n1 2 0 255 0\n7 2 0 0 0\n", 3,
                    "property uchar red\nproperty uchar green\nproperty uchar blue\n");
-  CHECK(shown(model.diagnostics) == "1 line left out: it has a vertex that is not there\n");
+  CHECK(message_lines(model.diagnostics) == "1 line left out: it has a vertex that is not there\n");
   MeshGeometry const& geometry = *lines_of(model.scene, "lines").geometry();
   REQUIRE(geometry.lines.size() == 4);
   Float4 const red{1, 0, 0, 1}, green{0, 1, 0, 1};
@@ -78,9 +74,10 @@ TEST_CASE("PLY: edges may have colours of their own", "[unit][ply][lines]") {
 
 TEST_CASE("PLY: edges that cannot be drawn are told of, and those beside faces are left out", "[unit][ply][lines]") {
   Model const model = import_edges("0 0 0 1 2 3\n1e39 4 0 1 2 3\n1 0 0 1 2 3\n", 3, "0 1\n0 2\n-1 2\n0 3\n", 5);
-  CHECK_THAT(shown(model.diagnostics), contains_text("2 lines left out: they have a vertex that is not there") &&
-                                           contains_text("1 line left out: it has a vertex that is not finite") &&
-                                           contains_text("the data ends in edge 4 of 5"));
+  CHECK_THAT(message_lines(model.diagnostics),
+             contains_text("2 lines left out: they have a vertex that is not there") &&
+                 contains_text("1 line left out: it has a vertex that is not finite") &&
+                 contains_text("the data ends in edge 4 of 5"));
   CHECK(lines_of(model.scene, "lines").geometry()->lines == Lines{0, 2});
   CHECK_THROWS_AS(import_edges("0 0 0 1 2 3\n", 1, "0 7\n", 1), SceneError);
 
@@ -105,7 +102,7 @@ TEST_CASE("glTF: lists, loops and strips of lines", "[unit][gltf][lines]") {
     GltfWriter writer;
     writer.add_mesh(square)["mode"] = mode;
     Model const model = testing::import_model(writer);
-    CHECK(shown(model.diagnostics) == "");
+    CHECK(message_lines(model.diagnostics) == "");
     CHECK(lines_of(model.scene, "mesh_0").geometry()->lines == expected);
   }
 }
@@ -121,7 +118,7 @@ TEST_CASE("glTF: faulty lines are left out, and lines below a scaled node have t
   ModelOptions options;
   options.point_size = 100;
   Model const model = testing::import_model(writer, options);
-  CHECK(shown(model.diagnostics) ==
+  CHECK(message_lines(model.diagnostics) ==
         "/meshes/0/primitives/0/indices: 1 line left out: it has an index that is out of range (4)\n"
         "/meshes/0/primitives/0/attributes/POSITION: 1 line left out: it has a vertex that is not finite\n");
   LineSet const& set = lines_of(model.scene, "mesh_0");
@@ -130,7 +127,7 @@ TEST_CASE("glTF: faulty lines are left out, and lines below a scaled node have t
 
   primitive["indices"] = writer.add_accessor("SCALAR", 1, std::vector<std::uint16_t>{1});
   writer.add_mesh({0, 0, 0, 1, 0, 0, 0, 1, 0});
-  CHECK_THAT(shown(testing::import_model(writer).diagnostics),
+  CHECK_THAT(message_lines(testing::import_model(writer).diagnostics),
              contains_text("/meshes/0/primitives/0: it holds no line"));
 }
 

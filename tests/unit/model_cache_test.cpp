@@ -13,7 +13,7 @@ using namespace lichtraum;
 
 namespace {
 
-constexpr char const* triangle = "mtllib paint.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl paint\nf 1 2 3\n";
+constexpr char const* painted_triangle = "mtllib paint.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl paint\nf 1 2 3\n";
 constexpr char const* scene_text =
     "define material red 1 0 0 1 0 0 0 0 0 1\n"
     "define shape mesh plain model.obj\n"
@@ -25,14 +25,14 @@ constexpr char const* scene_text =
 
 struct Folder : TemporaryFolder {
   Folder() {
-    write("model.obj", triangle);
+    write("model.obj", painted_triangle);
     write("paint.mtl", "newmtl paint\nKd 0 1 0\nmap_Kd missing.png\n");
     write("scene.sdf", scene_text);
   }
   std::string scene_file() const { return *this / "scene.sdf"; }
 };
 
-Mesh const& mesh_of(Scene const& scene, char const* name) {
+Mesh const& model_mesh(Scene const& scene, char const* name) {
   auto const& model = dynamic_cast<Composite const&>(**scene.shapes.find(name));
   auto const& file = dynamic_cast<Composite const&>(*model.children().at(0));
   return dynamic_cast<Mesh const&>(*file.children().at(0));
@@ -52,32 +52,32 @@ TEST_CASE("a model that several scenes include is read once, until it changes", 
     INFO(name);
     CHECK(std::count(files.begin(), files.end(), name) >= 1);
   }
-  auto const geometry = mesh_of(first.scene(), "plain").geometry();
-  CHECK(mesh_of(first.scene(), "plain").material()->name() == "paint");
-  CHECK(mesh_of(first.scene(), "painted").material()->name() == "red");
+  auto const geometry = model_mesh(first.scene(), "plain").geometry();
+  CHECK(model_mesh(first.scene(), "plain").material()->name() == "paint");
+  CHECK(model_mesh(first.scene(), "painted").material()->name() == "red");
 
   files.clear();
   EsdfScript const again = EsdfScript::from_file(folder.scene_file(), options);
   CHECK(std::count(files.begin(), files.end(), "paint.mtl") >= 1);
-  CHECK(mesh_of(again.scene(), "plain").geometry() == geometry);
+  CHECK(model_mesh(again.scene(), "plain").geometry() == geometry);
   // Its nodes are its own: what a script moves does not move in another one.
-  CHECK(&mesh_of(again.scene(), "plain") != &mesh_of(first.scene(), "plain"));
+  CHECK(&model_mesh(again.scene(), "plain") != &model_mesh(first.scene(), "plain"));
   // A material that replaces the model's is the script's own.
-  CHECK(mesh_of(again.scene(), "painted").material() == *again.scene().materials.find("red"));
+  CHECK(model_mesh(again.scene(), "painted").material() == *again.scene().materials.find("red"));
 
   folder.write("paint.mtl", "newmtl paint\nKd 0 0 1\nKa 1 1 1\n");
   EsdfScript const changed = EsdfScript::from_file(folder.scene_file(), options);
-  CHECK(mesh_of(changed.scene(), "plain").geometry() != geometry);
-  CHECK(mesh_of(changed.scene(), "plain").material()->kd().z > 0.5);
+  CHECK(model_mesh(changed.scene(), "plain").geometry() != geometry);
+  CHECK(model_mesh(changed.scene(), "plain").material()->kd().z > 0.5);
 }
 
 TEST_CASE("a script that is played again does not read its models again", "[unit][esdf][watch]") {
   Folder const folder;
   EsdfScript const script = EsdfScript::from_file(folder.scene_file());
-  auto const geometry = mesh_of(script.scene(), "plain").geometry();
+  auto const geometry = model_mesh(script.scene(), "plain").geometry();
   std::vector<double> places;
   script.play([&](Scene const& played, RenderCommand const&) {
-    CHECK(mesh_of(played, "plain").geometry() == geometry);
+    CHECK(model_mesh(played, "plain").geometry() == geometry);
     places.push_back((*played.shapes.find("plain"))->world_from_object().point(Vec3(0)).x);
     return true;
   });
@@ -91,7 +91,7 @@ TEST_CASE("models that no script includes any more are forgotten", "[unit][esdf]
   std::weak_ptr<MeshGeometry const> geometry;
   {
     EsdfScript const script = EsdfScript::from_file(folder.scene_file(), options);
-    geometry = mesh_of(script.scene(), "plain").geometry();
+    geometry = model_mesh(script.scene(), "plain").geometry();
   }
   EsdfScript::from_text("define camera eye 45\n", "next", options);
   CHECK(!geometry.expired());

@@ -6,17 +6,12 @@
 #include "scene/flatten.hpp"
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
+#include "support/shape_hit.hpp"
 
 using namespace lichtraum;
 using namespace lichtraum::test;
 
 namespace {
-
-Hit hit_of(Shape const& shape, Vec3 const& origin, Vec3 const& direction) {
-  Hit hit;
-  shape.closest_hit({origin, direction}, 0, hit);
-  return hit;
-}
 
 double const none = std::numeric_limits<double>::infinity();
 

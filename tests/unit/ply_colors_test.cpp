@@ -3,8 +3,10 @@
 
 #include "lichtraum/ply.hpp"
 #include "support/catch.hpp"
+#include "support/diagnostic_lines.hpp"
 
 using namespace lichtraum;
+using namespace lichtraum::test;
 
 namespace {
 
@@ -25,31 +27,27 @@ MeshGeometry const& points_of(Model const& model) {
   return *dynamic_cast<PointCloud const&>(**model.scene.shapes.find("points")).geometry();
 }
 
-std::string shown(Model const& model) {
-  std::string all;
-  for (Diagnostic const& d : model.diagnostics) all += d.message + "\n";
-  return all;
-}
-
 constexpr float linear_of_188 = 0.5028865f;  // of 255, IEC 61966-2-1
 
 }  // namespace
 
 TEST_CASE("PLY: colours that are floats from 0 to 255 or 65535 are read as such", "[unit][ply]") {
   Model const fractions = import_ply_text(vertices(2, float_colors), "0 0 0 1 0.73725490196 0\n1 1 1 0 0 2\n");
-  CHECK(shown(fractions).empty());
+  CHECK(message_lines(fractions.diagnostics).empty());
   CHECK(points_of(fractions).colors[0][1] == Approx(linear_of_188));
   CHECK(points_of(fractions).colors[1][2] > 1);
 
   Model const bytes = import_ply_text(vertices(2, float_colors), "0 0 0 255 188 0\n1 1 1 0 0 1\n");
-  CHECK(shown(bytes) == "colours go up to 255: read as 0 to 255, though those that are floats go from 0 to 1\n");
+  CHECK(message_lines(bytes.diagnostics) ==
+        "colours go up to 255: read as 0 to 255, though those that are floats go from 0 to 1\n");
   CHECK(points_of(bytes).colors[0][0] == 1);
   CHECK(points_of(bytes).colors[0][1] == Approx(linear_of_188));
   CHECK(points_of(bytes).colors[1][2] == Approx(1 / 255.0 / 12.92));
   CHECK(points_of(bytes).colors[0][3] == 1);
 
   Model const words = import_ply_text(vertices(1, float_colors), "0 0 0 65535 48316 0\n");
-  CHECK(shown(words) == "colours go up to 65535: read as 0 to 65535, though those that are floats go from 0 to 1\n");
+  CHECK(message_lines(words.diagnostics) ==
+        "colours go up to 65535: read as 0 to 65535, though those that are floats go from 0 to 1\n");
   CHECK(points_of(words).colors[0][0] == 1);
   CHECK(points_of(words).colors[0][1] == Approx(linear_of_188));
 }
@@ -90,7 +88,7 @@ TEST_CASE("PLY: Gaussian splats are points in their mean colours, unless they ar
   Model const model = import_ply_text(vertices(4, splats), "0 0 0 " + half + " " + of_188 + " -" + half +
                                                                " 9 0\n1 0 0 5 -5 0 9 3\n2 0 0 0 0 0 9 -0.1\n"
                                                                "3 0 0 0 0 0 9 nan\n");
-  CHECK(shown(model) ==
+  CHECK(message_lines(model.diagnostics) ==
         "Gaussian splats are drawn as points of one size, in their mean colours; left out, as more than half of the "
         "light goes through them: 2\n");
   MeshGeometry const& points = points_of(model);
@@ -107,7 +105,7 @@ TEST_CASE("PLY: splats that have colours as others have them show those", "[unit
   Model const model =
       import_ply_text(vertices(1, splats + "property uchar red\nproperty uchar green\nproperty uchar blue\n"),
                       "0 0 0 0 0 0 0 -9 255 0 188\n");
-  CHECK(shown(model).empty());
+  CHECK(message_lines(model.diagnostics).empty());
   REQUIRE(points_of(model).colors.size() == 1);
   CHECK(points_of(model).colors[0][2] == Approx(linear_of_188));
 }
@@ -115,5 +113,5 @@ TEST_CASE("PLY: splats that have colours as others have them show those", "[unit
 TEST_CASE("PLY: vertices of a surface keep their numbers, whatever they are called", "[unit][ply]") {
   Model const model = import_ply_text(vertices(3, splats) + "element face 1\nproperty list uchar int vertex_indices\n",
                                       "0 0 0 0 0 0 0 -9\n1 0 0 0 0 0 0 -9\n0 1 0 0 0 0 0 9\n3 0 1 2\n");
-  CHECK(shown(model).empty());
+  CHECK(message_lines(model.diagnostics).empty());
 }

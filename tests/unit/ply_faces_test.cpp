@@ -6,20 +6,14 @@
 
 #include "lichtraum/ply.hpp"
 #include "support/catch.hpp"
+#include "support/diagnostic_lines.hpp"
 #include "support/encode_png.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace lichtraum;
+using namespace lichtraum::test;
 
 namespace {
-
-std::string shown(Model const& model) {
-  std::string all;
-  for (auto const& d : model.diagnostics) {
-    all += std::to_string(d.location.line) + ":" + std::to_string(d.location.column) + ": " + d.message + "\n";
-  }
-  return all;
-}
 
 Mesh const& mesh_of(Model const& model, std::string const& name = "mesh") {
   auto const* shape = model.scene.shapes.find(name);
@@ -99,7 +93,7 @@ TEST_CASE("PLY: corners have their own texture coordinates, shared where equal",
       for (int vertex : vertices[face]) out.add(std::int32_t(vertex));
     }
     Model const model = import_text(out.text);
-    CHECK(shown(model) == "");
+    CHECK(placed_message_lines(model.diagnostics) == "");
     MeshGeometry const& g = geometry_of(model);
     CHECK(g.indices == std::vector<std::uint32_t>{0, 1, 2, 3, 2, 4});
     REQUIRE(g.positions.size() == 5);
@@ -126,7 +120,8 @@ TEST_CASE("PLY: corners share a vertex only where each number of them is the sam
 
 TEST_CASE("PLY: a vertex that is not there is none that a corner got for itself", "[unit][ply]") {
   Model const model = import_text(square(texcoord, "3 0 1 2 6 0 0 0 0 0 0\n3 0 1 2 6 1 1 1 1 1 1\n3 0 1 4 0\n"));
-  CHECK_THAT(shown(model), contains_text("1 triangle left out: it has a vertex that is not there"));
+  CHECK_THAT(placed_message_lines(model.diagnostics),
+             contains_text("1 triangle left out: it has a vertex that is not there"));
   CHECK(geometry_of(model).triangle_count() == 2);
 }
 
@@ -148,7 +143,8 @@ TEST_CASE("PLY: polygons that are cut keep the texture coordinates of their corn
 TEST_CASE("PLY: a list of texture coordinates that does not fit leaves the vertices' own, or 0 0", "[unit][ply]") {
   std::string const faces = "3 0 1 2 5 .5 .5 .5 .5 .5\n3 0 2 3 0\n3 0 2 3 7 1 1 1 1 1 1 1\n3 0 1 3 6 1 1 0.5 0.5 1 1\n";
   Model const model = import_text(square(texcoord, faces));
-  CHECK_THAT(shown(model), contains_text("15:23: face 0 has 5 texture coordinates for 3 corners: left out, as all of"));
+  CHECK_THAT(placed_message_lines(model.diagnostics),
+             contains_text("15:23: face 0 has 5 texture coordinates for 3 corners: left out, as all of"));
   CHECK(model.diagnostics.size() == 1);
   MeshGeometry const& g = geometry_of(model);
   for (std::size_t corner : {1u, 3u, 6u}) CHECK(at(g, g.texcoords[0], corner) == Float2{0, 0});
@@ -172,7 +168,7 @@ TEST_CASE("PLY: faces have colors, which count more than those of vertices", "[u
                "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue");
   text.replace(text.find("0 0 0\n1 0 0\n1 1 0\n0 1 0"), 23, "0 0 0 9 9 9\n1 0 0 9 9 9\n1 1 0 9 9 9\n0 1 0 9 9 9");
   Model const model = import_text(text);
-  CHECK(shown(model) == "");
+  CHECK(placed_message_lines(model.diagnostics) == "");
   MeshGeometry const& g = geometry_of(model);
   CHECK(g.indices == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3, 4, 5, 6});
   CHECK(g.positions.size() == 7);
@@ -198,7 +194,7 @@ TEST_CASE("PLY: strips beside faces with attributes have the vertices' own", "[u
         (strips_first ? strips + faces : faces + strips) +
         "end_header\n0 0 0 255 0 0\n1 0 0 255 0 0\n1 1 0 255 0 0\n0 1 0 255 0 0\n" +
         (strips_first ? strip + face : face + strip));
-    CHECK(shown(model) == "");
+    CHECK(placed_message_lines(model.diagnostics) == "");
     MeshGeometry const& g = geometry_of(model);
     REQUIRE(g.indices.size() == 6);
     std::size_t const of_face = strips_first ? 3 : 0;
@@ -225,7 +221,7 @@ TEST_CASE("PLY: faces show one of several pictures, by its number", "[unit][ply]
     return import_ply_bytes(text, "m.ply", folder.path(), options);
   };
   Model const model = import_from(square(properties, faces, comments));
-  CHECK(shown(model) == "0:0: 1 triangle left out: it has a vertex that is not there\n");
+  CHECK(placed_message_lines(model.diagnostics) == "0:0: 1 triangle left out: it has a vertex that is not there\n");
   auto const picture = [&](std::string const& mesh) {
     return mesh_of(model, mesh).material()->pbr()->base_color_texture.texture;
   };
@@ -264,20 +260,20 @@ TEST_CASE("PLY: faces show one of several pictures, by its number", "[unit][ply]
   }
   SECTION("without a number the first counts, and this is told") {
     Model const first = import_from(square(texcoord, "3 0 1 2 6 0 0 1 0 1 1\n", comments));
-    CHECK(shown(first) ==
+    CHECK(placed_message_lines(first.diagnostics) ==
           "0:0: pictures are left out: all but 'a.png', the first of 3, as the faces have no texnumber\n");
     CHECK(mesh_of(first).material()->pbr()->base_color_texture.texture->image->rgba[0] == 10);
   }
   SECTION("a single picture is shown whatever the number") {
     Model const single =
         import_from(square(properties, faces.substr(0, faces.find('\n') + 1), "comment TextureFile a.png\n"));
-    CHECK(shown(single) == "");
+    CHECK(placed_message_lines(single.diagnostics) == "");
     CHECK(mesh_of(single).material()->pbr()->base_color_texture);
   }
   SECTION("a picture that is not there leaves the colors of the faces") {
     Model const without =
         import_from(square(properties, faces.substr(0, faces.find('\n') + 1), "comment TextureFile no.png\n"));
-    CHECK_THAT(shown(without), contains_text("the picture is left out"));
+    CHECK_THAT(placed_message_lines(without.diagnostics), contains_text("the picture is left out"));
     CHECK(geometry_of(without).colors.at(0) == Float4{0, 1, 0, 1});
   }
   SECTION("a material for everything needs no pictures") {
@@ -299,7 +295,9 @@ TEST_CASE("PLY: properties of faces have names in any case", "[unit][ply]") {
 
 TEST_CASE("PLY: attributes of faces may be anything", "[unit][ply]") {
   CHECK_THAT(
-      shown(import_text(square("property list int float texcoord\n", "3 0 1 2 6 0 0 1 0 1 1\n3 0 1 2 2000000000 1\n"))),
+      placed_message_lines(
+          import_text(square("property list int float texcoord\n", "3 0 1 2 6 0 0 1 0 1 1\n3 0 1 2 2000000000 1\n"))
+              .diagnostics),
       contains_text("16:9: a list declares 2000000000 numbers") && contains_text("the data ends in face 1 of 2"));
   Model const strange = import_text(square(texcoord + "property float red\nproperty float green\nproperty float blue\n",
                                            "3 0 1 2 6 nan 0 1e60 0 x 1 nan 1 2\n3 0 1 -1 6 0 0 0 0 0 0 0 0 0\n"));

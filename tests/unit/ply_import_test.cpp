@@ -4,9 +4,11 @@
 #include <cstring>
 
 #include "support/catch.hpp"
+#include "support/diagnostic_lines.hpp"
 #include "support/gltf_triangles.hpp"
 
 using namespace lichtraum;
+using namespace lichtraum::test;
 using testing::Corners;
 using testing::world_triangles;
 
@@ -16,19 +18,11 @@ Model import_bytes(std::string const& bytes, ModelOptions const& options = {}) {
   return import_ply_bytes(bytes, "m.ply", ".", options);
 }
 
-std::string shown(std::vector<Diagnostic> const& diagnostics) {
-  std::string all;
-  for (auto const& d : diagnostics) {
-    all += std::to_string(d.location.line) + ":" + std::to_string(d.location.column) + ": " + d.message + "\n";
-  }
-  return all;
-}
-
 std::string error_of(std::string const& bytes) {
   try {
     import_bytes(bytes);
   } catch (SceneError const& error) {
-    return shown(error.diagnostics());
+    return placed_message_lines(error.diagnostics());
   }
   return "no error";
 }
@@ -56,7 +50,7 @@ TEST_CASE("PLY: a triangle in ASCII, however its lines are broken", "[unit][ply]
        {std::string("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), std::string("0 0 0 1 0\n\n0 0 1 0 3\n0 1 2"),
         std::string("0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2\r\n")}) {
     Model const model = import_bytes(ascii + data);
-    CHECK(shown(model.diagnostics) == "");
+    CHECK(placed_message_lines(model.diagnostics) == "");
     auto const triangles = world_triangles(model.scene);
     REQUIRE(triangles.size() == 1);
     CHECK(triangles[0] == Corners{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
@@ -95,7 +89,7 @@ TEST_CASE("PLY: binary of either byte order, every type, other elements and list
     for (int i = 0; i < 4; ++i) append(bytes, std::uint16_t(i), big);
 
     Model const model = import_bytes(bytes);
-    CHECK(shown(model.diagnostics) == "");
+    CHECK(placed_message_lines(model.diagnostics) == "");
     MeshGeometry const& g = geometry_of(model.scene);
     REQUIRE(g.positions.size() == 4);
     CHECK(g.positions[2] == Float3{1, 300, 70000});
@@ -139,7 +133,7 @@ TEST_CASE("PLY: faults of the data are told with their place; what is whole is d
   auto const warnings = [&](std::string const& faces, int count) {
     std::string text = ascii + vertices + faces;
     text.replace(text.find("face 1"), 6, "face " + std::to_string(count));
-    return shown(import_bytes(text).diagnostics);
+    return placed_message_lines(import_bytes(text).diagnostics);
   };
   CHECK(warnings("3 0 1 2\n3 0 1 9\n", 2) == "0:0: 1 triangle left out: it has a vertex that is not there\n");
   CHECK(warnings("3 0 1 2\n3 0 1 -7\n", 2) == "0:0: 1 triangle left out: it has a vertex that is not there\n");
@@ -161,7 +155,8 @@ TEST_CASE("PLY: points that were not measured are counted, not told one by one",
   std::string const header =
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
       "property float quality\nend_header\n";
-  CHECK(shown(import_bytes(header + "0 0 0 1\nnan nan nan nan\n1 0 0 inf\nNaN -nan nan 0\n").diagnostics) ==
+  CHECK(placed_message_lines(
+            import_bytes(header + "0 0 0 1\nnan nan nan nan\n1 0 0 inf\nNaN -nan nan 0\n").diagnostics) ==
         "0:0: points that are not finite are left out: 2\n");
 }
 
@@ -171,7 +166,7 @@ TEST_CASE("PLY: a header may promise anything", "[unit][ply]") {
       std::string const start = std::string("ply\nformat ") + format + " 1.0\nelement vertex " + count +
                                 "\nproperty float x\nproperty float y\nproperty float z\n";
       std::string const data = format == std::string("ascii") ? "1 2 3\n" : "123456789abc1";
-      CHECK_THAT(shown(import_bytes(start + "end_header\n" + data).diagnostics),
+      CHECK_THAT(placed_message_lines(import_bytes(start + "end_header\n" + data).diagnostics),
                  contains_text("the data ends in vertex 1 of"));
       CHECK_THAT(error_of(start + "end_header\n1 2\n"), contains_text("the data ends in vertex 0 of"));
       CHECK_THAT(error_of(std::string("ply\nformat ") + format + " 1.0\nelement nothing " + count + "\nend_header\n"),

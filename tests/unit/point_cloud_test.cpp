@@ -6,9 +6,11 @@
 #include "lichtraum/ply.hpp"
 #include "scene/flatten.hpp"
 #include "support/catch.hpp"
+#include "support/diagnostic_lines.hpp"
 #include "support/gltf_import.hpp"
 
 using namespace lichtraum;
+using namespace lichtraum::test;
 using testing::GltfWriter;
 
 namespace {
@@ -23,12 +25,6 @@ Model import_cloud(std::string const& data, std::size_t count, ModelOptions cons
 
 PointCloud const& cloud_of(Scene const& scene, char const* name) {
   return dynamic_cast<PointCloud const&>(**scene.shapes.find(name));
-}
-
-std::string shown(std::vector<Diagnostic> const& diagnostics) {
-  std::string all;
-  for (auto const& d : diagnostics) all += d.message + "\n";
-  return all;
 }
 
 std::shared_ptr<MeshGeometry> colored_points(std::size_t count) {
@@ -76,7 +72,7 @@ std::size_t check_sphere_colors(SceneBuffers const& buffers, double scale) {
 
 TEST_CASE("PLY: vertices without faces are points with their colours", "[unit][ply][points]") {
   Model const model = import_cloud("0 0 0 255 0 0\n3 4 0 0 255 0\n", 2);
-  CHECK(shown(model.diagnostics) == "");
+  CHECK(message_lines(model.diagnostics) == "");
   PointCloud const& cloud = cloud_of(model.scene, "points");
   REQUIRE(cloud.geometry()->positions == std::vector<Float3>{{0, 0, 0}, {3, 4, 0}});
   CHECK(cloud.geometry()->colors == std::vector<Float4>{{1, 0, 0, 1}, {0, 1, 0, 1}});
@@ -91,7 +87,7 @@ TEST_CASE("PLY: vertices without faces are points with their colours", "[unit][p
 
 TEST_CASE("PLY: points that are not finite are left out, and a file needs one that is", "[unit][ply][points]") {
   Model const model = import_cloud("0 0 0 255 0 0\n1e39 4 0 0 255 0\n1 0 0 0 0 255\n", 3);
-  CHECK(shown(model.diagnostics) == "points that are not finite are left out: 1\n'1e39' is too large\n");
+  CHECK(message_lines(model.diagnostics) == "points that are not finite are left out: 1\n'1e39' is too large\n");
   CHECK(cloud_of(model.scene, "points").geometry()->colors.back() == Float4{0, 0, 1, 1});
   CHECK_THROWS_AS(import_cloud("1e39 0 0 1 2 3\n", 1), SceneError);
   CHECK_THROWS_AS(import_cloud("", 0), SceneError);
@@ -105,18 +101,19 @@ TEST_CASE("a size of points is told to have no effect where a model has neither 
   std::string const triangle = "0 0 0\n1 0 0\n0 1 0\n";
   std::string const ply = "ply\nformat ascii 1.0\nelement vertex " + corners;
   auto const of_ply = [&](std::string const& more) {
-    return shown(import_ply_bytes(ply + more, "a.ply", ".", options).diagnostics);
+    return message_lines(import_ply_bytes(ply + more, "a.ply", ".", options).diagnostics);
   };
   CHECK(of_ply("end_header\n" + triangle).empty());
   CHECK(of_ply("element face 1\nproperty list uchar int vertex_indices\nend_header\n" + triangle + "3 0 1 2\n") ==
         warning);
-  CHECK(shown(import_obj_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj", ".", options).diagnostics) == warning);
-  CHECK(shown(import_obj_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj", ".").diagnostics).empty());
+  CHECK(message_lines(import_obj_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj", ".", options).diagnostics) ==
+        warning);
+  CHECK(message_lines(import_obj_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj", ".").diagnostics).empty());
   GltfWriter writer;
   writer.add_mesh({0, 0, 0, 1, 0, 0, 0, 1, 0});
-  CHECK(shown(testing::import_model(writer, options).diagnostics) == warning);
+  CHECK(message_lines(testing::import_model(writer, options).diagnostics) == warning);
   writer.json["meshes"][0]["primitives"][0]["mode"] = 1;
-  CHECK(shown(testing::import_model(writer, options).diagnostics).find(warning) == std::string::npos);
+  CHECK(message_lines(testing::import_model(writer, options).diagnostics).find(warning) == std::string::npos);
 }
 
 TEST_CASE("points have one size for all, by their number or as asked for", "[unit][points]") {
@@ -148,7 +145,7 @@ TEST_CASE("glTF: points below a scaled node have the model's size, as far as ind
   ModelOptions options;
   options.point_size = 100;
   Model const model = testing::import_model(writer, options);
-  CHECK(shown(model.diagnostics) ==
+  CHECK(message_lines(model.diagnostics) ==
         "/meshes/0/primitives/0/indices: points left out whose index is out of range (4): 1\n");
   PointCloud const& cloud = cloud_of(model.scene, "mesh_0");
   // (0, 9, 0) is named by no index: the box is 4 x 0 x 4.

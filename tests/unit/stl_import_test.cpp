@@ -4,9 +4,11 @@
 #include <limits>
 
 #include "support/catch.hpp"
+#include "support/diagnostic_lines.hpp"
 #include "support/gltf_triangles.hpp"
 
 using namespace lichtraum;
+using namespace lichtraum::test;
 using testing::Corners;
 using testing::world_triangles;
 
@@ -14,21 +16,13 @@ namespace {
 
 Model import_bytes(std::string const& bytes) { return import_stl_bytes(bytes, "m.stl"); }
 
-std::string shown(std::vector<Diagnostic> const& diagnostics) {
-  std::string all;
-  for (auto const& d : diagnostics) {
-    all += std::to_string(d.location.line) + ":" + std::to_string(d.location.column) + ": " + d.message + "\n";
-  }
-  return all;
-}
-
-std::string warnings(std::string const& bytes) { return shown(import_bytes(bytes).diagnostics); }
+std::string warnings(std::string const& bytes) { return placed_message_lines(import_bytes(bytes).diagnostics); }
 
 std::string error_of(std::string const& bytes) {
   try {
     import_bytes(bytes);
   } catch (SceneError const& error) {
-    return shown(error.diagnostics());
+    return placed_message_lines(error.diagnostics());
   }
   return "no error";
 }
@@ -75,7 +69,7 @@ TEST_CASE("STL: facets in ASCII, in any case, however lines are broken", "[unit]
   for (std::string const& bytes : {text, upper, one_line, old_mac, windows, "\xEF\xBB\xBF\n " + text}) {
     INFO(bytes);
     Model const model = import_bytes(bytes);
-    CHECK(shown(model.diagnostics) == "");
+    CHECK(placed_message_lines(model.diagnostics) == "");
     auto const triangles = world_triangles(model.scene);
     REQUIRE(triangles.size() == 2);
     CHECK(triangles[0] == Corners{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
@@ -104,7 +98,7 @@ TEST_CASE("STL: each solid is a mesh, those without facets are none", "[unit][st
   for (char& c : one_line) c = c == '\n' ? ' ' : c;
   for (std::string const& bytes : {names, one_line}) {
     Model const model = import_bytes(bytes);
-    CHECK(shown(model.diagnostics) == "");
+    CHECK(placed_message_lines(model.diagnostics) == "");
     CHECK(world_triangles(model.scene).size() == 3);
     for (char const* name : {"Solid", "mesh", "facet"}) {
       REQUIRE(model.scene.shapes.contains(name));
@@ -117,7 +111,7 @@ TEST_CASE("STL: each solid is a mesh, those without facets are none", "[unit][st
 TEST_CASE("STL: a binary file may begin like an ASCII one, and an ASCII one have odd normals", "[unit][stl]") {
   for (std::string const header : {"", "solid cube", "solid facet normal 0 0 1"}) {
     Model const model = import_bytes(binary(1, {binary_facet}, header));
-    CHECK(shown(model.diagnostics) == "");
+    CHECK(placed_message_lines(model.diagnostics) == "");
     CHECK(world_triangles(model.scene)[0] == Corners{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
   }
   // Filled with blanks there is a NUL in the count only, and in a file that is cut short.
@@ -158,7 +152,7 @@ TEST_CASE("STL: faults of ASCII files are told with their line; what is whole is
   };
   auto const check = [&](std::string const& bytes, std::string const& expected) {
     Model const model = import_bytes(bytes);
-    CHECK(shown(model.diagnostics) == expected);
+    CHECK(placed_message_lines(model.diagnostics) == expected);
     CHECK(world_triangles(model.scene).size() == 2);
   };
   check(with("vertex 1", "vertex nan"), "12:10: 'nan' is not a finite number\n");

@@ -2,12 +2,12 @@
 
 #include "lichtraum/esdf.hpp"
 #include "support/catch.hpp"
+#include "support/esdf.hpp"
 
 using namespace lichtraum;
+using namespace lichtraum::test;
 
 namespace {
-
-Scene scene_of(std::string const& text) { return EsdfScript::from_text(text, "copied", {}).take_scene(); }
 
 void check_same(Material const& material) {
   Scene const scene = scene_of(view::material_as_esdf(material));

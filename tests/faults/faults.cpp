@@ -161,7 +161,8 @@ std::map<int, int> check_each_fault(Task const& task, std::string const& kind, s
       CHECK_THAT(err, !contains_text("this is a fault in lichtraum"));  // it is one of the machine
       CHECK(wrong_files(runs.before(), wanted, runs.after()) == "");
       if (status == 0) CHECK(wrong_files(wanted, wanted, runs.after()) == "");
-      ++statuses[status];
+      // How often a device is asked depends on how fast it is: a call of the clean run may not be there in this one.
+      if (faulty.failures > 0) ++statuses[status];
     }
   }
   return statuses;

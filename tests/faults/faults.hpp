@@ -44,5 +44,5 @@ Task merge_task();
 
 /// Lets calls of that kind fail, one run for each: all of them, or as many as `most`, chosen by `seed`. Checks that a
 /// run ends in time and by itself, with a documented status and a message, that each file is the old one or the new
-/// one, and that there are no others. Returns how many runs ended with each status.
+/// one, and that there are no others. Returns how many runs in which a call did fail ended with each status.
 std::map<int, int> check_each_fault(Task const& task, std::string const& kind, std::size_t most, unsigned seed = 1);

@@ -30,7 +30,7 @@ struct MeshGeometry {
 
   std::size_t triangle_count() const { return indices.size() / 3; }
   std::array<Vec3, 3> triangle(std::size_t number) const;
-  /// Around those of its positions that are finite.
+  /// Around the corners of its triangles, or, without any, its positions: those that are finite.
   Bounds bounds() const;
 };
 

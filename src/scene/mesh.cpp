@@ -52,13 +52,15 @@ Bounds MeshGeometry::bounds() const {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   Float3 min{infinity, infinity, infinity};
   Float3 max{-infinity, -infinity, -infinity};
-  for (Float3 const& p : positions) {
+  auto const add = [&](Float3 const& p) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       // An infinity is on the wrong side of neither comparison; nor is a NaN.
       if (p[axis] < min[axis] && p[axis] > -infinity) min[axis] = p[axis];
       if (p[axis] > max[axis] && p[axis] < infinity) max[axis] = p[axis];
     }
-  }
+  };
+  for (std::uint32_t const number : indices) add(positions[number]);
+  if (indices.empty()) std::ranges::for_each(positions, add);
   return {to_vec3(min), to_vec3(max)};
 }
 

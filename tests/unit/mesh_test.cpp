@@ -81,3 +81,12 @@ TEST_CASE("a mesh refuses a geometry that would read past its end", "[unit]") {
   REQUIRE_THROWS_AS(make([](MeshGeometry& g) { g.texcoords = {{}, {{0, 0}}}; }), std::invalid_argument);
   REQUIRE_NOTHROW(make([](MeshGeometry& g) { g.colors.resize(4); }));
 }
+
+TEST_CASE("positions that no triangle names do not make a mesh larger", "[unit]") {
+  auto geometry = square();
+  geometry->positions.push_back({100, 100, 100});
+  CHECK(geometry->bounds().max == Vec3(1, 1, 0));
+  CHECK(Mesh("mesh", geometry, nullptr).bounds().max == Vec3(1, 1, 0));
+  geometry->indices.clear();  // points
+  CHECK(geometry->bounds().max == Vec3(100));
+}

@@ -8,16 +8,22 @@
 namespace lichtraum {
 namespace {
 
+constexpr double most = 1000;  // sizes: floats have 24 bits, and 14 are left for what lies within
+
 double largest_of(Vec3 const& v) { return std::max({v.x, v.y, v.z}); }
+double size_of(Bounds const& box) { return largest_of(box.max - box.min); }
+double farthest_in(Bounds const& box) { return largest_of(glm::max(glm::abs(box.min), glm::abs(box.max))); }
 
 }  // namespace
 
+bool may_be_far(Bounds const& rounded) {
+  return !rounded.is_empty() && farthest_in(rounded) > most / 2 * size_of(rounded);
+}
+
 std::optional<Vec3> far_origin(Bounds const& box) {
-  constexpr double most = 1000;     // sizes: floats have 24 bits, and 14 are left for what lies within
   constexpr double beyond = 1e-14;  // of what doubles tell apart
   if (box.is_empty() || !box.is_finite()) return std::nullopt;
-  double const size = largest_of(box.max - box.min);
-  double const farthest = largest_of(glm::max(glm::abs(box.min), glm::abs(box.max)));
+  double const size = size_of(box), farthest = farthest_in(box);
   if (!std::isnormal(size) || farthest <= most * size || size <= beyond * farthest) return std::nullopt;
   double step = 1;  // the power of ten that is not longer
   while (step > size) step /= 10;

@@ -13,6 +13,9 @@ namespace lichtraum {
 /// no more digits than it needs.
 std::optional<Vec3> far_origin(Bounds const& box);
 
+/// Whether there may be such a place for a box that is this one once its coordinates are floats.
+bool may_be_far(Bounds const& rounded);
+
 /// Says that it was taken off.
 Diagnostic moved_from(Vec3 const& origin, std::string const& file);
 

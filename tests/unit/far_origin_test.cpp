@@ -173,3 +173,27 @@ TEST_CASE("glTF models on the globe are moved, with cameras and lights, alike at
   Scene const scene = EsdfScript::from_file(folder / "a.sdf", {}).take_scene();
   CHECK(fold_bounds(scene.roots()).total().max.x == Approx(1).margin(1e-9));
 }
+
+TEST_CASE("vertices that nothing names, or that are infinite, do not say where a model lies", "[unit][far]") {
+  std::string const obj = far_obj;
+  for (char const* const vertex : {"v 0 0 0\n", "v inf 0 0\n", "v 1e300 0 0\n"}) {
+    INFO(vertex);
+    std::size_t const faces = obj.find("vn");
+    Model const model = import_obj_text(obj.substr(0, faces) + vertex + obj.substr(faces), "m.obj", {}, {});
+    CHECK(model.origin == Vec3(500010, 5600010, 100));
+    CHECK(double(positions_in(model.scene)[1][1]) == Approx(-9.999).margin(1e-6));
+  }
+  for (char const* const vertex : {"0 0 0\n", "inf 0 0\n", "1e300 0 0\n"}) {
+    INFO(vertex);
+    std::string ply = far_ply;
+    ply.replace(ply.find("vertex 3"), 8, "vertex 4");
+    ply.insert(ply.find("3 0 1 2"), vertex);
+    Model const model = import_ply_bytes(ply, "m.ply", ".", {});
+    CHECK(model.origin == Vec3(500010, 5600010, 100));
+    CHECK(double(positions_in(model.scene)[1][1]) == Approx(-9.999).margin(1e-6));
+  }
+  // And the other way round: what is drawn is near.
+  std::string near = far_ply.substr(0, far_ply.find("500000")) + "0 0 0\n1 0 0\n0 1 0\n1e7 0 0\n3 0 1 2\n";
+  near.replace(near.find("vertex 3"), 8, "vertex 4");
+  CHECK(import_ply_bytes(near, "m.ply", ".", {}).origin == Vec3(0));
+}

@@ -225,3 +225,17 @@ TEST_CASE("OBJ: hostile sizes end soon", "[unit][obj]") {
   for (int i = 0; i < 70000; ++i) groups += "g " + std::to_string(i) + "\nf 1 2 3\n";
   CHECK_THAT(shown(import_text(groups).diagnostics), contains_text("more than 65536 objects and groups"));
 }
+
+TEST_CASE("OBJ: a texture coordinate or normal 0 is none; a vertex 0 is a mistake", "[unit][obj]") {
+  std::string const vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5 0\nvn 0 0 2\n";
+  Model const model = import_text(vertices + "f 1/1/0 2/1/0 3/0/1\n");
+  CHECK(shown(model.diagnostics) == "m.obj:0:0: 3 corners name a texture coordinate or normal that is not there\n");
+  MeshGeometry const& g = *mesh_of(model.scene, "mesh").geometry();
+  REQUIRE(g.triangle_count() == 1);
+  CHECK(g.texcoords.at(0)[g.indices[0]] == Float2{0.5f, 1});
+  CHECK(g.texcoords.at(0)[g.indices[2]] == Float2{0, 0});
+  CHECK(g.normals[g.indices[0]] == Float3{0, 0, 0});
+  CHECK(g.normals[g.indices[2]] == Float3{0, 0, 1});
+  CHECK(world_triangles(import_text(vertices + "f 01/01/01 2/1/1 3/1/1\n").scene).size() == 1);
+  CHECK_THROWS_WITH(import_text(vertices + "f 0/1/1 2/1/1 3/1/1\n"), contains_text("found '0/1/1'"));
+}

@@ -45,11 +45,6 @@ class Importer {
     normalise_line_breaks(text);
     join_continued_lines(text);
     ObjFile file = read_obj(text, diagnostics_);
-    auto const origin = far_origin(file.extent);
-    if (origin) {
-      Diagnostics same(name_, max_findings);
-      file = read_obj(text, same, *origin);
-    }
     if (!options_.material) {
       read_libraries(file);
       read_materials(file);
@@ -67,9 +62,9 @@ class Importer {
     model.diagnostics = std::move(diagnostics_).finish(0);
     model.diagnostics.insert(model.diagnostics.end(), of_libraries_.begin(), of_libraries_.end());
     check_static(options_, name_, file.draws != Drawn::triangles, model.diagnostics);
-    if (origin) {
-      model.origin = *origin;
-      model.diagnostics.push_back(moved_from(*origin, name_));
+    if (file.origin) {
+      model.origin = *file.origin;
+      model.diagnostics.push_back(moved_from(*file.origin, name_));
     }
     if (has_failed) throw SceneError(std::move(model.diagnostics));
     add_parts(std::move(parts), fs::path(name_).stem().string(), model.scene, options_.point_size);

@@ -13,6 +13,7 @@
 
 #include "core/counted.hpp"
 #include "core/float3.hpp"
+#include "io/far_origin.hpp"
 #include "io/faulty_geometry.hpp"
 #include "io/float_colors.hpp"
 #include "io/obj/part_lists.hpp"
@@ -28,7 +29,7 @@ constexpr Float3 no_color{nan, nan, nan};
 
 class ObjReader {
  public:
-  ObjReader(Diagnostics& diagnostics, Vec3 const& origin) : diagnostics_(diagnostics), origin_(origin) {}
+  explicit ObjReader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
   ObjFile run(std::string_view text) {
     LineReader lines(text);
@@ -40,7 +41,8 @@ class ObjReader {
       diagnostics_.begin_line(line);
       statement(keyword, rest);
     }
-    parts_.choose(file_, diagnostics_);
+    parts_.choose(file_, written_.size(), diagnostics_);
+    round_positions();
     remove_faulty();
     std::erase_if(file_.parts, [](Part const& part) { return part.corners.empty(); });
     add_smooth_normals(file_);
@@ -107,8 +109,7 @@ class ObjReader {
   void position(std::string_view rest) {
     Vec3 point(0);
     if (!numbers(rest, point)) point = Vec3(nan);
-    file_.extent.add(point);
-    file_.positions.push_back(to_float3(point - origin_));
+    written_.push_back(point);
     Token const fourth = next_token(rest);
     if (fourth.empty() || fourth[0] == '#') return;
     Token const fifth = next_token(rest), sixth = next_token(rest);
@@ -116,8 +117,22 @@ class ObjReader {
     Float3 color = no_color;
     bool const is_color = number(fourth, color[0]) && number(fifth, color[1]) && number(sixth, color[2]);
     if (!is_color) return;
-    file_.colors.resize(file_.positions.size() - 1, no_color);
+    file_.colors.resize(written_.size() - 1, no_color);
     file_.colors.push_back(color);
+  }
+
+  /// Vertices that nothing names do not say where the model lies.
+  void round_positions() {
+    Bounds extent;
+    for (Part const& part : file_.parts) {
+      for (Corner const& corner : part.corners) {
+        if (is_there(corner) && is_finite(to_float3(written_[corner.position]))) extent.add(written_[corner.position]);
+      }
+    }
+    file_.origin = far_origin(extent);
+    Vec3 const origin = file_.origin.value_or(Vec3(0));
+    file_.positions.reserve(written_.size());
+    for (Vec3 const& point : written_) file_.positions.push_back(to_float3(point - origin));
   }
 
   /// Vertices without one are white.
@@ -159,7 +174,9 @@ class ObjReader {
     if (!read_corners(keyword, rest, Drawn::triangles)) return;
     points_.assign(corners_.size(), Float3{0, 0, 0});  // where its shape is not known yet: a fan
     if (std::ranges::all_of(corners_, [&](Corner const& c) { return is_there(c); })) {
-      std::ranges::transform(corners_, points_.begin(), [&](Corner const& c) { return file_.positions[c.position]; });
+      Vec3 const first = written_[corners_[0].position];
+      std::ranges::transform(corners_, points_.begin(),
+                             [&](Corner const& c) { return to_float3(written_[c.position] - first); });
     }
     Part& part = parts_.part_for(Drawn::triangles, diagnostics_);
     triangles_.clear();
@@ -186,7 +203,7 @@ class ObjReader {
   }
 
   /// Names a vertex that is above its line, or, at the end of the file, anywhere.
-  bool is_there(Corner const& corner) const { return corner.position < file_.positions.size(); }
+  bool is_there(Corner const& corner) const { return corner.position < written_.size(); }
 
   /// All on the line, into `corners_`. False after a warning.
   bool read_corners(Token keyword, std::string_view rest, Drawn drawn) {
@@ -215,13 +232,23 @@ class ObjReader {
   bool read_corner(Token word, Corner& corner) {
     char const* at = word.data();
     char const* const end = at + word.size();
-    if (!read_index(at, end, file_.positions.size(), corner.position)) return false;
+    if (!read_index(at, end, written_.size(), corner.position)) return false;
     if (at == end) return true;
     if (*at++ != '/' || at == end) return at == end;  // "1/": some write that
-    if (*at != '/' && !read_index(at, end, file_.texcoords.size(), corner.texcoord)) return false;
+    if (*at != '/' && !read_attribute(at, end, file_.texcoords.size(), corner.texcoord)) return false;
     if (at == end) return true;
     if (*at++ != '/') return false;
-    return at == end || (read_index(at, end, file_.normals.size(), corner.normal) && at == end);
+    return at == end || (read_attribute(at, end, file_.normals.size(), corner.normal) && at == end);
+  }
+
+  /// As read_index, but 0 is one that is not there: Cinema 4D and OpenMVS write that of corners without any.
+  static bool read_attribute(char const*& at, char const* end, std::size_t size, std::uint32_t& index) {
+    std::int64_t value = 0;
+    auto const [rest, error] = std::from_chars(at, end, value);
+    if (error != std::errc() || value != 0) return read_index(at, end, size, index);
+    at = rest;
+    index = Corner::none - 1;
+    return true;
   }
 
   /// Counts from 1; -1 is the last one so far.
@@ -323,7 +350,7 @@ class ObjReader {
   static constexpr std::size_t max_mentions = 1000;
 
   Diagnostics& diagnostics_;
-  Vec3 origin_;
+  std::vector<Vec3> written_;  // positions; floats would not do far from the origin
   ObjFile file_;
   std::uint32_t smoothing_group_ = 0;
   PartLists parts_;
@@ -339,9 +366,7 @@ class ObjReader {
 
 }  // namespace
 
-ObjFile read_obj(std::string_view text, Diagnostics& diagnostics, Vec3 const& origin) {
-  return ObjReader(diagnostics, origin).run(text);
-}
+ObjFile read_obj(std::string_view text, Diagnostics& diagnostics) { return ObjReader(diagnostics).run(text); }
 
 void join_continued_lines(std::string& text) {
   if (text.find("\\\n") == std::string::npos && text.find("\\\r\n") == std::string::npos) return;

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/drawn.hpp"
 #include "io/text/diagnostics.hpp"
-#include "lichtraum/bounds.hpp"
+#include "lichtraum/math.hpp"
 #include "lichtraum/mesh_geometry.hpp"
 
 namespace lichtraum::obj {
@@ -37,6 +38,7 @@ struct Mention {
 /// name finite.
 struct ObjFile {
   Drawn draws = Drawn::triangles;  ///< what `parts` are
+  std::optional<Vec3> origin;      ///< taken off all positions (far_origin)
   std::vector<Float3> positions;
   std::vector<Float3> colors;  ///< as written; empty or as many as positions
   std::vector<Float2> texcoords;
@@ -44,11 +46,10 @@ struct ObjFile {
   std::vector<Part> parts;              ///< none is empty
   std::vector<Mention> libraries;       ///< `mtllib`: all words after it
   std::vector<Mention> used_materials;  ///< `usemtl`: each name once
-  Bounds extent;                        ///< of the positions as written
 };
 
-/// Reads the text of an OBJ file. What cannot be read is a warning and left out. `origin` is taken off all positions.
-ObjFile read_obj(std::string_view text, Diagnostics& diagnostics, Vec3 const& origin = Vec3(0));
+/// Reads the text of an OBJ file. What cannot be read is a warning and left out.
+ObjFile read_obj(std::string_view text, Diagnostics& diagnostics);
 
 /// Puts the lines together that a backslash at their end continues; line numbers stay as they are.
 void join_continued_lines(std::string& text);

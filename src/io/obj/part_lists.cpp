@@ -58,14 +58,14 @@ void PartLists::note(Drawn kind, Line const& line) {
   if (first.number == 0) first = line;
 }
 
-void PartLists::choose(ObjFile& file, Diagnostics& diagnostics) {
+void PartLists::choose(ObjFile& file, std::size_t position_count, Diagnostics& diagnostics) {
   auto const is_noted = [](List const& list) { return list.first_line.number > 0; };
   auto const drawn = std::ranges::find_if(lists_, [](List const& list) { return !list.parts.empty(); });
   if (drawn == lists_.end()) {
     if (std::ranges::any_of(lists_, is_noted)) return;
     file.draws = Drawn::points;
     Part& all = file.parts.emplace_back();
-    for (std::uint32_t i = 0; i < file.positions.size(); ++i) all.corners.push_back({.position = i});
+    for (std::uint32_t i = 0; i < position_count; ++i) all.corners.push_back({.position = i});
     return;
   }
   auto const kind_of = [&](auto const& list) { return Drawn(list - lists_.begin()); };

@@ -24,9 +24,9 @@ class PartLists {
   /// That there is such a statement, which may have nothing to add.
   void note(Drawn kind, Line const& line);
 
-  /// Moves triangles to the file, or else lines, or else points: those that are named, or all positions where no
+  /// Moves triangles to the file, or else lines, or else points: those that are named, or all `position_count` where no
   /// statement names any. Says what is not drawn beside them.
-  void choose(ObjFile& file, Diagnostics& diagnostics);
+  void choose(ObjFile& file, std::size_t position_count, Diagnostics& diagnostics);
 
   /// "face", "line", "point".
   static std::string_view noun(Drawn kind);

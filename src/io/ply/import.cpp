@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <new>
 
+#include "core/float3.hpp"
 #include "core/read_file.hpp"
 #include "io/far_origin.hpp"
 #include "io/faulty_geometry.hpp"
@@ -67,6 +70,29 @@ void reduce(std::vector<Part>& parts, Drawn drawn, Diagnostics& diagnostics) {
                   fmt::format("the model has nothing to draw: it has no {}", missing));
 }
 
+/// Which vertices are corners or ends; of points all are.
+std::vector<bool> drawn_vertices(MeshGeometry const& geometry, Drawn drawn) {
+  std::vector<bool> result(geometry.positions.size(), drawn == Drawn::points);
+  for (std::uint32_t const number : drawn == Drawn::lines ? geometry.lines : geometry.indices) {
+    if (number < result.size()) result[number] = true;
+  }
+  return result;
+}
+
+/// As far_origin of all that is drawn; `data` is what was read with no origin.
+std::optional<Vec3> origin_of(Data const& data, std::string_view bytes, Header const& header) {
+  std::vector<bool> const drawn = drawn_vertices(data.geometry, header.draws());
+  if (std::ranges::all_of(drawn, std::identity())) return far_origin(data.extent);
+  Bounds rounded;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    Float3 const& position = data.geometry.positions[i];
+    if (drawn[i] && is_finite(position)) rounded.add(to_vec3(position));
+  }
+  if (!may_be_far(rounded)) return std::nullopt;
+  Diagnostics same({}, 0);
+  return far_origin(read_data(bytes, header, same, {.drawn = &drawn}).extent);
+}
+
 void report_splats(std::size_t left_out, Diagnostics& diagnostics) {
   diagnostics.add(Severity::warning, DiagnosticCode::geometry_left_out, {},
                   fmt::format("Gaussian splats are drawn as points of one size, in their mean colours; left out, as "
@@ -107,11 +133,11 @@ Model import(std::string_view bytes, std::string const& name, std::optional<fs::
   std::optional<Vec3> origin;
   if (read_header(bytes, header, diagnostics)) {
     Data data = read_data(bytes, header, diagnostics, {});
-    origin = far_origin(data.extent);
+    origin = origin_of(data, bytes, header);
     float const largest_color = data.largest_color, white = white_of(largest_color);
     if (origin || white != 1) {
       Diagnostics same(name, max_findings);
-      data = read_data(bytes, header, same, {origin.value_or(Vec3(0)), white});
+      data = read_data(bytes, header, same, {.origin = origin.value_or(Vec3(0)), .float_white = white});
     }
     diagnostics.begin_line({});
     if (white != 1) {

@@ -87,7 +87,8 @@ class DataReader {
         continue;
       }
       Vec3 const point(row_[x], row_[y], row_[z]);
-      extent_.add(point);
+      bool const counts = !reading_.drawn || (i < reading_.drawn->size() && (*reading_.drawn)[i]);
+      if (counts && is_finite(to_float3(point))) extent_.add(point);
       geometry_.positions.push_back(to_float3(point - reading_.origin));
       if (has_normals) geometry_.normals.push_back(unit({row_[nx], row_[ny], row_[nz]}));
       if (has_texcoords) geometry_.texcoords[0].push_back({finite(row_[u]), finite(1 - row_[v])});

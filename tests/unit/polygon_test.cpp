@@ -72,3 +72,31 @@ TEST_CASE("polygons that are none end in as many triangles all the same", "[unit
   CHECK(cut({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {2, 2, 0}}).size() == 3);  // crosses itself
   CHECK(cut(std::vector<Float3>(1000, {0, 0, 0})).size() == 998);
 }
+
+TEST_CASE("long thin polygons are cut along their inside, whatever corner they begin with", "[unit][polygon]") {
+  std::vector<std::pair<std::string, std::vector<Float3>>> shapes;
+  for (int const half : {32, 96, 128}) {  // corrugated sheets, seen from the side
+    std::vector<Float3> sheet;
+    float const heights[] = {0, 0, 1, 1};
+    for (int i = 0; i < half; ++i) sheet.push_back({float(i), heights[i % 4], 0});
+    for (int i = half - 1; i >= 0; --i) sheet.push_back({float(i), heights[i % 4] + 0.1f, 0});
+    shapes.emplace_back("sheet", sheet);
+    std::vector<Float3> spiral;
+    auto const at = [&](int i, float width) {
+      float const angle = 0.4f * float(i), radius = 1 + 0.1f * float(i) + width;
+      return Float3{radius * std::cos(angle), radius * std::sin(angle), 0};
+    };
+    for (int i = 0; i < half; ++i) spiral.push_back(at(i, 0.5f));
+    for (int i = half - 1; i >= 0; --i) spiral.push_back(at(i, 0));
+    shapes.emplace_back("spiral", spiral);
+  }
+  for (auto& [name, corners] : shapes) {
+    for (int start = 0; start < 8; ++start) {
+      INFO(name << " of " << corners.size() << ", from " << start);
+      auto const [sum, total] = areas(corners);
+      CHECK(total == Approx(glm::length(vector_area(corners))).epsilon(1e-4));
+      CHECK(glm::distance(sum, vector_area(corners)) < 1e-3 * total);
+      std::rotate(corners.begin(), corners.begin() + std::ptrdiff_t(corners.size() / 8), corners.end());
+    }
+  }
+}

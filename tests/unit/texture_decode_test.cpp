@@ -159,3 +159,74 @@ TEST_CASE("a JPEG texture that goes over its pixels again and again is refused",
   CHECK_FALSE(decode_image(with_scans(jpeg, 600), 64, reason));
   CHECK_THAT(reason, contains_text("500 scans"));
 }
+
+namespace {
+
+/// A grey JPEG (128 everywhere) of one unit of blocks, where brightness has `across` x `down` of them to one of each
+/// colour.
+std::string grey_jpeg(int across, int down) {
+  using namespace std::string_literals;
+  auto const segment = [](char marker, std::string const& data) {
+    return "\xff"s + marker + '\0' + char(data.size() + 2) + data;
+  };
+  std::string const ones(64, '\1');  // what values are divided by
+  char const sampling = char(across << 4 | down);
+  std::string const components = "\1"s + sampling + "\0\2\x11\0\3\x11\0"s;
+  std::string const size = "\0"s + char(8 * down) + "\0"s + char(8 * across);
+  // One code of one bit in each table: no change, and no more of this block. A bit of each is two zeros a block.
+  std::string const code = "\1"s + std::string(15, '\0') + '\0';
+  std::size_t const bits = 2 * std::size_t(across * down + 2);
+  std::string data(bits / 8 + 1, '\0');
+  data.back() = char(0xFF >> bits % 8);  // filled up with ones
+  if (data.back() == '\xff') data += '\0';
+  return "\xff\xd8"s + segment('\xdb', '\0' + ones) + segment('\xc0', '\x08' + size + '\3' + components) +
+         segment('\xc4', '\0' + code) + segment('\xc4', '\x10' + code) + segment('\xda', "\3\1\0\2\0\3\0\0\x3f\0"s) +
+         data + "\xff\xd9"s;
+}
+
+}  // namespace
+
+TEST_CASE("JPEG textures may share colours between any number of pixels", "[unit][image]") {
+  for (auto const& [across, down] :
+       {std::pair(1, 1), std::pair(2, 2), std::pair(1, 4), std::pair(4, 2), std::pair(3, 1)}) {
+    INFO(across << "x" << down);
+    std::string const jpeg = grey_jpeg(across, down);
+    std::string reason;
+    CHECK(decoded_size(jpeg, 64).width == 8 * across);
+    auto const image = decode_image(jpeg, 64, reason);
+    INFO(reason);
+    REQUIRE(image);
+    CHECK(image->width == 8 * across);
+    CHECK(image->height == 8 * down);
+    for (std::size_t i = 0; i < image->rgba.size(); ++i) REQUIRE(image->rgba[i] == (i % 4 == 3 ? 255 : 128));
+  }
+  std::string reason;
+  CHECK(!decode_image(grey_jpeg(1, 4).substr(0, 60), 64, reason));
+  CHECK(reason != "");
+}
+
+TEST_CASE("JPEG textures in printers' inks are shown in the colours that these leave", "[unit][image]") {
+  // As Adobe's programs write them: 255 is no ink. Red; black by the black ink alone; half grey.
+  std::vector<unsigned char> pixels;
+  for (int i = 0; i < 3; ++i) {
+    unsigned char const inks[3][4] = {{255, 0, 0, 255}, {255, 255, 255, 0}, {255, 255, 255, 128}};
+    for (int k = 0; k < 16 * 16; ++k) pixels.insert(pixels.end(), inks[i], inks[i] + 4);
+  }
+  std::unique_ptr<void, int (*)(tjhandle)> const encoder(tjInitCompress(), tjDestroy);
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  REQUIRE(tjCompress2(encoder.get(), pixels.data(), 16, 0, 48, TJPF_CMYK, &bytes, &size, TJSAMP_444, 100, 0) == 0);
+  std::string const jpeg(reinterpret_cast<char const*>(bytes), size);
+  tjFree(bytes);
+  std::string reason;
+  auto const image = decode_image(jpeg, 64, reason);
+  INFO(reason);
+  REQUIRE(image);
+  std::array<int, 4> const expected[] = {{255, 0, 0, 255}, {0, 0, 0, 255}, {128, 128, 128, 255}};
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      int const found = image->rgba[4 * (16 * row + 8) * 16 + c];
+      CHECK(std::abs(found - expected[row][c]) <= 3);  // JPEG is not exact
+    }
+  }
+}

@@ -5,7 +5,10 @@
 #include <webp/decode.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "io/image/decode_bmp.hpp"
 #include "io/image/decode_png.hpp"
@@ -45,12 +48,27 @@ ImageSize size_of_png(std::string_view bytes) {
   return bytes.size() < 24 ? ImageSize() : ImageSize{number(16), number(20)};
 }
 
+struct JpegHeader {
+  int width = 0, height = 0;
+  int color_space = -1;  ///< a TJCS
+};
+
+/// Nothing where it is none.
+std::optional<JpegHeader> jpeg_header(tjhandle decoder, std::string_view bytes) {
+  JpegHeader header;
+  int subsampling = -1;
+  int const error = tjDecompressHeader3(decoder, reinterpret_cast<unsigned char const*>(bytes.data()), bytes.size(),
+                                        &header.width, &header.height, &subsampling, &header.color_space);
+  // Subsampling that TurboJPEG has no name for is an error that says all the rest, and is decoded as any other.
+  bool const is_known = error == 0 || (subsampling < 0 && header.color_space >= 0);
+  if (!is_known || header.width <= 0 || header.height <= 0) return std::nullopt;
+  return header;
+}
+
 ImageSize size_of_jpeg(std::string_view bytes) {
   std::unique_ptr<void, int (*)(tjhandle)> const decoder(tjInitDecompress(), tjDestroy);
-  auto const* data = reinterpret_cast<unsigned char const*>(bytes.data());
-  int width = 0, height = 0, subsampling = 0, color_space = 0;
-  int const error = tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &color_space);
-  return error != 0 ? ImageSize() : ImageSize{width, height};
+  auto const header = jpeg_header(decoder.get(), bytes);
+  return header ? ImageSize{header->width, header->height} : ImageSize();
 }
 
 ImageSize size_of_webp(std::string_view bytes) {
@@ -71,21 +89,36 @@ bool decode_png_of_size(std::string_view bytes, TextureImage& image, std::string
   return set_size(image, width, height, reason) && decode_png(bytes, image, reason);
 }
 
+/// Cyan, magenta, yellow and black as Adobe's programs write them, 255 for no ink, to what light they leave. No profile
+/// is looked at.
+void inks_to_rgba(std::vector<std::uint8_t>& pixels) {
+  for (std::size_t i = 0; i < pixels.size(); i += 4) {
+    unsigned const black = pixels[i + 3];
+    for (std::size_t c = 0; c < 3; ++c) pixels[i + c] = std::uint8_t((pixels[i + c] * black + 127) / 255);
+    pixels[i + 3] = 255;
+  }
+}
+
 bool decode_jpeg(std::string_view bytes, TextureImage& image, std::string& reason) {
   std::unique_ptr<void, int (*)(tjhandle)> const decoder(tjInitDecompress(), tjDestroy);
   auto const* data = reinterpret_cast<unsigned char const*>(bytes.data());
-  int width = 0, height = 0, subsampling = 0, color_space = 0;
-  if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &color_space) != 0) {
+  auto const header = jpeg_header(decoder.get(), bytes);
+  if (!header) {
     reason = tjGetErrorStr2(decoder.get());
     return false;
   }
+  auto const [width, height, color_space] = *header;
   if (!allocate(image, width, height, reason)) return false;
+  bool const has_inks = color_space == TJCS_CMYK || color_space == TJCS_YCCK;
   // A progressive picture can go over all its pixels once for every 12 bytes of its file: 500 times are allowed.
-  int const result = tjDecompress2(decoder.get(), data, bytes.size(), image.rgba.data(), width, 0, height, TJPF_RGBA,
-                                   TJFLAG_LIMITSCANS);
-  if (result == 0 || tjGetErrorCode(decoder.get()) == TJERR_WARNING) return true;  // cut off: what is there is shown
-  reason = tjGetErrorStr2(decoder.get());
-  return false;
+  int const result = tjDecompress2(decoder.get(), data, bytes.size(), image.rgba.data(), width, 0, height,
+                                   has_inks ? TJPF_CMYK : TJPF_RGBA, TJFLAG_LIMITSCANS);
+  if (result != 0 && tjGetErrorCode(decoder.get()) != TJERR_WARNING) {  // cut off: what is there is shown
+    reason = tjGetErrorStr2(decoder.get());
+    return false;
+  }
+  if (has_inks) inks_to_rgba(image.rgba);
+  return true;
 }
 
 bool decode_webp(std::string_view bytes, TextureImage& image, std::string& reason) {

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "core/counted.hpp"
 #include "core/percent.hpp"
 #include "io/file_signature.hpp"
 #include "io/gltf/container.hpp"
@@ -44,10 +46,49 @@ void check_nesting(std::string_view text, Findings& findings) {
   }
 }
 
+/// The text with the largest double for all numbers beyond it, which JSON allows and the parser does not: exporters
+/// write them for boxes around nothing. Counts them.
+std::string without_overflow(std::string_view text, std::size_t& count) {
+  std::string result;
+  bool is_string = false;
+  for (std::size_t i = 0; i < text.size();) {
+    char const c = text[i];
+    bool const is_number = !is_string && (c == '-' || (c >= '0' && c <= '9'));
+    if (!is_number) {
+      if (is_string && c == '\\' && i + 1 < text.size()) result += text[i++];
+      if (c == '"') is_string = !is_string;
+      result += text[i++];
+      continue;
+    }
+    std::size_t const end = std::min(text.find_first_not_of("+-.0123456789Ee", i), text.size());
+    std::string_view const word = text.substr(i, end - i);
+    double value = 1;
+    auto const [last, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    bool const is_small = word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
+    if (error == std::errc::result_out_of_range && last == word.data() + word.size() && !is_small) {
+      ++count;
+      result += c == '-' ? "-1.7976931348623157e308" : "1.7976931348623157e308";
+    } else {
+      result += word;
+    }
+    i = end;
+  }
+  return result;
+}
+
 json parse_json(std::string_view text, Findings& findings) {
   check_nesting(text, findings);
   try {
-    return json::parse(text);
+    try {
+      return json::parse(text);
+    } catch (json::out_of_range const&) {
+      std::size_t count = 0;
+      json result = json::parse(without_overflow(text, count));
+      findings.warn(
+          DiagnosticCode::gltf_property, "",
+          fmt::format("{} beyond 1.8e308, the largest that can be read: read as that", counted(count, "number")));
+      return result;
+    }
   } catch (json::parse_error const& error) {
     if (auto const other = recognise_signature(text)) {
       findings.fail_at(
@@ -113,19 +154,26 @@ void skip_pointer_channels(json& model, Findings& findings) {
   }
 }
 
-/// tinygltf refuses a whole model for these.
-void soothe_tinygltf(json& model, Findings& findings) {
+/// Of each view; 0: its elements lie side by side. tinygltf refuses a whole model for strides that the specification
+/// does not allow, which say clearly enough where the elements are.
+std::vector<std::size_t> take_strides(json& model, Findings& findings) {
   auto& views = model["bufferViews"];
   if (views.is_null()) views = json::array();
+  std::vector<std::size_t> strides(views.size(), 0);
   for (std::size_t i = 0; i < views.size(); ++i) {
     auto const stride = views[i].find("byteStride");
     if (stride == views[i].end()) continue;
-    auto const bytes = stride->get<std::uint64_t>();
-    if (bytes <= 252 && bytes % 4 == 0) continue;
+    strides[i] = stride->get<std::size_t>();
+    views[i].erase(stride);
+    if (strides[i] <= 252 && strides[i] % 4 == 0) continue;
     findings.warn(DiagnosticCode::gltf_property, fmt::format("/bufferViews/{}/byteStride", i),
-                  fmt::format("expected a multiple of 4 in 4..252, found {}; the view is left out", bytes));
-    views[i] = {{"buffer", 0}, {"byteLength", 0}};
+                  fmt::format("expected a multiple of 4 in 4..252, found {}", strides[i]));
   }
+  return strides;
+}
+
+/// tinygltf refuses a whole model for these.
+void soothe_tinygltf(json& model, Findings& findings) {
   auto const accessors = model.find("accessors");
   for (std::size_t i = 0; accessors != model.end() && i < accessors->size(); ++i) {
     json& accessor = (*accessors)[i];
@@ -202,6 +250,7 @@ void parse_document(Document& document, Findings& findings) {
   take_buffers(json_model, document);
   take_images(json_model, document);
   std::vector<tinygltf::Node> nodes = take_nodes(json_model);
+  std::vector<std::size_t> const strides = take_strides(json_model, findings);
   soothe_tinygltf(json_model, findings);
   soothe_lights(json_model, findings);
   std::size_t const absent_view = add_absent_view(json_model);
@@ -216,6 +265,7 @@ void parse_document(Document& document, Findings& findings) {
     findings.fail(DiagnosticCode::not_gltf, "", error);
   }
   remove_absent_view(document.model, absent_view);
+  for (std::size_t i = 0; i < strides.size(); ++i) document.model.bufferViews[i].byteStride = strides[i];
   document.model.nodes = std::move(nodes);
 }
 

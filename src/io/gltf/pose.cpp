@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
 
 #include "core/elementary.hpp"
 
@@ -156,6 +157,20 @@ void NodePose::translate(Vec3 const& way) {
   }
 }
 
+void NodePose::take_matrix_apart() {
+  if (!matrix) return;
+  Mat3 axes(*matrix);
+  translation = Vec3((*matrix)[3]);
+  scale = {glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])};
+  if (glm::determinant(axes) < 0) scale.x = -scale.x;
+  for (int i = 0; i < 3; ++i) {
+    if (scale[i] != 0) axes[i] /= scale[i];
+  }
+  glm::dquat const turn = glm::quat_cast(axes);
+  rotation = normalized(turn.x, turn.y, turn.z, turn.w);
+  matrix.reset();
+}
+
 std::vector<NodePose> rest_pose(tinygltf::Model const& model, Findings& findings) {
   std::vector<NodePose> pose(model.nodes.size());
   for (std::size_t i = 0; i < pose.size(); ++i) {
@@ -203,6 +218,11 @@ void apply_animation(tinygltf::Model const& model, int animation, double seconds
                                   fmt::format("/animations/{}/samplers/{}", animation, channel.sampler));
     if (!track) continue;
     NodePose& target = pose[std::size_t(channel.target_node)];
+    if (path != "weights" && target.matrix) {
+      findings.warn(DiagnosticCode::faulty_node, fmt::format("/nodes/{}/matrix", channel.target_node),
+                    "a node that moves must have no matrix: it is taken apart into translation, rotation and scale");
+      target.take_matrix_apart();
+    }
     set(target, path, track->at(seconds, path == "rotation"));
     (path == "weights" ? target.is_deformed : target.is_moved) = true;
   }

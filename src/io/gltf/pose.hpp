@@ -22,6 +22,8 @@ struct NodePose {
 
   Mat4 parent_from_node() const;
   void translate(Vec3 const& way);  ///< in its parent
+  /// Into the three, for one of them to be animated. Shear is lost.
+  void take_matrix_apart();
 };
 
 /// As the nodes stand in the file.

@@ -133,13 +133,18 @@ std::vector<Camera> read_cameras(tinygltf::Model const& model, NodeTree const& t
     if (number < 0) continue;
     auto const& source = model.cameras[std::size_t(number)];
     auto const frame = frame_of(tree.world_from_node[std::size_t(node)]);
-    auto camera = frame ? make_camera(source, names.unique(name_of(model, node, source.name)), *frame) : std::nullopt;
-    if (camera) {
-      cameras.push_back(std::move(*camera));
-    } else {
-      findings.warn(DiagnosticCode::faulty_view, fmt::format("/cameras/{}", number),
-                    "it has no valid opening angle: left out");
+    if (!frame) {
+      findings.warn(DiagnosticCode::faulty_view, fmt::format("/nodes/{}", node),
+                    "its transform leaves no directions: its camera is left out");
+      continue;
     }
+    if (auto camera = make_camera(source, names.unique(name_of(model, node, source.name)), *frame)) {
+      cameras.push_back(std::move(*camera));
+      continue;
+    }
+    findings.warn(DiagnosticCode::faulty_view, fmt::format("/cameras/{}", number),
+                  source.type == "orthographic" ? "it shows no width and height: left out"
+                                                : "it has no valid opening angle: left out");
   }
   return cameras;
 }

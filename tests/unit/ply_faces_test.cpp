@@ -238,6 +238,14 @@ TEST_CASE("PLY: faces show one of several pictures, by its number", "[unit][ply]
   CHECK(mesh_of(model, "mesh#3").geometry()->triangle_count() == 2);
   CHECK(mesh_of(model, "mesh#3").geometry()->colors.at(0) == Float4{0, 1, 0, 1});
 
+  SECTION("a picture that is named twice is read once") {
+    Model const twice =
+        import_from(square(properties, faces, "comment TextureFile a.png\ncomment TextureFile a.png\n"));
+    auto const& first = mesh_of(twice, "mesh").material()->pbr()->base_color_texture.texture;
+    auto const& second = mesh_of(twice, "mesh#2").material()->pbr()->base_color_texture.texture;
+    REQUIRE((first && second));
+    CHECK(first->image == second->image);
+  }
   SECTION("strips show none, whatever a picture is called") {
     folder.write("default", one_pixel(30));
     std::string text = square(properties, "3 0 1 2 6 0 0 1 0 1 1 0 0 255 0\n",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <utility>
@@ -27,9 +28,17 @@ class RoughnessPictures {
   Roughness roughness_from(Picture const& source, double glossiness);
 
  private:
-  Roughness make(TextureImage const& source, double glossiness);
+  /// What a picture has of it, from 0 to 255.
+  struct Alpha {
+    std::uint8_t least = 255, most = 0;
+    double mean = 0;
+  };
+
+  Alpha const& alpha_of(Picture const& source);
+  Roughness make(Picture const& source, double glossiness);
 
   Budget& budget_;
+  std::map<Picture, Alpha> alphas_;  // as many materials may differ in nothing but the factor
   std::map<std::pair<Picture, double>, Roughness> known_;
 };
 

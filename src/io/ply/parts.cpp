@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 #include <span>
+#include <string_view>
 
 #include "io/image/decode_all.hpp"
 #include "io/model_file.hpp"
@@ -48,12 +49,14 @@ TrianglesOfPictures triangles_of_pictures(Data const& data, std::size_t picture_
 Pictures read_pictures(std::span<std::string const> files, TrianglesOfPictures const& triangles,
                        std::optional<std::filesystem::path> const& folder, ModelOptions const& options,
                        Diagnostics& diagnostics) {
-  std::vector<ImageJob> jobs(files.size());
+  std::vector<ImageJob> jobs;
+  std::map<std::string_view, std::size_t> job_of;  // a file may be named more than once
   for (std::size_t i = 0; i < files.size(); ++i) {
-    ImageJob& job = jobs[i];
+    bool const is_wanted = triangles.contains(std::uint32_t(i));
+    if (!is_wanted || !job_of.try_emplace(files[i], jobs.size()).second) continue;
+    ImageJob& job = jobs.emplace_back();
     job.name = files[i];
-    job.is_wanted = triangles.contains(std::uint32_t(i));
-    if (!job.is_wanted) continue;
+    job.is_wanted = true;
     auto bytes = read_model_file(folder, options.allowed_paths, options.on_read, job.name, job.reason);
     if (!bytes) continue;
     job.owned = std::make_shared<std::string const>(std::move(*bytes));
@@ -61,12 +64,14 @@ Pictures read_pictures(std::span<std::string const> files, TrianglesOfPictures c
   }
   std::string const halved = decode_images(jobs, options.max_texture);
   if (!halved.empty()) diagnostics.add(Severity::warning, DiagnosticCode::textures_halved, {}, halved);
-  Pictures pictures;
   for (ImageJob const& job : jobs) {
-    pictures.push_back(job.image);
-    if (!job.is_wanted || job.image) continue;
+    if (job.image) continue;
     diagnostics.add(Severity::warning, DiagnosticCode::texture_left_out, {},
                     fmt::format("the picture is left out: {}", job.reason));
+  }
+  Pictures pictures(files.size());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (auto const job = job_of.find(files[i]); job != job_of.end()) pictures[i] = jobs[job->second].image;
   }
   return pictures;
 }

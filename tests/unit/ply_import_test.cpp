@@ -177,3 +177,17 @@ TEST_CASE("PLY: a header may promise anything", "[unit][ply]") {
     }
   }
 }
+
+TEST_CASE("PLY: lines of the header may end with CR alone, as old Macs write them", "[unit][ply]") {
+  std::string text = ascii + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  std::ranges::replace(text, '\n', '\r');
+  std::vector<Corners> const expected = {{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)}};
+  CHECK(world_triangles(import_bytes(text).scene) == expected);
+
+  std::string binary = "ply\nformat binary_little_endian 1.0\n" + vertex_header + face_header;
+  std::ranges::replace(binary, '\n', '\r');
+  for (float const x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) append(binary, x, false);
+  append(binary, std::uint8_t(3), false);
+  for (std::int32_t const i : {0, 1, 2}) append(binary, i, false);
+  CHECK(world_triangles(import_bytes(binary).scene) == expected);
+}

@@ -37,7 +37,11 @@ class HeaderReader {
   HeaderReader(Header& header, Diagnostics& diagnostics) : header_(header), diagnostics_(diagnostics) {}
 
   bool run(std::string_view bytes) {
-    LineReader lines(bytes);
+    // Old Macs end lines with CR alone. The bytes of numbers that follow may be anything, so the first line decides.
+    std::size_t const first_end = bytes.find_first_of("\r\n");
+    bool const has_lf =
+        first_end == std::string_view::npos || bytes.substr(first_end, 2) == "\r\n" || bytes[first_end] == '\n';
+    LineReader lines(bytes, has_lf ? '\n' : '\r');
     Line line;
     for (std::size_t i = 0; i < max_header_lines && lines.next(line); ++i) {
       diagnostics_.begin_line(line);

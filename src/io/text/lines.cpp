@@ -11,7 +11,7 @@ void normalise_line_breaks(std::string& text) {
 
 bool LineReader::next(Line& line) {
   if (rest_.empty()) return false;
-  std::size_t const end = rest_.find('\n');
+  std::size_t const end = rest_.find(line_break_);
   line.text = rest_.substr(0, end);
   rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
   if (!line.text.empty() && line.text.back() == '\r') line.text.remove_suffix(1);

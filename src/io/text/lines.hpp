@@ -17,16 +17,17 @@ struct Line {
 /// alone) become LF.
 void normalise_line_breaks(std::string& text);
 
-/// Walks over the lines of a text. Lines end with LF or CR LF; the last one may have no end.
+/// Walks over the lines of a text. Lines end with LF or CR LF, or as `line_break` says; the last one may have no end.
 class LineReader {
  public:
-  explicit LineReader(std::string_view text) : rest_(text) {}
+  explicit LineReader(std::string_view text, char line_break = '\n') : rest_(text), line_break_(line_break) {}
   bool next(Line& line);
   /// What follows the line that was read last.
   std::string_view rest() const { return rest_; }
 
  private:
   std::string_view rest_;
+  char line_break_;
   std::size_t number_ = 0;
 };
 

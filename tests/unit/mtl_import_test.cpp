@@ -358,3 +358,15 @@ TEST_CASE("OBJ: a missing MTL file is told once, not for each of its materials",
   CHECK(found[0].code == DiagnosticCode::unreadable_mtl);
   CHECK(found[1].message == "there is no material 'm0' nor 149 others: an MTL file is missing");
 }
+
+TEST_CASE("OBJ: a colour of 0 beside a picture that is lost says nothing", "[unit][obj]") {
+  TemporaryFolder const folder;
+  folder.write("m.obj", "mtllib m.mtl\nusemtl a\n" + triangle + "usemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n");
+  folder.write("m.mtl",
+               "newmtl a\nKd 0 0 0\nmap_Kd lost.png\nnewmtl b\nKd 0 0 0\nnewmtl c\nKd 0 0.5 0\nmap_Kd lost.png\n");
+  Model const model = import_obj(folder / "m.obj");
+  auto const kd = [&](char const* name) { return (*model.scene.materials.find(name))->kd(); };
+  CHECK(kd("a") == Rgb(0.8));
+  CHECK(kd("b") == Rgb(0));
+  CHECK(kd("c") == Rgb(0, 0.5, 0));
+}

@@ -20,9 +20,12 @@ TextureSlot slot(MtlTexture const& source, std::shared_ptr<TextureImage const> c
   return result;
 }
 
-/// What a picture is multiplied with: 1 without a number, or with the 0 that some exporters write beside it.
+/// What a picture is multiplied with: 1 without a number, or with the 0 that some exporters write beside it. Without
+/// the picture such a 0 says nothing.
 std::optional<Rgb> factor(std::optional<Rgb> const& color, MtlTexture const& picture) {
-  return picture.image && (!color || *color == Rgb(0)) ? Rgb(1) : color;
+  bool const is_filler = !picture.file.empty() && color == Rgb(0);
+  if (color && !is_filler) return color;
+  return picture.image ? std::optional(Rgb(1)) : std::nullopt;
 }
 
 /// 1: no light passes through.

@@ -99,8 +99,19 @@ std::unique_ptr<CLI::App> make_parser(std::string const& command, std::string co
   return parser;
 }
 
+/// CLI11 takes the next word for the value of an option whose own is empty, as in --output-dir="$UNSET".
+void refuse_empty_values(CLI::App const& parser, std::vector<std::string> const& arguments) {
+  for (std::string const& word : arguments) {
+    if (word == "--") return;
+    if (!word.starts_with("--") || word.find('=') != word.size() - 1) continue;
+    std::string const option = word.substr(0, word.size() - 1);
+    if (parser.get_option_no_throw(option)) fail(parser, fmt::format("{}: expected a value, not ''", option));
+  }
+}
+
 bool parse(CLI::App& parser, std::vector<std::string> arguments) {
   parser.set_help_flag("-h,--help", "Show this help")->group("General");
+  refuse_empty_values(parser, arguments);
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
   try {
     parser.parse(arguments);

@@ -55,6 +55,15 @@ bool parse_job_merge(Arguments const& arguments, JobMergeOptions& options, Conso
   return parse(*parser, arguments);
 }
 
+/// Another version may develop pictures in another way.
+void check_version(farm::Plan const& plan) {
+  if (plan.version == LICHTRAUM_VERSION) return;
+  throw Error(ErrorKind::scene,
+              fmt::format("the plan was made by lichtraum {}, and this is {}: that version puts its pictures together, "
+                          "or this one with --allow-mixed",
+                          plan.version, LICHTRAUM_VERSION));
+}
+
 /// Before scenes are read, which takes time.
 void check_all_there(farm::PlanFolder const& folder) {
   farm::Progress const progress = farm::progress_of(folder);
@@ -75,8 +84,9 @@ int job_merge_command(Arguments const& arguments, Console& console) {
   JobMergeOptions options;
   if (!parse_job_merge(arguments, options, console)) return 0;
   farm::PlanFolder const folder(options.folder);
+  if (!options.allow_mixed) check_version(folder.plan());
   check_all_there(folder);
-  farm::check_files(folder.plan());
+  farm::PlannedFiles(folder.plan()).check();
 
   std::vector<std::string> inputs;
   RenderOptions render = options_of(folder.plan(), inputs);

@@ -28,15 +28,15 @@ std::string status_text(farm::PlanFolder const& folder, farm::Progress const& pr
   std::string text = fmt::format("{}: {} of {} done, {:.1f} MB\n", folder.path().string(), progress.done,
                                  unit_text(count), double(progress.bytes) / 1e6);
   std::vector<std::string> ranges;
-  for (auto const& [first, last] : progress.missing(most_shown_ranges)) {
+  for (auto const& [first, last] : progress.missing(most_shown_ranges + 1)) {
     ranges.push_back(first == last ? fmt::format("{}", first) : fmt::format("{}..{}", first, last));
   }
-  if (!ranges.empty()) {
-    text += fmt::format("missing: {}{}\n", fmt::join(ranges, ", "), ranges.size() == most_shown_ranges ? ", ..." : "");
-  }
+  if (ranges.size() > most_shown_ranges) ranges.back() = "...";
+  if (!ranges.empty()) text += fmt::format("missing: {}\n", fmt::join(ranges, ", "));
   if (progress.cut_short > 0) text += fmt::format("cut short: {}\n", progress.cut_short);
   if (progress.set_aside > 0) text += fmt::format("set aside: {}\n", progress.set_aside);
-  if (progress.unfinished > 0) text += fmt::format("begun, or left over by who was killed: {}\n", progress.unfinished);
+  if (progress.unfinished > 0)
+    text += fmt::format("unfinished (being written, or left by a worker that was killed): {}\n", progress.unfinished);
   return text;
 }
 

@@ -46,9 +46,10 @@ struct UnitRange {
 
 class UnitWorker {
  public:
-  UnitWorker(farm::PlanFolder const& folder, Renderer& renderer, farm::DeviceClass device, bool allow_mixed,
-             std::int64_t wanted, Console const& console)
+  UnitWorker(farm::PlanFolder const& folder, farm::PlannedFiles& files, Renderer& renderer, farm::DeviceClass device,
+             bool allow_mixed, std::int64_t wanted, Console const& console)
       : folder_(folder),
+        files_(files),
         plan_(folder.plan()),
         renderer_(renderer),
         device_(std::move(device)),
@@ -98,6 +99,7 @@ class UnitWorker {
                   UnitRange const& range) {
     SceneSource const source(scene.file);
     LoadedScene script = source.load(options.job.reading, options.load);
+    files_.check();  // as it was read now
     auto const pictures = plan_pictures(script, source, options, names);
     if (int(pictures.size()) != scene.picture_count) {
       throw Error(ErrorKind::scene, fmt::format("{}: it has {} pictures, and {} in the plan: make another plan",
@@ -124,6 +126,7 @@ class UnitWorker {
   }
 
   void draw_picture(RenderRequest request, UnitRange const& range) {
+    files_.check();  // a later picture may need files that were not read before
     for (std::int64_t number = range.first; number < range.end; ++number) {
       if (is_whole(number)) continue;
       draw_unit(request, number);
@@ -154,6 +157,7 @@ class UnitWorker {
   }
 
   farm::PlanFolder const& folder_;
+  farm::PlannedFiles& files_;
   farm::Plan const& plan_;
   Renderer& renderer_;
   farm::DeviceClass device_;
@@ -213,7 +217,8 @@ int job_work_command(Arguments const& arguments, Console& console) {
   farm::PlanFolder const folder(options.folder);
   farm::Plan const& plan = folder.plan();
   UnitRange const wanted = wanted_units(plan, options.units);
-  farm::check_files(plan);
+  farm::PlannedFiles files(plan);
+  files.check();
   std::optional<Traversal> const traversal = plan.traversal.empty() ? std::nullopt : parse_traversal(plan.traversal);
   auto const renderer = choose_renderer(options.device, traversal, console);
   auto const device = device_class_of(*renderer, plan.traversal);
@@ -225,7 +230,7 @@ int job_work_command(Arguments const& arguments, Console& console) {
     std::random_device chance;
     start = std::uniform_int_distribution<std::int64_t>(0, wanted.end - 1)(chance);
   }
-  UnitWorker worker(folder, *renderer, device, options.allow_mixed, wanted.end - wanted.first, console);
+  UnitWorker worker(folder, files, *renderer, device, options.allow_mixed, wanted.end - wanted.first, console);
   worker.draw({start, wanted.end});
   worker.draw({wanted.first, start});
   std::int64_t const others = wanted.end - wanted.first - worker.drawn();

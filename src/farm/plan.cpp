@@ -127,14 +127,20 @@ std::string hash_of_file(fs::path const& path) {
   return found == fs::file_type::regular ? hash_of(read_file(path)) : "";
 }
 
-void check_files(Plan const& plan) {
-  for (ReadFile const& file : plan.files) {
+void PlannedFiles::check() {
+  bool const is_first = checked_.empty();
+  checked_.resize(plan_.files.size());
+  for (std::size_t i = 0; i < plan_.files.size(); ++i) {
+    ReadFile const& file = plan_.files[i];
+    auto const stamp = stamp_of(file.path);
+    if (!is_first && stamp == checked_[i]) continue;
     std::string now;
     try {
       now = hash_of_file(file.path);
     } catch (Error const& error) {  // as when a folder of another machine is not there for now
       throw Error(ErrorKind::try_again, error.what());
     }
+    checked_[i] = stamp;
     if (now == file.hash) continue;
     std::string const what = now.empty() ? "is missing" : file.hash.empty() ? "is new" : "has changed";
     throw Error(ErrorKind::scene,

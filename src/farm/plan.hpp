@@ -114,8 +114,18 @@ class PlanFolder {
 /// Of a file's bytes; empty when there is none. Throws Error when it cannot be read.
 std::string hash_of_file(std::filesystem::path const& path);
 
-/// Throws Error{scene} that names the first file of the plan that is not as it was, Error{try_again} for one that
-/// cannot be read.
-void check_files(Plan const& plan);
+/// The files that were read for a plan, which must outlive it.
+class PlannedFiles {
+ public:
+  explicit PlannedFiles(Plan const& plan) : plan_(plan) {}
+  /// Throws Error{scene} that names the first that is not as it was, Error{try_again} for one that cannot be read.
+  /// Reads those that were written since the last call: asked again after they have been used, it says whether what was
+  /// used was right.
+  void check();
+
+ private:
+  Plan const& plan_;
+  std::vector<std::optional<FileStamp>> checked_;
+};
 
 }  // namespace lichtraum::farm

@@ -43,6 +43,8 @@ TEST_CASE("64: what makes no sense is refused in one line that says what to do",
   refused("render a.sdf --sample 4", "did you mean --samples?");
   refused("render a.sdf --xyzzy", "no option '--xyzzy'");
   refused("render a.sdf --size", "--size needs a value");
+  refused("render a.sdf --output-dir= --size=32x18", "--output-dir: expected a value, not ''");
+  refused("render --allow-path= a.sdf", "--allow-path: expected a value, not ''");
   for (char const* const size : {"0x0", "640", "640x", "x480", "640x480x2", "-1x5", "1e3x5", "99999999999x1", "4,3"}) {
     refused(std::string("render a.sdf --size ") + size, "--size: ");
   }
@@ -324,7 +326,7 @@ TEST_CASE("130: an interrupted picture is kept beside its target", "[app][exit]"
   Lichtraum const lichtraum;
   lichtraum.folder.write("a.sdf", ball_scene);
   lichtraum.folder.write("out.png", "old");
-  for (int const number : {SIGINT, SIGTERM}) {
+  for (int const number : {SIGINT, SIGTERM, SIGHUP}) {
     Process process = lichtraum.process("render a.sdf -o out.png --device reference --size 800x600 --samples 1000");
     process.signals = {{.number = number, .after_cpu_seconds = 0.7}};
     auto const result = run_process(process);

@@ -535,3 +535,46 @@ TEST_CASE("a large picture that is interrupted leaves nothing", "[app][job]") {
   CHECK(end.err.find("nothing was written") != std::string::npos);
   CHECK(farm.folder.names() == before);
 }
+
+TEST_CASE("a scene that is changed while units are drawn is noticed", "[app][job]") {
+  Farm const farm;
+  REQUIRE(farm.plan("lamp.sdf ball.sdf --size 50x37 --integrator path --samples 64 --tile 10x10").exit_code == 0);
+  std::atomic<bool> is_over = false;
+  std::jthread const editor([&] {  // once the first scene is being drawn, and the second has not been read
+    while (!is_over && farm.files(".unit").empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    put(farm.folder / "ball.sdf", std::string(ball_scene) + "define background 0 1 0\n");
+  });
+  auto const worked = farm.work("--units 0.." + std::to_string(farm.status()["units"].get<int>() - 1));
+  is_over = true;
+  CHECK(worked.exit_code == 65);
+  CHECK_THAT(worked.err, contains_text("ball.sdf' has changed since the plan was made"));
+  Json const status = farm.status();
+  CHECK(status["done"] == 20);  // those of lamp.sdf, 50x37
+}
+
+TEST_CASE("units that are missing are told as ranges, the first five", "[app][job]") {
+  Farm const farm;
+  REQUIRE(farm.plan("ball.sdf --tile 8x8").exit_code == 0);  // 12
+  auto const missing = [&] { return farm("job status shared").out; };
+  for (char const* const unit : {"1..1", "3..3", "5..5", "7..7"}) {
+    REQUIRE(farm.work(std::string("-q --units ") + unit).exit_code == 0);
+  }
+  CHECK_THAT(missing(), contains_text("missing: 0, 2, 4, 6, 8..11\n"));
+  REQUIRE(farm.work("-q --units 9..9").exit_code == 0);
+  CHECK_THAT(missing(), contains_text("missing: 0, 2, 4, 6, 8, ...\n"));
+}
+
+TEST_CASE("a plan is put together by the version that made it", "[app][job]") {
+  Farm const farm;
+  REQUIRE(farm.plan("ball.sdf").exit_code == 0);
+  std::string const name = "shared/plan.json";
+  std::string plan = farm.folder.read(name);
+  std::string const version = Json::parse(plan)["lichtraum"];
+  plan.replace(plan.find(version), version.size(), "0.0.1");
+  put(farm.folder / name, plan);
+  REQUIRE(farm.work("-q").exit_code == 0);
+  auto const refused = farm.merge("-o a.png");
+  CHECK(refused.exit_code == 65);
+  CHECK_THAT(refused.err, contains_text("made by lichtraum 0.0.1, and this is " + version));
+  CHECK(farm.merge("-q -o a.png --allow-mixed").exit_code == 0);
+}

@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,6 +17,7 @@
 #include <sstream>
 
 #include "core/ascii.hpp"
+#include "core/follow_links.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/image_io.hpp"
 
@@ -179,10 +181,13 @@ Video::Video(fs::path path, Resolution size, double frames_per_second) : path_(s
                                               format.extension, size.width, size.height));
   }
   check_writable(path_);
-  unfinished_.emplace(path_.parent_path(), format.extension);
+  fs::path const place = follow_links(path_).value_or(path_);  // renaming is atomic within one file system only
+  unfinished_.emplace(place.parent_path(), format.extension);
   if (!unfinished_->descriptor().is_open()) {
     throw Error(ErrorKind::cannot_create, fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)));
   }
+  struct stat old {};
+  if (::stat(place.c_str(), &old) == 0) ::fchmod(unfinished_->descriptor().number(), old.st_mode & 07777);
   unfinished_->descriptor().close();  // ffmpeg opens it by its name
   messages_ = Descriptor(::memfd_create("ffmpeg-messages", MFD_CLOEXEC));
   int ends[2];
@@ -231,7 +236,13 @@ void Video::finish_as(fs::path const& path) {
   pixels_ = Descriptor();
   int const status = wait_for_ffmpeg();
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();
-  if (int const code = unfinished_->rename_to(path); code != 0) {
+  int code = unfinished_->rename_to(follow_links(path).value_or(path));
+  if (code == EXDEV) {  // a part of a film, beside a link to another file system
+    std::error_code failure;
+    fs::copy_file(unfinished_->path(), path, fs::copy_options::overwrite_existing, failure);
+    code = failure.value();
+  }
+  if (code != 0) {
     throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}", path.string(), std::strerror(code)));
   }
 }

@@ -241,3 +241,22 @@ TEST_CASE("an interrupted film is what was done, under another name", "[app][fil
   CHECK(!frames.empty());
   CHECK(frames.size() < 3000);
 }
+
+TEST_CASE("a film goes where a link leads, and keeps the permissions that the old one had", "[app][film]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("balls.sdf", moving_balls());
+  namespace fs = std::filesystem;
+  fs::create_directory(lichtraum.folder / "disk");
+  lichtraum.folder.write("disk/film.mp4", "old");
+  fs::permissions(lichtraum.folder / "disk/film.mp4", fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("disk/film.mp4", lichtraum.folder / "film.mp4");
+  auto const result = lichtraum.render("-q --device reference balls.sdf --turntable 2 -o film.mp4");
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(fs::is_symlink(lichtraum.folder / "film.mp4"));
+  CHECK(fs::file_size(lichtraum.folder / "disk/film.mp4") > 100);
+  CHECK(fs::status(lichtraum.folder / "disk/film.mp4").permissions() ==
+        (fs::perms::owner_read | fs::perms::owner_write));
+  std::size_t const files = std::size_t(std::distance(fs::directory_iterator(lichtraum.folder / "disk"), {}));
+  CHECK(files == 1);
+}

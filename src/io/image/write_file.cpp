@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/descriptor.hpp"
+#include "core/follow_links.hpp"
 #include "core/temporary_file.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/image_io.hpp"
@@ -27,18 +28,6 @@ std::string reason(int code) {
   if (code == EDQUOT) return "your disk quota is used up";
   if (code == EFBIG) return "the file would be larger than the limit set for this process (ulimit -f)";
   return std::strerror(code);
-}
-
-/// Where a write through symbolic links ends up, the last of them dangling or not.
-fs::path follow_links(fs::path const& path) {
-  fs::path place = path;
-  for (int links = 0; links < 40; ++links) {
-    std::error_code no_link;
-    fs::path const next = fs::read_symlink(place, no_link);
-    if (no_link) return place;
-    place = next.is_absolute() ? next : place.parent_path() / next;
-  }
-  fail(ErrorKind::cannot_create, path, "too many symbolic links");
 }
 
 /// The standard streams by their device names: opened anew they would start at the file's beginning.
@@ -71,7 +60,10 @@ Target examine(fs::path const& path) {
   }
   if (!path.has_filename()) fail(ErrorKind::cannot_create, path, "there is no file name");
   // A device keeps its own name: /dev/fd/1 looks like a link to a path that does not exist ("pipe:[123]").
-  if (!target.is_stream()) target.path = follow_links(path);
+  if (target.is_stream()) return target;
+  auto place = follow_links(path);
+  if (!place) fail(ErrorKind::cannot_create, path, "too many symbolic links");
+  target.path = std::move(*place);
   return target;
 }
 

@@ -131,7 +131,7 @@ std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource co
     }
     for (int turn = 0; turn < turns; ++turn) {
       if (options.turntable > 0) job.turn_degrees = 360.0 * turn / turns;
-      bool const is_one_of_many = turns > 1 || times.size() > 1;
+      bool const is_one_of_many = options.turntable > 0 || options.frames || times.size() > 1;
       plans.push_back(plan_picture(script, command, job, options.load.device, names, is_one_of_many, options.tile));
       plans.back().scene_number = scene_number;
       plans.back().location = command.location;

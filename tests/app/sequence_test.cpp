@@ -368,3 +368,14 @@ TEST_CASE("the two programs that write an animation write the same good scene", 
   CHECK(values(lichtraum, "1.png") != values(lichtraum, "2.png"));
   CHECK(values(lichtraum, "4.png") != values(lichtraum, "5.png"));
 }
+
+TEST_CASE("frames that are drawn one by one are numbered as those drawn together", "[app][sequence][gltf]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("m.gltf", moving_square().text());
+  std::string const options = "m.gltf -q --device reference --integrator whitted --size 16x16 --samples 1 ";
+  REQUIRE(lichtraum.render(options + "--fps 1 --frames 1..1").exit_code == 0);
+  std::filesystem::create_directory(lichtraum.folder / "turned");
+  REQUIRE(lichtraum.render(options + "--turntable 1 --output-dir turned").exit_code == 0);
+  CHECK(lichtraum.folder.names() == std::vector<std::string>{"m.gltf", "m_0001.png", "turned"});
+  CHECK(std::filesystem::exists(lichtraum.folder / "turned/m_0001.png"));
+}

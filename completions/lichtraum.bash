@@ -21,6 +21,7 @@ _lichtraum() {
     --planes) values='radiance alpha depth normal albedo position object instance material radiance,alpha,depth,normal' ;;
     --background) values='none environment 0,0,0 1,1,1 0.4,0.4,0.4,0.1,0.1,0.1' ;;
     --environment)
+      compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(compgen -W 'studio none' -- "$current"; compgen -f -- "$current")
       return
       ;;
@@ -47,10 +48,12 @@ _lichtraum() {
       [[ ${COMP_WORDS[1]} != thumbnail ]] || values='128 256 512 1024'
       ;;
     --output-dir | --allow-path)
+      compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$current")
       return
       ;;
     -o | --output)
+      compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(compgen -f -- "$current")
       return
       ;;

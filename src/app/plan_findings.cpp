@@ -56,7 +56,7 @@ std::optional<Diagnostic> PlanFindings::background_of_bytes() {
   if (largest_channel(largest) <= brightest) return std::nullopt;
   has_told_of_background_ = true;
   return warning(DiagnosticCode::color_out_of_range, {}, "--background: its colours are linear, and 1 is white",
-                 "divide numbers from 0 to 255 by 255");
+                 "write colours from 0 to 255 as '#rrggbb', which is sRGB");
 }
 
 std::vector<Diagnostic> PlanFindings::next(SceneOpened const& scene) {

@@ -89,7 +89,8 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
   add_value(parser, "--depth", options.job.max_depth, parse_depth, "N",
             "Maximum depth of reflection and refraction\n(default: 5; path: 16)", group);
   add_value(parser, "--clamp", options.job.max_indirect, parse_clamp, "X",
-            "Most radiance that scattered light adds at a time,\nsuch as 10: less noise, but darker than it should\nbe "
+            "The most radiance that scattered light may add at\neach bounce, such as 10: less noise, but darker\nthan "
+            "it should be "
             "(default: no limit)",
             group);
   add_value(parser, "--seed", options.job.seed, parse_seed, "N", "Seed of the random samples (default: 0)", group);
@@ -120,7 +121,7 @@ void add_picture_options(CLI::App& parser, RenderOptions& options) {
   add_value(parser, "--region", options.job.region, parse_region, "X,Y,W,H", "Draw and write only this part", group);
   add_viewpoint_options(parser, options, group);
   add_value(parser, "--planes", options.job.planes, parse_planes, "LIST",
-            "What is stored of each pixel, commas between:\nradiance (default), alpha, depth, normal, albedo,\n"
+            "What to store for each pixel, separated by commas:\nradiance (default), alpha, depth, normal, albedo,\n"
             "position, object, instance, material; .exr takes\nseveral, others show one",
             group);
 }
@@ -129,7 +130,7 @@ void add_drawing_options(CLI::App& parser, RenderOptions& options) {
   add_environment_options(parser, options.job.reading.environment);
   add_quality_options(parser, options, "1; 64 with a lens or by path;\n16 for models");
   add_value(parser, "--noise", options.job.noise, parse_noise, "X",
-            "Stop once the noise is below this share of the\nbrightness, such as 0.05; then --samples is the\nmost "
+            "Stop once the noise is below this share of the\nbrightness, such as 0.05; --samples is then the\nmaximum "
             "(default: 4096)",
             "Quality");
   add_denoise_option(parser, options.job.denoising);

@@ -77,7 +77,7 @@ void combine(RenderOptions& options, std::vector<std::string> const& inputs, Out
     }
     names.start_at(options.frames->first);
   } else if (options.frames_per_second && !names.is_film()) {
-    throw Error(ErrorKind::usage, "--fps is for films (-o film.mp4) and for --frames");
+    throw Error(ErrorKind::usage, "--fps is for films (-o film.mp4; of a plan, give it to job merge) and for --frames");
   } else if (names.is_film() && options.turntable == 0 && !options.job.reading.model.time_seconds) {
     options.load.whole_animation_rate = options.frame_rate();
   }

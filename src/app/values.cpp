@@ -189,7 +189,7 @@ PlaneSet parse_planes(std::string_view text) {
   PlaneSet planes;
   for (std::string_view const part : split(text, ',')) {
     FilmPlane const* const plane = find_value(known, part);
-    if (!plane) throw std::invalid_argument("expected names with commas between, of: " + list_of(known));
+    if (!plane) throw std::invalid_argument("expected names separated by commas, of: " + list_of(known));
     planes.add(*plane);
   }
   return planes;
@@ -248,8 +248,9 @@ JobView::Orbit parse_orbit(std::string_view text) {
                        std::abs(numbers[1]) <= 90 && numbers[2] > 0;
   if (!is_good) {
     throw std::invalid_argument(
-        "expected azimuth and elevation (-90 to 90) in degrees, and a distance above 0 where the camera is not to see "
-        "everything, such as 35,20 or 35,20,5");
+        "expected azimuth and elevation (-90 to 90) in degrees, and perhaps a distance above 0 (without one, the "
+        "camera "
+        "sees everything), such as 35,20 or 35,20,5");
   }
   return {numbers[0], numbers[1], count == 3 ? std::optional(numbers[2]) : std::nullopt};
 }

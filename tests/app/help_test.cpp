@@ -142,3 +142,17 @@ TEST_CASE("bash completes each command with its options, and with no others", "[
     CHECK(options_of(run_process(shell).out) == options_of(lichtraum("job " + command + " --help").out));
   }
 }
+
+TEST_CASE("bash completes names of files as such, with their blanks", "[app][help]") {
+  if (!is_installed("bash")) SKIP_TEST("bash is not installed");
+  Lichtraum const lichtraum;
+  std::string const completion = project_path("completions/lichtraum.bash");
+  for (std::string const option : {"-o", "--output-dir", "--allow-path", "--environment"}) {
+    INFO(option);
+    Process shell = lichtraum.process("");
+    shell.arguments = {"bash", "-c",
+                       "source " + completion + "; compopt() { echo \"$@\"; }; COMP_WORDS=(lichtraum render " + option +
+                           " x); COMP_CWORD=3; _lichtraum"};
+    CHECK_THAT(run_process(shell).out, contains_text("-o filenames"));
+  }
+}

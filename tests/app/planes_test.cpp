@@ -119,7 +119,7 @@ TEST_CASE("a picture without background is transparent", "[app][planes]") {
   auto const bytes = lichtraum.render("- --background 255,255,255 -o x.png", scene);
   CHECK(bytes.exit_code == 0);
   CHECK_THAT(bytes.err, contains_text("--background: its colours are linear, and 1 is white [W0506]") &&
-                            contains_text("divide numbers from 0 to 255 by 255"));
+                            contains_text("write colours from 0 to 255 as '#rrggbb'"));
   CHECK(lichtraum.render("- --background 5,5,5 -o x.png", scene).err.find("W0506") == std::string::npos);
   auto const nowhere = lichtraum.render("- --background environment -o x.png", scene);
   CHECK(nowhere.exit_code == 64);

@@ -28,6 +28,9 @@ Rgb bounce_gain(Rgb const& f0, Rgb const& f90, double kept) {
   return Rgb(1) / (1.0 - mean * (1 - kept));
 }
 
+/// Up to this roughness microfacets reflect nearly alike.
+constexpr double nearly_smooth_alpha = 0.02;
+
 /// The square of the cosine beyond the surface, by Snell's law; negative where all is reflected.
 double cosine_beyond_squared(double eta, double cosine) { return 1 - eta * eta * (1 - cosine * cosine); }
 
@@ -65,6 +68,10 @@ ReferenceScattering::ReferenceScattering(ReferenceBsdf const& bsdf, Vec3 const& 
     refraction_gain_ = 1 / total;
     dielectric_gain_ = Rgb(refraction_gain_);
     reflected = refraction_gain_ * (eta_ > 1 ? Rgb(solid.reflected) : gloss.a * bsdf.f0 + gloss.b * bsdf.f90);
+    double const beyond = cosine_beyond_squared(eta_, cosine);
+    if (eta_ > 1 && bsdf.alpha < nearly_smooth_alpha) {  // near the critical angle the table is too coarse
+      reflected = beyond > 0 ? schlick(bsdf.f0, bsdf.f90, std::sqrt(beyond)) : Rgb(1);
+    }
   }
   base_ *= std::max(1 - largest_channel(reflected), 0.0);  // alike in all channels (KHR_materials_specular)
 }

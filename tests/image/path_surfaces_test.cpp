@@ -244,6 +244,30 @@ TEST_CASE("paths: bodies that overlap, or lie within another, each keep their ow
   }
 }
 
+TEST_CASE("paths: a body that lets light through to all sides absorbs it on its way", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene scene = scene_of(
+      "define material wax 0 0 0  0 0 0  0 0 0 1\ndefine shape sphere ball 0 0 0 1 wax\n"
+      "define camera eye 6\ntransform eye translate 0 0 10\n");
+  PbrModel wax = pbr(Rgb(1), 0, 1);
+  wax.diffuse_transmission = wax.thickness = 1;
+  wax.specular = 0;
+  wax.attenuation_distance = 0.5;
+  wax.attenuation_color = {0.1, 0.5, 0.9};
+  **scene.materials.find("wax") = Material("wax", wax);
+  scene.environment = EnvironmentLight{"made here", uniform_environment(1, 1, 1), 0, 1};
+  Image const image = trace(scene, path_request(scene, {16, 16}, 256, 8));
+  for (int c = 0; c < 3; ++c) {
+    double sum = 0;
+    for (int y = 0; y < 16; ++y) {
+      for (int x = 0; x < 16; ++x) sum += double(image.pixel(x, y)[c]) / 256;
+    }
+    // Of the ways through a ball, 2 cos long, with the density 2 cos of Lambert's law.
+    double const k = -2 * std::log(wax.attenuation_color[c]) / wax.attenuation_distance;
+    CHECK(sum == Approx(2 * (1 - std::exp(-k) * (1 + k)) / (k * k)).epsilon(0.01));
+  }
+}
+
 TEST_CASE("paths: what blends and is no triangle lets its share of light through each time", "[image][path]") {
   REQUIRE_OPENCL_DEVICE();
   // Below a ball, in whose shadow the floor lies.

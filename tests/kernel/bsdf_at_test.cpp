@@ -276,6 +276,16 @@ TEST_CASE("glTF's diffuse transmission takes its share of the matt lobe, in its 
     material.diffuse_transmission = none;
     check_color(of_pbr(material).translucent, Vec3(0));
   }
+  // What lets light through has a back, and a volume where it is a body.
+  material.transmission = 0;
+  material.thickness = 1;
+  material.attenuation_distance = 2;
+  for (float const share : {0.f, 0.5f}) {
+    material.diffuse_transmission = share;
+    BsdfParameters const body = of_pbr(material);
+    CHECK(body.shows_back == (share > 0 ? 1.f : 0.f));
+    CHECK(body.inverse_attenuation_distance == share);
+  }
 }
 
 TEST_CASE("glTF's iridescence is a film where it has a thickness", "[kernel][bsdf]") {

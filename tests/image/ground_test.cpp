@@ -170,6 +170,35 @@ TEST_CASE("ground: nobody but the camera sees it", "[image][path][ground]") {
   }
 }
 
+TEST_CASE("ground: what white panes and prisms throw on it is missing nowhere", "[image][path][ground]") {
+  REQUIRE_OPENCL_DEVICE();
+  PbrModel glass;
+  glass.base_color = Rgb(1);
+  glass.metallic = glass.roughness = 0;
+  glass.transmission = 1;
+  std::string shape;
+  SECTION("a pane") {
+    glass.ior = 2.4;
+    shape =
+        "define shape triangle a -1 -1 0  1 -1 0  1 1 0 glass\ndefine shape triangle b -1 -1 0  1 1 0  -1 1 0 glass\n";
+  }
+  SECTION("a prism") {
+    glass.thickness = 1;
+    glass.dispersion = 5;
+    shape = "define shape sphere ball 0 0 0 1 glass\n";
+  }
+  Scene scene = scene_of(camera + "define material glass 0 0 0  0 0 0  0 0 0 1\n" + shape);
+  **scene.materials.find("glass") = Material("glass", glass);
+  scene.environment = EnvironmentLight{"made here", uniform_environment(1, 1, 1), 0, 1};
+  RenderRequest request = ground_request(scene, GENERATE(Ground::matt, Ground::glossy), 256);
+  request.background = Background::environment();
+  request.max_depth = 16;
+  auto const radiance = film_on(opencl_devices().front(), scene, request).values(FilmPlane::radiance);
+  double sum = 0;
+  for (float const value : radiance) sum += double(value) / double(radiance.size());
+  CHECK(sum == Approx(1).margin(0.003));
+}
+
 TEST_CASE("ground: with the environment it is where the scene has its up", "[image][path][ground]") {
   REQUIRE_OPENCL_DEVICE();
   EnvironmentMap map{8, 4, {}};

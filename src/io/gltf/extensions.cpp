@@ -14,7 +14,7 @@ constexpr Extension table[] = {
     {"KHR_materials_anisotropy", "path: stretched highlights"},
     {"KHR_materials_clearcoat", "path: a coat above all else"},
     {"KHR_materials_diffuse_transmission",
-     "path: what leaves and paper let through; what KHR_materials_volume absorbs is missing"},
+     "path: what leaves and paper let through, less what KHR_materials_volume absorbs"},
     {"KHR_materials_dispersion", "path: solids refract red, green and blue by three indices"},
     {"KHR_materials_emissive_strength", "read"},
     {"KHR_materials_ior", "bends refracted rays; path: reflections, too"},

@@ -44,7 +44,7 @@ MadeTexture make_texture(std::uint8_t const* rgba, int width, int height, std::s
 
 MadeTexture read_texture(std::string const& path, std::string const& wrap, std::string const& filter) {
   std::string reason;
-  auto image = decode_image(read_file(path), ModelOptions().max_texture, reason);
+  auto image = decode_image(read_file(path), ModelOptions().max_texture, TexelContent::color, reason);
   if (!image) throw Error(ErrorKind::no_input, fmt::format("cannot read '{}' as a picture: {}", path, reason));
   image->name = path;
   return texture_of(std::move(*image), wrap, filter);

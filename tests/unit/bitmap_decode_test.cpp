@@ -38,7 +38,7 @@ std::string bmp(int width, int height, int bits, int before = 0, int compression
 
 Colors pixels_of(std::string const& file) {
   std::string reason;
-  auto const image = decode_image(file, 64, reason);
+  auto const image = decode_image(file, 64, TexelContent::data, reason);
   INFO(reason);
   REQUIRE(image);
   CHECK(decoded_size(file, 64) == ImageSize{image->width, image->height});
@@ -51,7 +51,7 @@ Colors pixels_of(std::string const& file) {
 
 std::string reason_of(std::string const& file) {
   std::string reason;
-  CHECK(!decode_image(file, 64, reason));
+  CHECK(!decode_image(file, 64, TexelContent::data, reason));
   return reason;
 }
 

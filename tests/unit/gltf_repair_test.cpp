@@ -1,4 +1,5 @@
 #include "support/catch.hpp"
+#include "support/encode_png.hpp"
 #include "support/gltf_import.hpp"
 #include "support/gltf_triangles.hpp"
 
@@ -104,4 +105,30 @@ TEST_CASE("a camera is left out for what is wrong with it, or with its node", "[
   CHECK(messages(import_model(writer)) ==
         "/nodes/1: its transform leaves no directions: its camera is left out\n"
         "/cameras/1: it shows no width and height: left out\n");
+}
+
+TEST_CASE("pictures are halved as what they are used for: colours, or data", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions)["material"] = 0;
+  std::vector<std::array<std::uint8_t, 4>> const pixels = {{0, 0, 0, 255}, {255, 255, 255, 255}};
+  int const view = writer.add_view(test::encode_png(2, 1, pixels));
+  for (int i = 0; i < 4; ++i) {
+    writer.json["images"].push_back({{"bufferView", view}, {"mimeType", "image/png"}});
+    writer.json["textures"].push_back({{"source", i}});
+  }
+  writer.json["materials"] = {
+      {{"pbrMetallicRoughness", {{"metallicRoughnessTexture", {{"index", 0}}}}},
+       {"emissiveTexture", {{"index", 1}}},
+       {"extensions",
+        {{"KHR_materials_sheen",
+          {{"sheenColorTexture", {{"index", 2}}}, {"sheenRoughnessTexture", {{"index", 3}}}}}}}}};
+  ModelOptions options;
+  options.max_texture = 1;
+  Model const model = import_model(writer, options);
+  PbrModel const& pbr = *(*model.scene.materials.begin())->pbr();
+  auto const red = [](TextureSlot const& slot) { return int(slot.texture->image->rgba.at(0)); };
+  CHECK(red(pbr.metallic_roughness_texture) == 128);
+  CHECK(red(pbr.emissive_texture) == 188);
+  CHECK(red(pbr.sheen_color_texture) == 188);
+  CHECK(red(pbr.sheen_roughness_texture) == 128);
 }

@@ -53,7 +53,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 Bytes decoded(PngOf const& source) {
   std::string reason;
-  auto const image = decode_image(encoded(source), largest, reason);
+  auto const image = decode_image(encoded(source), largest, TexelContent::data, reason);
   INFO(reason);
   REQUIRE(image);
   CHECK(image->width == source.width);
@@ -136,7 +136,7 @@ TEST_CASE("a PNG that is cut off or damaged is refused with a reason", "[unit][i
   std::string const file = encoded(colorful(PNG_INTERLACE_NONE));
   auto const refusal = [](std::string const& bytes) {
     std::string reason;
-    CHECK_FALSE(decode_image(bytes, largest, reason));
+    CHECK_FALSE(decode_image(bytes, largest, TexelContent::data, reason));
     return reason;
   };
   std::size_t const data = file.find("IDAT") + 4, end = file.find("IEND") - 4;

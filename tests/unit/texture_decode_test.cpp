@@ -42,7 +42,7 @@ std::string with_scans(std::string const& jpeg, int more) {
 TEST_CASE("pictures are halved until they fit, to one pixel at the least", "[unit][image]") {
   std::string reason;
   for (auto const& [largest, width] : {std::pair(0, 1), std::pair(-5, 1), std::pair(1, 1), std::pair(8, 8)}) {
-    auto const image = decode_image(progressive_jpeg(), largest, reason);
+    auto const image = decode_image(progressive_jpeg(), largest, TexelContent::data, reason);
     REQUIRE(image);
     CHECK(image->width <= width);
   }
@@ -57,7 +57,7 @@ TEST_CASE("what is halved keeps its last row and column, and takes the memory th
   }
   std::string const png = test::encode_png(5, 5, pixels);
   std::string reason;
-  auto const image = decode_image(png, 4, reason);
+  auto const image = decode_image(png, 4, TexelContent::data, reason);
   REQUIRE(image);
   CHECK(image->width == 3);
   CHECK(image->height == 3);
@@ -65,9 +65,9 @@ TEST_CASE("what is halved keeps its last row and column, and takes the memory th
   CHECK(image->rgba[4 * 6] == 255);
   CHECK(image->rgba[0] == 0);
   for (int const largest : {8, 4, 2, 1}) {
-    CHECK(decoded_size(png, largest).bytes() == decode_image(png, largest, reason)->rgba.size());
+    CHECK(decoded_size(png, largest).bytes() == decode_image(png, largest, TexelContent::data, reason)->rgba.size());
     CHECK(decoded_size(progressive_jpeg(), largest).bytes() ==
-          decode_image(progressive_jpeg(), largest, reason)->rgba.size());
+          decode_image(progressive_jpeg(), largest, TexelContent::data, reason)->rgba.size());
   }
   CHECK(decoded_size("no picture", 8) == ImageSize{});
   CHECK(decoded_size(png.substr(0, 20), 8) == ImageSize{});
@@ -147,16 +147,16 @@ TEST_CASE("pictures beyond what can be decoded in good time are left out by thei
 
   claim.replace(16, 8, std::string("\0\0\x40\0\0\0\x20\0", 8));
   std::string reason;
-  CHECK_FALSE(decode_image(claim, 16, reason));
+  CHECK_FALSE(decode_image(claim, 16, TexelContent::data, reason));
   CHECK_THAT(reason, contains_text("it has 16384 x 8192 pixels"));
 }
 
 TEST_CASE("a JPEG texture that goes over its pixels again and again is refused", "[unit][image]") {
   std::string const jpeg = progressive_jpeg();
   std::string reason;
-  REQUIRE(decode_image(jpeg, 64, reason));
-  CHECK(decode_image(with_scans(jpeg, 300), 64, reason));
-  CHECK_FALSE(decode_image(with_scans(jpeg, 600), 64, reason));
+  REQUIRE(decode_image(jpeg, 64, TexelContent::data, reason));
+  CHECK(decode_image(with_scans(jpeg, 300), 64, TexelContent::data, reason));
+  CHECK_FALSE(decode_image(with_scans(jpeg, 600), 64, TexelContent::data, reason));
   CHECK_THAT(reason, contains_text("500 scans"));
 }
 
@@ -193,7 +193,7 @@ TEST_CASE("JPEG textures may share colours between any number of pixels", "[unit
     std::string const jpeg = grey_jpeg(across, down);
     std::string reason;
     CHECK(decoded_size(jpeg, 64).width == 8 * across);
-    auto const image = decode_image(jpeg, 64, reason);
+    auto const image = decode_image(jpeg, 64, TexelContent::data, reason);
     INFO(reason);
     REQUIRE(image);
     CHECK(image->width == 8 * across);
@@ -201,7 +201,7 @@ TEST_CASE("JPEG textures may share colours between any number of pixels", "[unit
     for (std::size_t i = 0; i < image->rgba.size(); ++i) REQUIRE(image->rgba[i] == (i % 4 == 3 ? 255 : 128));
   }
   std::string reason;
-  CHECK(!decode_image(grey_jpeg(1, 4).substr(0, 60), 64, reason));
+  CHECK(!decode_image(grey_jpeg(1, 4).substr(0, 60), 64, TexelContent::data, reason));
   CHECK(reason != "");
 }
 
@@ -219,7 +219,7 @@ TEST_CASE("JPEG textures in printers' inks are shown in the colours that these l
   std::string const jpeg(reinterpret_cast<char const*>(bytes), size);
   tjFree(bytes);
   std::string reason;
-  auto const image = decode_image(jpeg, 64, reason);
+  auto const image = decode_image(jpeg, 64, TexelContent::data, reason);
   INFO(reason);
   REQUIRE(image);
   std::array<int, 4> const expected[] = {{255, 0, 0, 255}, {0, 0, 0, 255}, {128, 128, 128, 255}};
@@ -229,4 +229,16 @@ TEST_CASE("JPEG textures in printers' inks are shown in the colours that these l
       CHECK(std::abs(found - expected[row][c]) <= 3);  // JPEG is not exact
     }
   }
+}
+
+TEST_CASE("colours that are halved keep their light, data their mean", "[unit][image]") {
+  std::vector<std::array<std::uint8_t, 4>> const pixels = {
+      {0, 10, 200, 0}, {255, 10, 200, 255}, {255, 10, 200, 0}, {0, 10, 200, 255}};
+  std::string const png = test::encode_png(2, 2, pixels);
+  std::string reason;
+  auto const color = decode_image(png, 1, TexelContent::color, reason),
+             data = decode_image(png, 1, TexelContent::data, reason);
+  REQUIRE((color && data));
+  CHECK(color->rgba == std::vector<std::uint8_t>{188, 10, 200, 128});  // sRGB's 0.5 is 187.5 of 255
+  CHECK(data->rgba == std::vector<std::uint8_t>{128, 10, 200, 128});
 }

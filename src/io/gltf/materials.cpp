@@ -21,7 +21,7 @@ using tinygltf::Value;
 /// Reads one material. Runs twice for each: first to learn which textures are wanted, then with the textures.
 class Reader {
  public:
-  using FindTexture = std::function<std::shared_ptr<Texture const>(int)>;
+  using FindTexture = std::function<std::shared_ptr<Texture const>(int, TexelContent)>;
 
   Reader(tinygltf::Material const& source, std::string pointer, std::size_t texture_count, FindTexture find_texture,
          RoughnessPictures& roughness_pictures, Findings* findings)
@@ -80,17 +80,17 @@ class Reader {
     m.alpha = in_range(pbr.baseColorFactor[3], "baseColorFactor");
     m.metallic = in_range(pbr.metallicFactor, "metallicFactor");
     m.roughness = in_range(pbr.roughnessFactor, "roughnessFactor");
-    m.base_color_texture = slot(pbr.baseColorTexture);
-    m.metallic_roughness_texture = slot(pbr.metallicRoughnessTexture);
-    m.normal_texture = slot(source_.normalTexture);
+    m.base_color_texture = slot(pbr.baseColorTexture, TexelContent::color);
+    m.metallic_roughness_texture = slot(pbr.metallicRoughnessTexture, TexelContent::data);
+    m.normal_texture = slot(source_.normalTexture, TexelContent::data);
     m.normal_scale = source_.normalTexture.scale;
-    m.occlusion_texture = slot(source_.occlusionTexture);
+    m.occlusion_texture = slot(source_.occlusionTexture, TexelContent::data);
     m.occlusion_strength = in_range(source_.occlusionTexture.strength, "occlusionTexture/strength");
     for (int c = 0; c < 3; ++c) {
       double const value = source_.emissiveFactor[std::size_t(c)];
       m.emissive[c] = std::isfinite(value) && value > 0 ? value : 0;
     }
-    m.emissive_texture = slot(source_.emissiveTexture);
+    m.emissive_texture = slot(source_.emissiveTexture, TexelContent::color);
     if (source_.alphaMode == "MASK") m.alpha_mode = AlphaMode::mask;
     if (source_.alphaMode == "BLEND") m.alpha_mode = AlphaMode::blend;
     m.alpha_cutoff = source_.alphaCutoff;
@@ -196,10 +196,10 @@ class Reader {
     return result;
   }
 
-  TextureSlot slot(int texture, int texcoord, Value const* transform) {
+  TextureSlot slot(int texture, int texcoord, TexelContent content, Value const* transform) {
     TextureSlot result;
     result.texcoord = texcoord;
-    result.texture = find_texture_(texture);
+    result.texture = find_texture_(texture, content);
     if (!transform) return result;
     auto const pair = [&](char const* name, glm::dvec2 absent) {
       if (!transform->Has(name) || transform->Get(name).ArrayLen() != 2) return absent;
@@ -216,9 +216,16 @@ class Reader {
   }
 
   template <class TextureInfo>
-  TextureSlot slot(TextureInfo const& info) {
+  TextureSlot slot(TextureInfo const& info, TexelContent content) {
     if (info.index < 0) return {};
-    return slot(info.index, info.texCoord, find_extension(info.extensions, "KHR_texture_transform"));
+    return slot(info.index, info.texCoord, content, find_extension(info.extensions, "KHR_texture_transform"));
+  }
+
+  /// Of an extension's texture, by its key.
+  static TexelContent content_of(std::string_view key) {
+    bool const is_color =
+        key.ends_with("ColorTexture") || key == "diffuseTexture" || key == "specularGlossinessTexture";
+    return is_color ? TexelContent::color : TexelContent::data;
   }
 
   TextureSlot slot(Value const& e, char const* name) {
@@ -235,7 +242,7 @@ class Reader {
     if (info.Has("extensions") && info.Get("extensions").Has("KHR_texture_transform")) {
       transform = &info.Get("extensions").Get("KHR_texture_transform");
     }
-    return slot(*texture, index_of(info, "texCoord", 1024).value_or(0), transform);
+    return slot(*texture, index_of(info, "texCoord", 1024).value_or(0), content_of(name), transform);
   }
 
   tinygltf::Material const& source_;
@@ -261,21 +268,21 @@ std::vector<std::shared_ptr<Material>> read_materials(Document const& document, 
                                                       Buffers& buffers, Budget& budget, Findings& findings) {
   auto const& model = document.model;
   RoughnessPictures roughness_pictures(budget);
-  std::vector<bool> wanted(model.textures.size(), false);
+  std::vector<std::optional<TexelContent>> used(model.textures.size());
   for (auto const& source : model.materials) {
-    auto const note = [&](int texture) -> std::shared_ptr<Texture const> {
-      wanted[std::size_t(texture)] = true;
+    auto const note = [&](int texture, TexelContent content) -> std::shared_ptr<Texture const> {
+      if (used[std::size_t(texture)] != TexelContent::color) used[std::size_t(texture)] = content;
       return nullptr;
     };
-    Reader(source, "", wanted.size(), note, roughness_pictures, nullptr).read();
+    Reader(source, "", used.size(), note, roughness_pictures, nullptr).read();
   }
-  auto const textures = read_textures(document, wanted, choice.max_texture, buffers, findings);
+  auto const textures = read_textures(document, used, choice.max_texture, buffers, findings);
 
   Names names;
   std::vector<std::shared_ptr<Material>> materials;
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     auto const& source = model.materials[i];
-    auto const find = [&](int texture) { return textures[std::size_t(texture)]; };
+    auto const find = [&](int texture, TexelContent) { return textures[std::size_t(texture)]; };
     Reader reader(source, fmt::format("/materials/{}", i), textures.size(), find, roughness_pictures, &findings);
     std::string name = names.unique(source.name.empty() ? fmt::format("material_{}", i) : source.name);
     PbrModel read = reader.read();

@@ -51,13 +51,16 @@ TextureWrap wrap(int mode) {
 
 }  // namespace
 
-std::vector<std::shared_ptr<Texture const>> read_textures(Document const& document, std::vector<bool> const& wanted,
+std::vector<std::shared_ptr<Texture const>> read_textures(Document const& document,
+                                                          std::vector<std::optional<TexelContent>> const& used,
                                                           int max_size, Buffers& buffers, Findings& findings) {
   auto const& model = document.model;
   std::vector<ImageJob> jobs(document.images.size());
   for (std::size_t i = 0; i < model.textures.size(); ++i) {
     int const image = image_of(model.textures[i], jobs.size());
-    if (wanted[i] && image >= 0) jobs[std::size_t(image)].is_wanted = true;
+    if (!used[i] || image < 0) continue;
+    jobs[std::size_t(image)].is_wanted = true;
+    if (used[i] == TexelContent::color) jobs[std::size_t(image)].content = TexelContent::color;
   }
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     jobs[i].name = document.images[i].name;
@@ -75,7 +78,7 @@ std::vector<std::shared_ptr<Texture const>> read_textures(Document const& docume
   std::vector<std::shared_ptr<Texture const>> textures(model.textures.size());
   for (std::size_t i = 0; i < textures.size(); ++i) {
     int const image = image_of(model.textures[i], jobs.size());
-    if (!wanted[i] || image < 0 || !jobs[std::size_t(image)].image) continue;
+    if (!used[i] || image < 0 || !jobs[std::size_t(image)].image) continue;
     Texture texture{jobs[std::size_t(image)].image};
     int const sampler = model.textures[i].sampler;
     if (sampler >= 0) {

@@ -5,11 +5,13 @@
 #include <webp/decode.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "core/srgb.hpp"
 #include "io/image/decode_bmp.hpp"
 #include "io/image/decode_png.hpp"
 #include "io/image/decode_tga.hpp"
@@ -134,8 +136,27 @@ bool decode_webp(std::string_view bytes, TextureImage& image, std::string& reaso
   return false;
 }
 
-/// Half as wide and high: the mean of four pixels. The last row or column of an odd size counts twice.
-TextureImage halved(TextureImage const& image) {
+/// What the bytes of colours stand for, and back: the nearest.
+class SrgbBytes {
+ public:
+  SrgbBytes() {
+    for (std::size_t i = 0; i < 256; ++i) linear_[i] = linear_from_srgb(double(i) / 255);
+    for (std::size_t i = 0; i < 255; ++i) limits_[i] = linear_from_srgb((double(i) + 0.5) / 255);
+  }
+  double linear(std::uint8_t byte) const { return linear_[byte]; }
+  std::uint8_t nearest(double linear) const {
+    return std::uint8_t(std::upper_bound(limits_.begin(), limits_.end(), linear) - limits_.begin());
+  }
+
+ private:
+  std::array<double, 256> linear_;
+  std::array<double, 255> limits_;
+};
+
+/// Half as wide and high: the mean of four pixels, of colours that of their light. The last row or column of an odd
+/// size counts twice.
+TextureImage halved(TextureImage const& image, TexelContent content) {
+  SrgbBytes const srgb;
   TextureImage half;
   half.name = image.name;
   ImageSize const size = ImageSize{image.width, image.height}.halved();
@@ -145,15 +166,21 @@ TextureImage halved(TextureImage const& image) {
   auto const at = [&](int x, int y, int channel) {
     auto const column = std::size_t(std::min(x, image.width - 1));
     auto const row = std::size_t(std::min(y, image.height - 1));
-    return unsigned(image.rgba[4 * (row * std::size_t(image.width) + column) + std::size_t(channel)]);
+    return image.rgba[4 * (row * std::size_t(image.width) + column) + std::size_t(channel)];
   };
   std::uint8_t* out = half.rgba.data();
   for (int y = 0; y < half.height; ++y) {
     for (int x = 0; x < half.width; ++x) {
       for (int c = 0; c < 4; ++c) {
-        unsigned const sum =
-            at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) + at(2 * x, 2 * y + 1, c) + at(2 * x + 1, 2 * y + 1, c);
-        *out++ = static_cast<std::uint8_t>((sum + 2) / 4);
+        std::uint8_t const four[] = {at(2 * x, 2 * y, c), at(2 * x + 1, 2 * y, c), at(2 * x, 2 * y + 1, c),
+                                     at(2 * x + 1, 2 * y + 1, c)};
+        if (content == TexelContent::color && c < 3) {
+          double light = 0;
+          for (std::uint8_t const byte : four) light += srgb.linear(byte) / 4;
+          *out++ = srgb.nearest(light);
+        } else {
+          *out++ = std::uint8_t((four[0] + four[1] + four[2] + four[3] + 2) / 4);
+        }
       }
     }
   }
@@ -162,7 +189,8 @@ TextureImage halved(TextureImage const& image) {
 
 }  // namespace
 
-std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, std::string& reason) {
+std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, TexelContent content,
+                                         std::string& reason) {
   TextureImage image;
   bool is_decoded = false;
   if (is_png(bytes)) {
@@ -183,7 +211,7 @@ std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, s
     reason = "it is not a PNG, JPEG, WebP, BMP or TGA file";
   }
   if (!is_decoded) return std::nullopt;
-  while (std::max(image.width, image.height) > std::max(max_size, 1)) image = halved(image);
+  while (std::max(image.width, image.height) > std::max(max_size, 1)) image = halved(image, content);
   return image;
 }
 

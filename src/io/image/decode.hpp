@@ -7,13 +7,15 @@
 #include <string_view>
 
 #include "lichtraum/pbr_model.hpp"
+#include "scene/texture_lookup.hpp"
 
 namespace lichtraum {
 
 /// Decodes a PNG, JPEG, WebP, BMP or TGA, whichever the bytes are, and halves it until no side is longer than
-/// `max_size`. What is larger than 2^26 pixels is refused before it is decoded. Says why in `reason` when there is no
-/// picture.
-std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, std::string& reason);
+/// `max_size`: colours by their light. What is larger than 2^26 pixels is refused before it is decoded. Says why in
+/// `reason` when there is no picture.
+std::optional<TextureImage> decode_image(std::string_view bytes, int max_size, TexelContent content,
+                                         std::string& reason);
 
 struct ImageSize {
   std::int64_t width = 0, height = 0;

@@ -100,7 +100,7 @@ std::string decode_images(std::span<ImageJob> jobs, int max_size, std::uint64_t 
       ImageJob& job = jobs[i];
       if (!job.is_wanted || !job.reason.empty()) continue;
       try {
-        if (auto image = decode_image(job.bytes, int(plan.sizes[i].longer_side()), job.reason)) {
+        if (auto image = decode_image(job.bytes, int(plan.sizes[i].longer_side()), job.content, job.reason)) {
           image->name = job.name;
           job.image = std::make_shared<TextureImage>(std::move(*image));
         }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "lichtraum/pbr_model.hpp"
+#include "scene/texture_lookup.hpp"
 
 namespace lichtraum {
 
@@ -14,6 +15,7 @@ namespace lichtraum {
 struct ImageJob {
   std::string name;  ///< for people
   bool is_wanted = false;
+  TexelContent content = TexelContent::data;  ///< colours if it is used for both
   std::shared_ptr<std::string const> owned;   ///< what keeps `bytes`, if nobody else does; let go after decoding
   std::string_view bytes;                     ///< of a PNG, JPEG, WebP, BMP or TGA
   std::shared_ptr<TextureImage const> image;  ///< the result

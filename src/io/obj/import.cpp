@@ -187,7 +187,11 @@ class Importer {
     }
     warn_of_missing(std::move(missing));
     for (Source const* source : used) {
-      for (auto const map : mtl_textures) pictures_.read(source->material.*map, libraries_[source->library].folder);
+      for (auto const map : mtl_textures) {
+        bool const is_color = map == &MtlMaterial::map_kd || map == &MtlMaterial::map_ke;
+        pictures_.read(source->material.*map, libraries_[source->library].folder,
+                       is_color ? TexelContent::color : TexelContent::data);
+      }
     }
     std::string const halved = pictures_.decode();
     MadePictures made;

@@ -16,11 +16,14 @@ std::optional<std::string> Pictures::bytes_of(std::string const& path, std::stri
   return read_model_file(folder_, options_.allowed_paths, options_.on_read, path, reason);
 }
 
-void Pictures::read(MtlTexture const& texture, Path const& mtl_folder) {
+void Pictures::read(MtlTexture const& texture, Path const& mtl_folder, TexelContent content) {
   if (texture.file.empty()) return;
   std::string path = path_of(texture, mtl_folder);
   auto const [at, is_new] = pictures_.try_emplace(path);
-  if (!is_new) return;
+  if (!is_new) {
+    if (content == TexelContent::color) jobs_[at->second.job].content = content;
+    return;
+  }
   Picture& picture = at->second;
   ImageJob job;
   auto bytes = bytes_of(path, job.reason);
@@ -31,7 +34,11 @@ void Pictures::read(MtlTexture const& texture, Path const& mtl_folder) {
   }
   auto const [number, is_new_file] = job_numbers_.emplace(path, jobs_.size());
   picture.job = number->second;
-  if (!is_new_file) return;
+  if (!is_new_file) {
+    if (content == TexelContent::color) jobs_[picture.job].content = content;
+    return;
+  }
+  job.content = content;
   if (picture.found) {
     job.reason.clear();
     bytes = bytes_of(path, job.reason);

@@ -18,7 +18,7 @@ class Pictures {
   Pictures(std::optional<Path> const& folder, ModelOptions const& options, FileFinder& finder)
       : folder_(folder), options_(options), finder_(finder) {}
 
-  void read(MtlTexture const& texture, Path const& mtl_folder);
+  void read(MtlTexture const& texture, Path const& mtl_folder, TexelContent content);
   /// What was read; returns what decode_images does.
   [[nodiscard]] std::string decode();
   /// Null where there is none, after a warning. Also tells of a file that was taken for another.

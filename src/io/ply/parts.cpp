@@ -57,6 +57,7 @@ Pictures read_pictures(std::span<std::string const> files, TrianglesOfPictures c
     ImageJob& job = jobs.emplace_back();
     job.name = files[i];
     job.is_wanted = true;
+    job.content = TexelContent::color;
     auto bytes = read_model_file(folder, options.allowed_paths, options.on_read, job.name, job.reason);
     if (!bytes) continue;
     job.owned = std::make_shared<std::string const>(std::move(*bytes));

@@ -13,6 +13,7 @@ from . import _native
 from ._errors import UsageError
 from ._files import file_name, writing
 from ._native import Diagnostic
+from ._options import named_as_here
 
 
 class Planes(Mapping[str, Any]):
@@ -114,11 +115,11 @@ class Image:
         planes. The old file stays until the new one is whole.
 
         `format`: whatever the name ends with; `bits`: 8 or 16 a channel (png, ppm); `quality`: 1 to 100 (jpg).
-        Raises FileError, UsageError.
+        Raises UsageError for what the format cannot hold; FileError, also for a file that the picture is drawn from.
         """
         self._check(bits, quality)
         name = file_name(path)
-        with writing(name):
+        with writing(name), named_as_here():
             self._picture.save(name, format or "", bits, quality, ppm_ascii)
 
     def encoded(
@@ -126,7 +127,8 @@ class Image:
     ) -> bytes:
         """The bytes of such a file."""
         self._check(bits, quality)
-        return self._picture.encoded(format, bits, quality, ppm_ascii)
+        with named_as_here():
+            return self._picture.encoded(format, bits, quality, ppm_ascii)
 
     @staticmethod
     def _check(bits: int, quality: int) -> None:
@@ -136,7 +138,7 @@ class Image:
             raise UsageError(f"quality: expected a number from 1 to 100, not {quality}")
 
     def _repr_png_(self) -> bytes:
-        return self.encoded("png")
+        return self._picture.shown()
 
     def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> NDArray[Any]:
         pixels: NDArray[Any] = self._picture.radiance

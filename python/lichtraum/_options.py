@@ -11,7 +11,7 @@ import numpy
 from numpy.typing import NDArray
 
 from . import _native
-from ._errors import UsageError
+from ._errors import FileError, UsageError
 from ._values import expect
 
 Path = Union[str, "os.PathLike[str]"]
@@ -134,11 +134,15 @@ def parsed(options: dict[str, Any]) -> _native.Options:
 
 @contextmanager
 def named_as_here() -> Iterator[None]:
-    """Lets a UsageError name options as Python does, not the command line."""
+    """Lets an error name options as Python does, not the command line."""
     try:
         yield
-    except UsageError as error:
-        raise UsageError(as_here(str(error).removesuffix(" (lichtraum render --help shows how)"))) from None
+    except (UsageError, FileError) as error:
+        text = str(error)
+        for how in (" (lichtraum render --help shows how)", ": -o FILE gives the picture another name"):
+            text = text.removesuffix(how)
+        error.args = (as_here(text),)
+        raise
 
 
 #: An option in a sentence, and its value if that is a number or one of the words that hints ask for.
@@ -147,7 +151,7 @@ _OPTION = re.compile(r"(--[a-z][a-z-]+)(?:[ =](?:(-?[0-9]+(?:[.][0-9]+)?)|(neutr
 
 def as_here(text: str) -> str:
     """With options as Python has them: `exposure=-2` for `--exposure -2`."""
-    names = {"--" + name.replace("_", "-"): name for name in RenderOptions.__annotations__}
+    names = {"--" + name.replace("_", "-"): name for name in (*RenderOptions.__annotations__, "bits")}
 
     def keyword(match: re.Match[str]) -> str:
         option, number, word = match.groups()

@@ -131,6 +131,7 @@ void set_material(ReadScene& read, std::string const& name, std::string const& m
   });
   // The shapes hold this one. Copied, not moved: its equal name stays where it is, and the registry looks at it there.
   **found = made;
+  for (auto const& [field, texture] : textures) read.files.add(texture.files);
 }
 
 void set_light(ReadScene& read, std::string const& name, std::string const& kind, Fields const& fields) {

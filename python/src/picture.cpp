@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/picture_faults.hpp"
 #include "app/picture_plan.hpp"
 #include "app/traced_picture.hpp"
@@ -90,19 +88,16 @@ Picture draw(Renderer& renderer, Scene const& scene, bool is_model, Job job,
   return picture;
 }
 
+void Picture::check_format(ImageFormat const& format, ValueEncoding const& encoding, std::string const& shown) const {
+  Job stored = job;
+  stored.encoding = encoding;
+  app::Output output;
+  output.format = &format;
+  output.shown = shown;
+  app::check_format(stored, output);
+}
+
 std::string Picture::encoded(ImageFormat const& format, ValueEncoding const& encoding) const {
-  if (encoding.bits > format.max_bits) {
-    throw Error(ErrorKind::usage, fmt::format("bits={}: a {} has {} bits per channel; png and ppm have 16",
-                                              encoding.bits, format.name, format.max_bits));
-  }
-  if (std::max(request.region.width, request.region.height) > format.max_side) {
-    throw Error(ErrorKind::usage, fmt::format("a {} has at most {} pixels per side, not {}x{}", format.name,
-                                              format.max_side, request.region.width, request.region.height));
-  }
-  bool const is_transparent = request.planes.has(FilmPlane::alpha) && !developed.alpha().empty();
-  if (format.encode && is_transparent && !format.has_alpha) {
-    throw Error(ErrorKind::usage, fmt::format("a {} cannot be transparent: png and exr pictures can", format.name));
-  }
   Job stored = job;
   if (format.encode_film) stored.denoising = Denoising::off;  // planes are stored as they were traced
   RenderRequest traced = request;

@@ -8,6 +8,7 @@
 
 #include "control.hpp"
 #include "lichtraum/job.hpp"
+#include "source_files.hpp"
 
 namespace lichtraum::python {
 
@@ -16,6 +17,7 @@ struct Picture {
   Job job;  ///< with everything decided
   RenderRequest request;
   Development development;
+  SourceFiles files;
   PreparedScene scene;   ///< only what its fingerprint needs
   Film film;             ///< as traced
   Image developed;       ///< what files of pictures show
@@ -30,8 +32,9 @@ struct Picture {
   /// The planes that were asked for.
   std::map<FilmPlane, std::vector<float>> planes;
 
-  /// The bytes of its file, which are those that `lichtraum render` writes. Throws Error{usage} for what the format
-  /// cannot hold.
+  /// Throws Error{usage} for what the format cannot hold. `shown`: the file, for messages.
+  void check_format(ImageFormat const& format, ValueEncoding const& encoding, std::string const& shown) const;
+  /// The bytes of its file, which are those that `lichtraum render` writes.
   std::string encoded(ImageFormat const& format, ValueEncoding const& encoding) const;
 };
 

@@ -51,7 +51,20 @@ nb::bytes encoded(Picture const& picture, std::string const& format, int bits, i
   std::string bytes;
   {
     nb::gil_scoped_release const release;
-    bytes = picture.encoded(image_format_named(format), {bits, ppm_ascii, quality});
+    ImageFormat const& chosen = image_format_named(format);
+    ValueEncoding const encoding{bits, ppm_ascii, quality};
+    picture.check_format(chosen, encoding, format);
+    bytes = picture.encoded(chosen, encoding);
+  }
+  return nb::bytes(bytes.data(), bytes.size());
+}
+
+/// To look at: one plane, whatever else there is.
+nb::bytes shown(Picture const& picture) {
+  std::string bytes;
+  {
+    nb::gil_scoped_release const release;
+    bytes = picture.encoded(image_format_named("png"), {});
   }
   return nb::bytes(bytes.data(), bytes.size());
 }
@@ -60,7 +73,10 @@ void save(Picture const& picture, std::string const& path, std::string const& fo
           bool ppm_ascii) {
   nb::gil_scoped_release const release;
   ImageFormat const& chosen = format.empty() ? image_format_for(path) : image_format_named(format);
-  write_file_atomically(path, picture.encoded(chosen, {bits, ppm_ascii, quality}));
+  ValueEncoding const encoding{bits, ppm_ascii, quality};
+  picture.check_format(chosen, encoding, path);
+  picture.files.refuse_to_overwrite(path);
+  write_file_atomically(path, picture.encoded(chosen, encoding));
 }
 
 }  // namespace
@@ -96,6 +112,7 @@ void bind_picture(nb::module_& module) {
       .def_prop_ro("device", [](Picture const& p) { return p.device.name; })
       .def("encoded", &encoded, nb::arg("format"), nb::arg("bits") = 8, nb::arg("quality") = 92,
            nb::arg("ppm_ascii") = false)
+      .def("shown", &shown)
       .def("save", &save, nb::arg("path"), nb::arg("format") = "", nb::arg("bits") = 8, nb::arg("quality") = 92,
            nb::arg("ppm_ascii") = false);
 }

@@ -61,14 +61,16 @@ ReadScene read_scene(std::string const& path, app::RenderOptions const& options)
   read.name = source.name();
   read.is_model = is_model_file(source.name());
   SceneReading const& reading = options.job.reading;
+  FileObserver const on_read = [&read](std::filesystem::path const& file) { read.files.add(file); };
   if (read.is_model) {
-    Model model = import_model(source.name(), {reading.model, reading.allowed_paths, nullptr, {}});
+    Model model = import_model(source.name(), {reading.model, reading.allowed_paths, nullptr, on_read});
     read.scene = std::move(model.scene);
     read.diagnostics = std::move(model.diagnostics);
   } else {
     EsdfOptions how;
     static_cast<EsdfDialect&>(how) = reading.dialect;
     how.allowed_paths = reading.allowed_paths;
+    how.on_read = on_read;
     EsdfScript script = EsdfScript::from_file(source.name(), how);
     read.diagnostics = script.diagnostics();
     read.scene = std::move(script).take_scene();
@@ -82,8 +84,9 @@ Session::Session(std::string const& device, std::string const& traversal)
           device, traversal_of(traversal), [this](std::string const& text) { warnings_.push_back(text); },
           [](std::string const&) {})) {}
 
-app::LoadOptions Session::load_options(app::RenderOptions const& options) {
+app::LoadOptions Session::load_options(app::RenderOptions const& options, SourceFiles& files) {
   app::LoadOptions load;
+  load.on_read = [&files](std::filesystem::path const& file) { files.add(file); };
   load.models = models_;
   load.environments = environments_;
   load.set_drawing(options.job, renderer_->device().kind);
@@ -93,7 +96,8 @@ app::LoadOptions Session::load_options(app::RenderOptions const& options) {
 Picture Session::draw_file(std::string const& path, app::RenderOptions const& options, int number, Control& control) {
   std::lock_guard const lock(mutex_);
   app::SceneSource const source = source_of(path);
-  app::LoadedScene loaded = source.load(options.job.reading, load_options(options));
+  SourceFiles files;
+  app::LoadedScene loaded = source.load(options.job.reading, load_options(options, files));
   Job job = source.job(options.job);
   job.picture = number;
   auto const count = std::max<std::size_t>(1, loaded.scene().renders.size());
@@ -109,6 +113,7 @@ Picture Session::draw_file(std::string const& path, app::RenderOptions const& op
             picture.diagnostics);
     return false;
   });
+  picture.files = std::move(files);
   auto const& found = loaded.diagnostics();
   picture.diagnostics.insert(picture.diagnostics.begin(), found.begin(), found.end());
   return picture;
@@ -118,14 +123,16 @@ Picture Session::draw_scene(ReadScene& read, app::RenderOptions const& options, 
   std::lock_guard const lock(mutex_);
   std::lock_guard const scene_lock(*read.mutex);
   SceneAsItWas const as_it_was(read.scene);
+  SourceFiles files = read.files;
   if (auto const adjust =
-          app::scene_adjustment(options.job.reading.environment, read.is_model, load_options(options))) {
+          app::scene_adjustment(options.job.reading.environment, read.is_model, load_options(options, files))) {
     adjust(read.scene);
   }
   Job job = options.job;
   job.scene = read.name;
   job.picture = number;
   Picture picture = draw(*renderer_, read.scene, read.is_model, job, previous_, control);
+  picture.files = std::move(files);
   warn_of(app::options_without_effect(job, picture.job, read.is_model, read.scene.environment.has_value()),
           picture.diagnostics);
   return picture;

@@ -17,6 +17,7 @@ struct ReadScene {
   bool is_model = false;
   Scene scene;
   std::vector<Diagnostic> diagnostics;
+  SourceFiles files;
   /// Of `scene`: it may still be drawn when whoever asked for that was interrupted, and edits it.
   std::unique_ptr<std::mutex> mutex = std::make_unique<std::mutex>();
 };
@@ -40,7 +41,8 @@ class Session {
   Picture draw_scene(ReadScene& scene, app::RenderOptions const& options, int number, Control& control);
 
  private:
-  app::LoadOptions load_options(app::RenderOptions const& options);
+  /// Reading adds to `files`.
+  app::LoadOptions load_options(app::RenderOptions const& options, SourceFiles& files);
 
   std::mutex mutex_;
   std::vector<std::string> warnings_;

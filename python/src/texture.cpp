@@ -31,7 +31,8 @@ MadeTexture texture_of(TextureImage image, std::string const& wrap, std::string 
   TextureWrap const both = wrap_named(wrap);
   return {std::make_shared<Texture const>(
               Texture{std::make_shared<TextureImage const>(std::move(image)), both, both, filter_named(filter)}),
-          has_alpha};
+          has_alpha,
+          {}};
 }
 
 }  // namespace
@@ -47,7 +48,9 @@ MadeTexture read_texture(std::string const& path, std::string const& wrap, std::
   auto image = decode_image(read_file(path), ModelOptions().max_texture, TexelContent::color, reason);
   if (!image) throw Error(ErrorKind::no_input, fmt::format("cannot read '{}' as a picture: {}", path, reason));
   image->name = path;
-  return texture_of(std::move(*image), wrap, filter);
+  MadeTexture made = texture_of(std::move(*image), wrap, filter);
+  made.files.add(path);
+  return made;
 }
 
 }  // namespace lichtraum::python

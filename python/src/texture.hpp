@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lichtraum/pbr_model.hpp"
+#include "source_files.hpp"
 
 namespace lichtraum::python {
 
@@ -12,6 +13,7 @@ namespace lichtraum::python {
 struct MadeTexture {
   std::shared_ptr<Texture const> texture;
   bool has_alpha = false;  ///< some of it is not opaque
+  SourceFiles files;       ///< that it was read from
 };
 
 /// `wrap`: "repeat", "mirror" or "clamp"; `filter`: "linear" or "nearest". Throws Error{usage} for others.

@@ -243,6 +243,58 @@ def test_nul_is_refused(tmp_path, monkeypatch, use):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize(
+    ("options", "name", "how", "message"),
+    [
+        ({"planes": "radiance,depth"}, "a.png", {}, "planes radiance,depth: '{}' has room for one; .exr has for all"),
+        ({"planes": "depth,normal"}, "a.pfm", {}, "planes normal,depth: '{}' has room for one; .exr has for all"),
+        ({"background": "none"}, "a.jpg", {}, "'{}' cannot be transparent: .png and .exr pictures can"),
+        ({"background": "none"}, "a.pfm", {}, "'{}' cannot be transparent: .png and .exr pictures can"),
+        ({}, "a.jpg", {"bits": 16}, "bits=16: '{}' has 8 bits per channel; .png and .ppm have 16"),
+    ],
+)
+def test_what_a_format_cannot_hold_is_refused(renderer, tmp_path, monkeypatch, options, name, how, message):
+    monkeypatch.chdir(tmp_path)
+    image = renderer.render(HELLO, size=(8, 8), **options)
+    for use, shown in ((image.save, name), (image.encoded, name[2:])):
+        with pytest.raises(lt.UsageError) as caught:
+            use(shown, **how)
+        assert str(caught.value) == message.format(shown)
+    assert not os.listdir()
+    image.save("a.exr")
+    assert image._repr_png_().startswith(b"\x89PNG")  # which only shows
+
+
+def test_no_picture_takes_the_place_of_what_it_is_drawn_from(renderer, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "folder").mkdir()
+    for name in ("map.exr", "wood.png"):
+        renderer.render(HELLO, size=(8, 8)).save(name)
+    Path("scene.sdf").write_bytes(HELLO.read_bytes())
+    Path("model.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    Path("link.png").symlink_to("map.exr")
+    lit = {"size": (8, 8), "integrator": "path", "environment": "map.exr", "denoise": "off"}
+    model = lt.Model("model.obj", lt.Pbr(base_color_texture=lt.Texture("wood.png")))
+    model.translate((0, 0, -5))
+    files = {"scene.sdf", "map.exr", "link.png"}
+    drawn = [
+        (renderer.render("scene.sdf", **lit), files),
+        (renderer.render("scene.sdf", **lit), files),  # the map is not read again
+        (renderer.render(lt.load("scene.sdf"), **lit), files),
+        (renderer.render(lt.Scene([model]), **lit), {"model.obj", "wood.png", "map.exr", "link.png"}),
+    ]
+    Path("scene.sdf").rename("old.sdf")
+    Path("scene.sdf").write_bytes(HELLO.read_bytes())  # as editors do
+    before = {path: path.read_bytes() for path in tmp_path.glob("*.*")}
+    monkeypatch.chdir(tmp_path / "folder")
+    for image, names in drawn:
+        for name in names:
+            with pytest.raises(lt.FileError) as caught:
+                image.save(f"../{name}", format="png")
+            assert str(caught.value) == f"'../{name}' is read for this picture, which would take its place"
+    assert {path: path.read_bytes() for path in tmp_path.glob("*.*")} == before
+
+
 def test_unknown_names(renderer):
     with pytest.raises(TypeError, match="no option 'sizes'"):
         renderer.render(HELLO, sizes=(1, 1))

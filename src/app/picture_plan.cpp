@@ -24,27 +24,27 @@ std::string list_planes(PlaneSet const& planes) {
   return list;
 }
 
-void check_planes(PicturePlan const& plan) {
-  ImageFormat const& format = *plan.output.format;
-  PlaneSet const planes = shown_planes(plan.job);
+void check_planes(Job const& job, Output const& output) {
+  ImageFormat const& format = *output.format;
+  PlaneSet const planes = shown_planes(job);
   std::size_t const count = planes.list().size();
   bool const is_with_alpha = planes == PlaneSet{FilmPlane::radiance, FilmPlane::alpha};
-  if (count <= format.max_planes || (is_with_alpha && format.has_alpha && !plan.output.is_film)) return;
+  if (count <= format.max_planes || (is_with_alpha && format.has_alpha && !output.is_film)) return;
   throw Error(ErrorKind::usage,
-              is_with_alpha ? fmt::format("'{}' cannot be transparent: .png and .exr pictures can", plan.output.shown)
+              is_with_alpha ? fmt::format("'{}' cannot be transparent: .png and .exr pictures can", output.shown)
                             : fmt::format("--planes {}: '{}' has room for one; .exr has for all", list_planes(planes),
-                                          plan.output.shown));
+                                          output.shown));
 }
 
-void check_encoding(PicturePlan const& plan) {
-  ImageFormat const& format = *plan.output.format;
-  Region const& region = *plan.job.region;
-  if (plan.job.encoding.bits > format.max_bits) {
+void check_encoding(Job const& job, Output const& output) {
+  ImageFormat const& format = *output.format;
+  Region const& region = *job.region;
+  if (job.encoding.bits > format.max_bits) {
     throw Error(ErrorKind::usage, fmt::format("--bits {}: '{}' has {} bits per channel; .png and .ppm have 16",
-                                              plan.job.encoding.bits, plan.output.shown, format.max_bits));
+                                              job.encoding.bits, output.shown, format.max_bits));
   }
   if (std::max(region.width, region.height) > format.max_side) {
-    throw Error(ErrorKind::usage, fmt::format("'{}': a {} has at most {} pixels per side, not {}x{}", plan.output.shown,
+    throw Error(ErrorKind::usage, fmt::format("'{}': a {} has at most {} pixels per side, not {}x{}", output.shown,
                                               format.name, format.max_side, region.width, region.height));
   }
 }
@@ -72,8 +72,7 @@ PicturePlan plan_picture(LoadedScene const& script, RenderCommand const& command
   check_memory(drawn_at_once, traced_planes(plan.job), plan.job.sampling->count,
                is_size_asked ? ErrorKind::usage : ErrorKind::scene, plan.job.denoising != Denoising::off);
   if (tile) return plan;
-  check_encoding(plan);
-  check_planes(plan);
+  check_format(plan.job, plan.output);
   if (!plan.output.is_standard_output()) {
     script.files().refuse_to_overwrite(plan.output.path);
     check_writable(plan.output.path);
@@ -82,6 +81,11 @@ PicturePlan plan_picture(LoadedScene const& script, RenderCommand const& command
 }
 
 }  // namespace
+
+void check_format(Job const& job, Output const& output) {
+  check_encoding(job, output);
+  check_planes(job, output);
+}
 
 void check_memory(Region const& region, PlaneSet const& planes, int sample_count, ErrorKind kind, bool is_denoised) {
   constexpr double denoising_bytes = 120;  // what it is given, and the built-in filter's planes

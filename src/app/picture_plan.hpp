@@ -29,6 +29,9 @@ std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource co
 /// that is turned. Throws as request_of does, and Error{usage} for a camera that is defined later.
 RenderRequest request_for(PicturePlan const& plan, Scene const& scene, std::optional<Vec3>& turn_center);
 
+/// Throws Error{usage} when the output's format cannot hold the picture of `job`, in which everything is decided.
+void check_format(Job const& job, Output const& output);
+
 /// Throws Error{`kind`} with the numbers when a picture of that size needs more memory than the machine has.
 void check_memory(Region const& region, PlaneSet const& planes, int sample_count, ErrorKind kind,
                   bool is_denoised = false);

@@ -131,7 +131,8 @@ class Plane(Shape):
 class Mesh(Shape):
     """Triangles: vertices (N, 3), faces (M, 3) of their numbers from 0, counter-clockwise seen from outside. With normals
     (N, 3), outward, it looks smooth. Texture coordinates (N, 2) are (0, 0) at the picture's lower left corner and (1, 1) at
-    the upper right one, as OBJ and trimesh have them. Copied."""
+    the upper right one, as OBJ and trimesh have them. Copied; each can be replaced, and is looked at again when the mesh is
+    drawn or saved."""
 
     def __init__(
         self,
@@ -144,32 +145,68 @@ class Mesh(Shape):
         name: Optional[str] = None,
     ) -> None:
         super().__init__(material, name)
-        self.vertices = numpy.array(vertices, dtype="<f4")
+        self.vertices = vertices
+        self.faces = faces
+        self.normals = normals
+        self.texcoords = texcoords
+        self._check()
+
+    @property
+    def vertices(self) -> NDArray[numpy.float32]:
+        """N x 3."""
+        return self._vertices
+
+    @vertices.setter
+    def vertices(self, vertices: ArrayLike) -> None:
+        self._vertices = _floats(vertices)
+
+    @property
+    def faces(self) -> NDArray[numpy.int64]:
+        """M x 3."""
+        return self._faces
+
+    @faces.setter
+    def faces(self, faces: ArrayLike) -> None:
         corners = numpy.array(faces)
-        for what, array in (("vertices", self.vertices), ("faces", corners)):
-            if array.ndim != 2 or array.shape[1] != 3 or len(array) == 0:
-                raise UsageError(f"{what}: expected an array of N x 3, not of {' x '.join(map(str, array.shape))}")
         if not numpy.issubdtype(corners.dtype, numpy.integer):
             raise UsageError(f"faces: expected whole numbers, not {corners.dtype}")
-        if corners.min() < 0 or corners.max() >= len(self.vertices):
-            raise UsageError(f"faces: a vertex is a number from 0 to {len(self.vertices) - 1}")
-        if not numpy.isfinite(self.vertices).all():
-            raise UsageError("vertices: expected finite numbers")
-        self.faces = corners.astype("<i4")
-        self.normals = self._of_vertices("normals", normals, 3)
-        self.texcoords = self._of_vertices("texcoords", texcoords, 2)
+        self._faces = corners.astype(numpy.int64)
+
+    @property
+    def normals(self) -> Optional[NDArray[numpy.float32]]:
+        """N x 3; None: it is flat."""
+        return self._normals
+
+    @normals.setter
+    def normals(self, normals: Optional[ArrayLike]) -> None:
+        self._normals = None if normals is None else _floats(normals)
+
+    @property
+    def texcoords(self) -> Optional[NDArray[numpy.float32]]:
+        """N x 2, or None."""
+        return self._texcoords
+
+    @texcoords.setter
+    def texcoords(self, texcoords: Optional[ArrayLike]) -> None:
+        self._texcoords = None if texcoords is None else _floats(texcoords)
         self.has_texcoords = texcoords is not None
 
-    def _of_vertices(self, what: str, given: Optional[ArrayLike], width: int) -> Optional[NDArray[numpy.float32]]:
-        if given is None:
-            return None
-        array = numpy.array(given, dtype="<f4")
-        if array.shape != (len(self.vertices), width):
-            shape = " x ".join(map(str, array.shape))
-            raise UsageError(f"{what}: expected an array of {len(self.vertices)} x {width}, not of {shape}")
-        if not numpy.isfinite(array).all():
-            raise UsageError(f"{what}: expected finite numbers")
-        return array
+    def _check(self) -> None:
+        """Raises UsageError for arrays that do not belong together."""
+        for what, array in (("vertices", self.vertices), ("faces", self.faces)):
+            if array.ndim != 2 or array.shape[1] != 3 or len(array) == 0:
+                raise UsageError(f"{what}: expected an array of N x 3, not of {_shape_of(array)}")
+        count = len(self.vertices)
+        if self.faces.min() < 0 or self.faces.max() >= count:
+            raise UsageError(f"faces: a vertex is a number from 0 to {count - 1}")
+        of_vertices = (("vertices", self.vertices, 3), ("normals", self.normals, 3), ("texcoords", self.texcoords, 2))
+        for what, values, width in of_vertices:
+            if values is None:
+                continue
+            if values.shape != (count, width):
+                raise UsageError(f"{what}: expected an array of {count} x {width}, not of {_shape_of(values)}")
+            if not numpy.isfinite(values).all():
+                raise UsageError(f"{what}: expected finite numbers")
 
     @classmethod
     def from_trimesh(cls, mesh: Any, material: Material = WHITE, *, name: Optional[str] = None) -> Mesh:
@@ -181,7 +218,17 @@ class Mesh(Shape):
     kind = "mesh"
 
     def words(self, writer: Writer) -> list[Any]:
+        self._check()
         return [writer.file_of(self)]
+
+
+def _floats(given: ArrayLike) -> NDArray[numpy.float32]:
+    """A copy, as files of meshes store numbers."""
+    return numpy.array(given, dtype="<f4")
+
+
+def _shape_of(array: NDArray[Any]) -> str:
+    return " x ".join(map(str, array.shape))
 
 
 class Model(Shape):

@@ -175,6 +175,34 @@ def test_numbers_are_numpys_as_well(renderer, kind):
     assert np.array_equal(image(kind(2)), image(2))
 
 
+def test_arrays_of_meshes_can_be_replaced(renderer):
+    """By numbers of any kind, which are checked as those that it is made of."""
+    camera = lt.Camera(40, eye=(0, 1, 0), target=(0, 1, -6))
+
+    def depth(made):
+        return renderer.render(lt.Scene([made], camera=camera), planes="depth", **SIZE).planes["depth"]
+
+    moved, texcoords = mesh(1), [(0, 0), (1, 0), (0, 1)]
+    moved.vertices = moved.vertices + np.array([0, 0.5, 0])
+    moved.normals = np.array([(0, 0, 1)] * 3)
+    moved.texcoords = np.array(texcoords)
+    moved.material = lt.Pbr(base_color_texture=lt.Texture(np.full((1, 1), 255, dtype=np.uint8)))
+    other = mesh(1)
+    other.translate((0, 0.5, 0))
+    assert np.isfinite(depth(other)).any() and np.array_equal(depth(moved), depth(other))
+    for name, values, message in [
+        ("vertices", [(0, 0, 0)], "^faces: a vertex is a number from 0 to 0"),
+        ("vertices", [(0, 0, 0)] * 4, "^normals: expected an array of 4 x 3, not of 3 x 3"),
+        ("vertices", [(0, 0, float("nan"))] * 3, "^vertices: expected finite"),
+        ("faces", [(0, 1, 2**32)], "^faces: a vertex is a number from 0 to 2"),
+        ("texcoords", [0, 0], "^texcoords: expected an array of 3 x 2, not of 2"),
+    ]:
+        wrong = lt.Mesh(moved.vertices, moved.faces, normals=moved.normals, texcoords=texcoords)
+        setattr(wrong, name, values)
+        with pytest.raises(lt.UsageError, match=message):
+            depth(wrong)
+
+
 def test_names_are_given_to_what_has_none(renderer, tmp_path):
     def ball(name=None):
         return lt.Sphere((0, 0, -5), 1, name=name)

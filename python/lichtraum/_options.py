@@ -97,15 +97,26 @@ def _word(value: Any) -> str:
     raise TypeError(f"expected a number or a text, not {value!r}")
 
 
+def _option(name: str) -> str:
+    return "--" + name.replace("_", "-")
+
+
+def _with_value(name: str, text: str, value: Any) -> str:
+    """Without a text it would take the next word for its value."""
+    if not text:
+        raise UsageError(f"{name}: expected a value, not {value!r}")
+    return f"{_option(name)}={text}"
+
+
 def _words(name: str, value: Any) -> list[str]:
     """The words of the command line that say `name`=`value`."""
-    option = "--" + name.replace("_", "-")
+    option = _option(name)
     if name in FLAGS:
         expect(name, value, (bool, numpy.bool_), "True or False")
         return [option] if value else []
     if name == "allow_path":
         folders = [value] if isinstance(value, (str, os.PathLike)) else list(value)
-        return [f"{option}={_word(folder)}" for folder in folders]
+        return [_with_value(name, _word(folder), value) for folder in folders or [""]]
     if isinstance(value, bool):
         if name == "ground":
             return [option] if value else []
@@ -113,9 +124,9 @@ def _words(name: str, value: Any) -> list[str]:
             return [option + ("=on" if value else "=off")]
         raise TypeError(f"{name} cannot be True or False")
     if isinstance(value, (str, os.PathLike)) or not hasattr(value, "__iter__"):
-        return [f"{option}={_word(value)}"]
+        return [_with_value(name, _word(value), value)]
     between = "x" if name in ("size", "samples") else ","
-    return [f"{option}={between.join(_word(each) for each in _flat(value))}"]
+    return [_with_value(name, between.join(_word(each) for each in _flat(value)), value)]
 
 
 def parsed(options: dict[str, Any]) -> _native.Options:
@@ -151,7 +162,7 @@ _OPTION = re.compile(r"(--[a-z][a-z-]+)(?:[ =](?:(-?[0-9]+(?:[.][0-9]+)?)|(neutr
 
 def as_here(text: str) -> str:
     """With options as Python has them: `exposure=-2` for `--exposure -2`."""
-    names = {"--" + name.replace("_", "-"): name for name in (*RenderOptions.__annotations__, "bits")}
+    names = {_option(name): name for name in (*RenderOptions.__annotations__, "bits")}
 
     def keyword(match: re.Match[str]) -> str:
         option, number, word = match.groups()

@@ -65,7 +65,7 @@ class Renderer:
 
     def __init__(self, device: str | int | None = None, *, traversal: Optional[str] = None) -> None:
         wanted = "" if device is None else str(device)
-        parsed({"traversal": traversal})
+        parsed({"device": device, "traversal": traversal})
         if wanted != "reference":
             OPENCL.check()
         self._session = wait_for(lambda _: _native.Session(wanted, traversal or ""))
@@ -137,7 +137,8 @@ def _check(scene: Drawable, picture: int, given: dict[str, Any]) -> None:
 def _as_drawn(scene: Scene, given: dict[str, Any]) -> tuple[str | LoadedScene, dict[str, Any]]:
     """The file of a scene, or, where eSDF cannot say all of it, what was read of that, with the rest."""
     path, folders, writer = scene._drawable()
-    given = {**given, "allow_path": [*_folders(given.get("allow_path")), *folders]}
+    if folders:
+        given = {**given, "allow_path": [*_folders(given.get("allow_path")), *folders]}
     if not writer.materials and not writer.lights:
         return path, given
     how: Any = {name: given.pop(name) for name in READING if name in given}

@@ -51,13 +51,29 @@ def test_scenes_are_read_as_asked(renderer, material):
         ({"up": (0, 0, 0)}, "up 0,0,0: it has no direction"),
         ({"focus": 3}, "focus: without a lens everything is sharp; aperture says"),
         ({"ground": True, "integrator": "whitted"}, "ground: whitted draws none; integrator='path' does"),
-        ({"samples": []}, "samples needs a value$"),
         ({"traversal": "deep"}, "traversal: expected auto, scalar, wide or packet, not 'deep'"),
     ],
 )
 def test_errors_name_options_as_python_does(options, message):
     with pytest.raises(lt.UsageError, match=f"^{message}"):
         lt.render(HELLO, size=(8, 8), **options)
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("allow_path", ""), ("allow_path", [""]), ("allow_path", []), ("planes", []), ("planes", ""), ("camera", ""),
+        ("samples", []), ("environment", ""), ("root", ""), ("device", ""), ("traversal", ""),
+    ],
+)
+def test_empty_values_are_refused(name, value):
+    """They were given the next option for a value."""
+    with pytest.raises(lt.UsageError) as caught:
+        lt.render(HELLO, **{name: value}, size=(32, 18))
+    assert str(caught.value) == f"{name}: expected a value, not {value!r}"
+    if name in ("device", "traversal"):
+        with pytest.raises(lt.UsageError, match=f"^{name}: expected a value"):
+            lt.Renderer(**{name: value})
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,7 @@ from ._native import version
 
 #: Statuses of the program that no second try changes: mistakes of usage or scene, and what is not there.
 NEVER = (64, 65, 66, 69, 73)
+TRY_AGAIN = 75
 #: A machine whose children die at once must not take all tasks before others can.
 _PAUSE_SECONDS = 2.0
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import uuid
 from typing import TYPE_CHECKING, Optional, Sequence
 
-from ._batch_worker import NEVER, Outcome, Work, draw_batch
+from ._batch_worker import NEVER, TRY_AGAIN, Outcome, Work, draw_batch
 from ._batches import Batch, MissingUnits, Pace, least_size
 from ._errors import JobError
 from ._job_folder import JobFolder
@@ -14,7 +14,6 @@ from ._progress import Show
 if TYPE_CHECKING:
     from distributed import Client, Future, as_completed
 
-TRY_AGAIN = 75
 #: So often may all tasks end without any new unit before the job is given up.
 _MOST_FRUITLESS = 3
 

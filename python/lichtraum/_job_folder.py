@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 import os
 import subprocess
-from typing import Any, NamedTuple, Sequence
+from typing import Any, NamedTuple, Optional, Sequence
 
 from .__main__ import PROGRAM
-from ._batch_worker import Outcome, Work, message_of, plan_hash
+from ._batch_worker import TRY_AGAIN, Work, message_of, plan_hash
 from ._errors import JobError
 from ._native import version
 
@@ -36,9 +36,13 @@ class JobFolder:
     def work(self, options: Sequence[str]) -> Work:
         return Work(self.path, self._hash, version, tuple(options))
 
-    def merge(self, output: str, options: Sequence[str]) -> Outcome:
-        merged = self._run("merge", f"--output={output}", "--quiet", *options)
-        return Outcome(merged.returncode, message_of(merged.stderr), 0.0)
+    def merge(self, output: str, options: Sequence[str]) -> Optional[str]:
+        """What is missing, or None if nothing was: then the pictures are written. Raises JobError for what drawing units does
+        not mend; an output that cannot be written is found before units are looked for."""
+        merged = self._run("merge", f"--output={output}", "--quiet", *options, stdout=None)  # "-" is that
+        if merged.returncode not in (0, TRY_AGAIN):
+            raise JobError(message_of(merged.stderr), merged.returncode)
+        return message_of(merged.stderr) if merged.returncode else None
 
     def _status(self) -> dict[str, Any]:
         told = self._run("status", "--json")
@@ -47,6 +51,10 @@ class JobFolder:
         status: dict[str, Any] = json.loads(told.stdout)
         return status
 
-    def _run(self, command: str, *options: str) -> subprocess.CompletedProcess[str]:
+    def _run(
+        self, command: str, *options: str, stdout: Optional[int] = subprocess.PIPE
+    ) -> subprocess.CompletedProcess[str]:
         line = [PROGRAM, "job", command, self.path, *options]
-        return subprocess.run(line, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
+        return subprocess.run(
+            line, stdin=subprocess.DEVNULL, stdout=stdout, stderr=subprocess.PIPE, text=True, errors="replace"
+        )

@@ -19,11 +19,12 @@ import time
 import warnings
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Iterator, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Iterator, NoReturn, Optional, Sequence, Union
 
-from ._batch_worker import end_children
-from ._crew import TRY_AGAIN, Crew
+from ._batch_worker import TRY_AGAIN, end_children
+from ._crew import Crew
 from ._errors import JobError, UsageError
+from ._files import file_name
 from ._job_folder import JobFolder
 from ._progress import Bar, Show
 
@@ -77,28 +78,33 @@ def run(
 
     `scheduler` is the address of a Dask scheduler, or a `distributed.Client`; without, `workers` threads are begun on this
     machine, each with a process for its batch. With `output` the pictures are then put together; units that turn out to be
-    damaged are drawn again before. A task takes about `batch_seconds`. `timeout` is how many seconds to wait for the scheduler
+    damaged are drawn again before. "-" is standard output. A task takes about `batch_seconds`. `timeout` is how many seconds to wait for the scheduler
     and for its first worker.
 
     Raises a `JobError` where the job cannot go on, or workers die again and again and no unit gets done. What is drawn stays.
-    Raises a `UsageError` for numbers that make no sense.
+    Raises a `UsageError` for values that make no sense.
     """
     begin = time.monotonic()
     _check(workers=workers, batch_seconds=batch_seconds, timeout=timeout)
+    picture = None if output is None else file_name(output)
+    if picture == "":
+        raise UsageError("output: expected the name of a file, not ''")
     job = JobFolder(os.fspath(folder))
     mixed = ["--allow-mixed"] if allow_mixed else []
+    if picture is not None and job.merge(picture, mixed) is None:  # also to hear whether it can be written
+        return Summary(job.units, 0, 0, 0, time.monotonic() - begin)
     work = job.work([*mixed, *([f"--device={device}"] if device is not None else [])])
     with _connected(scheduler, workers, timeout, job) as client, Bar(progress) as bar:
         _wait_for_worker(client, timeout)
         crew = Crew(client, job, work, batch_seconds, bar.show)
         drawn = crew.draw_missing()
-        if output is not None:
+        if picture is not None:
             for attempt in range(_MOST_MERGES):
-                merged = job.merge(os.fspath(output), mixed)
-                if merged.status == 0:
+                missing = job.merge(picture, mixed)
+                if missing is None:
                     break
-                if merged.status != TRY_AGAIN or attempt == _MOST_MERGES - 1:
-                    raise JobError(merged.message, merged.status)
+                if attempt == _MOST_MERGES - 1:
+                    raise JobError(missing, TRY_AGAIN)
                 drawn += crew.draw_damaged()
     return Summary(job.units, drawn, crew.tasks, crew.failed, time.monotonic() - begin)
 
@@ -161,8 +167,14 @@ def _wait_for_worker(client: Client, timeout: float) -> None:
         warnings.warn(text, stacklevel=3)
 
 
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        self.print_usage(sys.stderr)
+        self.exit(_USAGE, f"error: {message}\n")
+
+
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="python -m lichtraum.farm",
         description="Draws what is missing of the job in the folder DIR, on the workers of a Dask scheduler. "
         "All machines need the same lichtraum[dask], and the folder under the same path. "
@@ -207,7 +219,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         print("interrupted: what is drawn stays", file=sys.stderr)
         return 130
     if not options.quiet:
-        print(f"{options.folder}: {summary}")
+        print(f"{options.folder}: {summary}", file=sys.stderr)  # the picture may be on standard output
     return 0
 
 

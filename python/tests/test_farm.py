@@ -166,7 +166,8 @@ def test_full_disk(tmp_path):
 
 
 def command(*words, **options):
-    return subprocess.Popen([sys.executable, "-m", "lichtraum.farm", *map(str, words)], stderr=subprocess.PIPE, text=True, **options)
+    how = {"stderr": subprocess.PIPE, "text": True, **options}
+    return subprocess.Popen([sys.executable, "-m", "lichtraum.farm", *map(str, words)], **how)
 
 
 def test_interrupted(job, tmp_path):
@@ -191,9 +192,35 @@ def test_errors_of_the_command(job, tmp_path, capsys):
     assert farm.main([str(tmp_path / "nothing")]) == 66
     assert "no plan.json" in capsys.readouterr().err
     for option, name in (("--workers=0", "workers"), ("--batch-seconds=nan", "batch_seconds"), ("--timeout=inf", "timeout")):
-        with pytest.raises(SystemExit):
+        with pytest.raises(SystemExit) as ended:
             farm.main([str(job), option])
-        assert f"error: {name}: expected" in capsys.readouterr().err
+        assert ended.value.code == 64 and f"error: {name}: expected" in capsys.readouterr().err
+    for words in ([], [str(job), "--bogus"], [str(job), "--workers=two"], [str(job), "-o", ""]):
+        with pytest.raises(SystemExit) as ended:
+            farm.main(words)
+        assert ended.value.code == 64 and "\nerror: " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("output, status, message", [
+    ("foo", 64, "'foo' has no extension"),
+    ("foo.bmp", 64, "no picture format has the extension '.bmp'"),
+    ("nowhere/foo.png", 73, "cannot write 'nowhere/foo.png': there is no folder 'nowhere'"),
+    ("nowhere/%02d.png", 73, "cannot write 'nowhere/01.png'"),
+    ("nowhere/foo.gif", 73, "cannot write 'nowhere/foo.gif'"),
+])
+def test_what_cannot_be_written_is_told_before_anything_is_drawn(job, tmp_path, monkeypatch, output, status, message):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(lt.JobError) as caught:
+        farm.run(job, output=output, progress=False)
+    assert caught.value.status == status and str(caught.value).startswith(message)
+    assert not unit_files(job)
+
+
+def test_the_picture_goes_to_standard_output(job, tmp_path):
+    for _ in range(2):
+        process = command(job, "-o", "-", stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=False)
+        picture, told = process.communicate(timeout=120)
+        assert process.returncode == 0 and picture == picture_of(tmp_path) and b"12 units drawn by" in told
 
 
 @pytest.mark.parametrize("name", ["workers", "batch_seconds", "timeout"])

@@ -64,6 +64,14 @@ void check_version(farm::Plan const& plan) {
                           plan.version, LICHTRAUM_VERSION));
 }
 
+/// Before units are looked for: lichtraum.farm hears of it before it has any drawn.
+void check_output(OutputOptions const& options) {
+  OutputNames names(options);
+  if (options.file.empty()) return;
+  Output const first = names.next({});
+  if (!first.is_standard_output()) check_writable(first.path);
+}
+
 /// Before scenes are read, which takes time.
 void check_all_there(farm::PlanFolder const& folder) {
   farm::Progress const progress = farm::progress_of(folder);
@@ -85,6 +93,7 @@ int job_merge_command(Arguments const& arguments, Console& console) {
   if (!parse_job_merge(arguments, options, console)) return 0;
   farm::PlanFolder const folder(options.folder);
   if (!options.allow_mixed) check_version(folder.plan());
+  check_output(options.output);
   check_all_there(folder);
   farm::PlannedFiles(folder.plan()).check();
 

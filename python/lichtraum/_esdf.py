@@ -9,7 +9,7 @@ from typing import Any, Sequence
 
 import numpy
 
-from ._errors import UsageError
+from ._errors import FileError, UsageError
 from ._files import replacement
 from ._materials import WHITE, Material, Pbr, Phong
 from ._nodes import Camera, Light, Mesh, Model, Shape
@@ -25,6 +25,8 @@ class Writer:
         self._only_drawn = only_drawn
         self.materials: dict[str, Material] = {}
         self.lights: dict[str, Light] = {}
+        #: The models' files, by what the scene calls them.
+        self.files: dict[str, str] = {}
         self._links: dict[str, str] = {}
         self._target = target
         self._folder = target.parent
@@ -129,7 +131,12 @@ class Writer:
                     temporary.write_bytes(content)
 
     def path_of(self, path: str) -> str:
-        """As seen from the scene's file. Of one that eSDF cannot name, a link's."""
+        """As the scene's file calls it: as seen from there; one that eSDF cannot name, by a link."""
+        name = self._name_of(path)
+        self.files[name] = path
+        return name
+
+    def _name_of(self, path: str) -> str:
         relative = os.path.relpath(path, self._folder.resolve())
         if is_word(relative):
             return relative
@@ -145,7 +152,11 @@ class Writer:
         links = self._folder / f"model_{len(self._links) + 1}"
         shutil.rmtree(links, ignore_errors=True)
         links.mkdir()
-        for other in os.listdir(folder):
+        try:
+            others = os.listdir(folder)
+        except OSError as error:
+            raise FileError.of(f"cannot read '{path}': {error.strerror}", error, path) from error
+        for other in others:
             os.symlink(os.path.join(folder, other), links / other)
         plain = "model" + os.path.splitext(file)[1]
         if not is_word(plain):

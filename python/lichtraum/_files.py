@@ -24,12 +24,13 @@ def file_name(path: Union[str, os.PathLike[str]]) -> str:
 
 
 @contextmanager
-def reading(path: str) -> Iterator[None]:
-    """Tells of a FileError what the library does not, if that file is the reason."""
+def reading(*paths: str) -> Iterator[None]:
+    """Tells of a FileError what the library does not, if one of these files, the first of them, is the reason."""
     try:
         yield
     except FileError as error:
-        _explain(error, path, path)
+        for path in paths:
+            _explain(error, path, path)
         raise
 
 

@@ -14,6 +14,7 @@ from ._errors import UsageError
 from ._files import file_name, writing
 from ._native import Diagnostic
 from ._options import named_as_here
+from ._values import expect, whole
 
 
 class Planes(Mapping[str, Any]):
@@ -117,7 +118,7 @@ class Image:
         `format`: whatever the name ends with; `bits`: 8 or 16 a channel (png, ppm); `quality`: 1 to 100 (jpg).
         Raises UsageError for what the format cannot hold; FileError, also for a file that the picture is drawn from.
         """
-        self._check(bits, quality)
+        bits, quality = self._checked(format, bits, quality, ppm_ascii)
         name = file_name(path)
         with writing(name), named_as_here():
             self._picture.save(name, format or "", bits, quality, ppm_ascii)
@@ -126,16 +127,20 @@ class Image:
         self, format: str = "png", *, bits: int = 8, quality: int = 92, ppm_ascii: bool = False
     ) -> bytes:
         """The bytes of such a file."""
-        self._check(bits, quality)
+        bits, quality = self._checked(format, bits, quality, ppm_ascii)
         with named_as_here():
             return self._picture.encoded(format, bits, quality, ppm_ascii)
 
     @staticmethod
-    def _check(bits: int, quality: int) -> None:
+    def _checked(format: Optional[str], bits: int, quality: int, ppm_ascii: bool) -> tuple[int, int]:
+        expect("format", format, (str, type(None)), "a text")
+        expect("ppm_ascii", ppm_ascii, bool, "True or False")
+        bits, quality = whole("bits", bits), whole("quality", quality)
         if bits not in (8, 16):
             raise UsageError(f"bits: expected 8 or 16, not {bits}")
         if not 1 <= quality <= 100:
             raise UsageError(f"quality: expected a number from 1 to 100, not {quality}")
+        return bits, quality
 
     def _repr_png_(self) -> bytes:
         return self._picture.shown()

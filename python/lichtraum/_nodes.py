@@ -167,7 +167,7 @@ class Mesh(Shape):
 
     @faces.setter
     def faces(self, faces: ArrayLike) -> None:
-        corners = numpy.array(faces)
+        corners = _array(faces)
         if not numpy.issubdtype(corners.dtype, numpy.integer):
             raise UsageError(f"faces: expected whole numbers, not {corners.dtype}")
         self._faces = corners.astype(numpy.int64)
@@ -222,9 +222,17 @@ class Mesh(Shape):
         return [writer.file_of(self)]
 
 
+def _array(given: ArrayLike, dtype: Optional[str] = None) -> NDArray[Any]:
+    """A copy."""
+    try:
+        return numpy.array(given, dtype=dtype)
+    except ValueError as error:
+        raise UsageError(f"expected an array of numbers: {error}") from None
+
+
 def _floats(given: ArrayLike) -> NDArray[numpy.float32]:
-    """A copy, as files of meshes store numbers."""
-    return numpy.array(given, dtype="<f4")
+    """As files of meshes store numbers."""
+    return _array(given, "<f4")
 
 
 def _shape_of(array: NDArray[Any]) -> str:
@@ -349,9 +357,9 @@ class Camera:
 
     def words(self, name: str) -> list[Any]:
         """Of eSDF."""
-        keys = [] if self.orthographic is None else [f"orthographic={float(self.orthographic)!r}"]
-        width, height = (str(int(side)) for side in self.size)
-        return ["define", "camera", name, self.fov_x_degrees, width, height, *keys]
+        keys = [] if self.orthographic is None else [f"orthographic={number(self.orthographic)!r}"]
+        width, height = (str(int(number(side))) for side in self.size)
+        return ["define", "camera", name, number(self.fov_x_degrees), width, height, *keys]
 
     def transforms(self) -> list[list[Any]]:
         """From the origin, where it looks along -z: it rolls, nods, turns, and goes to its place."""

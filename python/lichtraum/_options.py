@@ -7,7 +7,6 @@ import re
 from contextlib import contextmanager
 from typing import Any, Iterable, Iterator, Sequence, TypedDict, Union
 
-import numpy
 from numpy.typing import NDArray
 
 from . import _native
@@ -76,9 +75,14 @@ READING = (
 )  # fmt: skip
 
 
-def _flat(value: Iterable[Any]) -> list[Any]:
+def _plain(value: Any) -> Any:
+    """NumPy's numbers, and its arrays of one without a dimension, as Python has them."""
+    return value.item() if getattr(value, "ndim", None) == 0 else value
+
+
+def _flat(values: Iterable[Any]) -> list[Any]:
     flat: list[Any] = []
-    for each in value:
+    for each in map(_plain, values):
         if isinstance(each, (str, os.PathLike)) or not hasattr(each, "__iter__"):
             flat.append(each)
         else:
@@ -110,9 +114,9 @@ def _with_value(name: str, text: str, value: Any) -> str:
 
 def _words(name: str, value: Any) -> list[str]:
     """The words of the command line that say `name`=`value`."""
-    option = _option(name)
+    option, value = _option(name), _plain(value)
     if name in FLAGS:
-        expect(name, value, (bool, numpy.bool_), "True or False")
+        expect(name, value, bool, "True or False")
         return [option] if value else []
     if name == "allow_path":
         folders = [value] if isinstance(value, (str, os.PathLike)) else list(value)

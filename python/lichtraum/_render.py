@@ -18,6 +18,7 @@ from ._native import Diagnostic
 from ._options import READING, Path, RenderOptions, as_here, named_as_here, parsed
 from ._progress import Bar
 from ._scene import Scene
+from ._values import whole
 from ._waiting import wait_for
 
 if sys.version_info >= (3, 11):
@@ -106,12 +107,15 @@ class Renderer:
         self, scene: Path | LoadedScene, picture: int, progress: Progress, given: dict[str, Any]
     ) -> _native.Picture:
         session, options = self._session, parsed(given)
+        environment = given.get("environment")
+        maps = [] if environment in (None, "studio", "none") else [file_name(environment)]
         with named_as_here(), Bar(progress) as bar:
             if isinstance(scene, LoadedScene):
                 read = scene._native
-                return wait_for(lambda control: session.draw_scene(read, options, picture, control), bar.show)
+                with reading(*maps):
+                    return wait_for(lambda control: session.draw_scene(read, options, picture, control), bar.show)
             name = file_name(scene)
-            with reading(name):
+            with reading(name, *maps):
                 return wait_for(lambda control: session.draw_file(name, options, picture, control), bar.show)
 
     def __repr__(self) -> str:
@@ -119,8 +123,9 @@ class Renderer:
 
 
 def _check(scene: Drawable, picture: int, given: dict[str, Any]) -> None:
-    """Raises UsageError for what has no effect on a scene that is no file, and as `parsed` does."""
+    """Raises UsageError for what has no effect on a scene that is no file, and as `parsed` and `whole` do."""
     parsed(given)
+    whole("picture", picture)
     if isinstance(scene, Scene) and picture:
         raise UsageError(f"there is no picture {picture}: a Scene has one, number 0")
     if not isinstance(scene, LoadedScene):

@@ -12,6 +12,7 @@ from typing import Iterable, Iterator, Optional, Union
 from ._errors import FileError, SceneError, UsageError
 from ._esdf import Writer
 from ._files import replacement
+from ._native import Diagnostic
 from ._nodes import Camera, Group, Light, Model, Shape
 from ._values import Color, expect, is_word
 
@@ -23,6 +24,7 @@ class _Workplace:
     was pickled, gets another."""
 
     def __init__(self) -> None:
+        self.models: dict[str, str] = {}  #: their files, by what the scene's file calls them
         self._turn = threading.RLock()  # again by one thread: `progress` may draw
         self._folder: Optional[tempfile.TemporaryDirectory[str]] = None
 
@@ -36,7 +38,8 @@ class _Workplace:
 
     @contextmanager
     def use(self) -> Iterator[None]:
-        """For one picture. Nobody has written that file: what is wrong in it are values, which a UsageError names."""
+        """For one picture. Nobody has written that file: what is wrong in it are values, which a UsageError names, and models,
+        which a FileError does."""
         with self._turn:
             try:
                 yield
@@ -44,8 +47,22 @@ class _Workplace:
                 faults = [each for each in error.diagnostics if each.severity == "error"]
                 if any(each.file != str(self.file()) for each in faults):
                     raise
+                for each in faults:
+                    self._raise_of_model(each)
                 text = "; ".join(f"{each.message}, in '{each.source_line.strip()}'" for each in faults)
                 raise UsageError(text) from error
+
+    def _raise_of_model(self, fault: Diagnostic) -> None:
+        """If it is one, by the name that was given."""
+        for word in fault.source_line.split():
+            if word in self.models:
+                path = self.models[word]
+                try:
+                    os.stat(path)
+                except OSError as cause:
+                    raise FileError.of(f"cannot read '{path}': {cause.strerror}", cause, path) from None
+                why = fault.message.partition("': ")[2] or fault.message  # after the scene's name for it
+                raise FileError(f"cannot read '{path}': {why}")
 
     def __reduce__(self) -> tuple[type[_Workplace], tuple[()]]:
         return _Workplace, ()
@@ -112,6 +129,8 @@ class Scene:
             writer.write_meshes()
             with replacement(path) as temporary:
                 temporary.write_bytes(writer.text().encode("utf-8", "surrogateescape"))
+        except FileError:  # of a model
+            raise
         except OSError as error:
             raise FileError.of(f"cannot write {str(path)!r}: {error.strerror or error}", error, str(path)) from error
         return writer
@@ -120,6 +139,7 @@ class Scene:
         """A file of the scene as it is now, the folders of its models, and what eSDF could not say."""
         path = self._workplace.file()
         writer = self._write(path, only_drawn=True)
+        self._workplace.models = writer.files
         folders = {os.path.dirname(os.path.realpath(model.path)) for model in self._parts() if isinstance(model, Model)}
         return str(path), sorted(folders), writer
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 from typing import Any, Sequence, Union
 
 from numpy.typing import NDArray
@@ -25,14 +26,29 @@ def expect(what: str, value: Any, kind: type | tuple[type, ...], wanted: str) ->
         raise TypeError(f"{what}: expected {wanted}, not {value!r}")
 
 
+def whole(what: str, value: Any) -> int:
+    """Raises TypeError for what is no whole number, Python's or NumPy's."""
+    try:
+        return operator.index(value)
+    except TypeError:
+        raise TypeError(f"{what}: expected a whole number, not {value!r}") from None
+
+
 def is_word(name: str) -> bool:
     """Whether eSDF can name something, or a file, so."""
     return bool(name) and not any(letter.isspace() or letter == "#" for letter in name)
 
 
 def number(value: Any, *, least: float = -math.inf, most: float = math.inf) -> float:
-    """Raises UsageError for what is not finite, or not in that range."""
-    result = float(value)
+    """Raises TypeError for what is no number, UsageError for what is not finite, or not in that range."""
+    try:
+        if isinstance(value, (str, bytes)):
+            raise TypeError
+        result = float(value)
+    except TypeError:
+        raise TypeError(f"expected a number, not {value!r}") from None
+    except OverflowError:
+        result = math.inf
     if not math.isfinite(result):
         raise UsageError(f"expected a finite number, not {result}")
     if not least <= result <= most:
@@ -50,7 +66,9 @@ def length(value: float, what: str = "radius") -> float:
 
 
 def vector(value: Vector, *, least: float = -math.inf) -> tuple[float, float, float]:
-    """Raises UsageError for what is not three finite numbers."""
+    """Raises TypeError for what is no sequence of numbers, UsageError for what is not three finite ones."""
+    if isinstance(value, (str, bytes)) or not hasattr(value, "__iter__") or _is_single(value):
+        raise TypeError(f"expected three numbers, not {value!r}")
     numbers = [number(each, least=least) for each in value]
     if len(numbers) != 3:
         raise UsageError(f"expected three numbers, not {len(numbers)}")
@@ -65,6 +83,8 @@ def _is_single(value: Any) -> bool:
 def color(value: Color, *, least: float = -math.inf) -> tuple[float, float, float]:
     """Three numbers, or one for all."""
     given: Any = value
+    if isinstance(given, (str, bytes)):
+        raise TypeError(f"expected a number or three for a colour, not {given!r}")
     return vector([given] * 3 if _is_single(given) else given, least=least)
 
 

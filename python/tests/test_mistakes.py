@@ -8,6 +8,7 @@ import warnings
 from functools import partial
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import lichtraum as lt
@@ -204,8 +205,9 @@ def test_errors_go_to_other_processes(errors, copied):
 
 
 @pytest.mark.parametrize("use", [
-    lt.load, lt.render, lt.Texture, lambda path: lt.render(HELLO, size=(8, 8)).save(path), lt.Scene().save, lambda path: lt.load(HELLO).save(path),
-], ids=["load", "render", "texture", "save", "scene", "loaded"])
+    lt.load, lt.render, lt.Texture, lambda path: lt.render(HELLO, environment=path), lambda path: lt.render(lt.load(HELLO), environment=path),
+    lambda path: lt.render(lt.Scene([lt.Model(path)])), lambda path: lt.render(lt.Scene([lt.Model(path, lt.Pbr())])), lambda path: lt.render(HELLO, size=(8, 8)).save(path), lt.Scene().save, lambda path: lt.load(HELLO).save(path),
+], ids=["load", "render", "texture", "map", "map of loaded", "model", "model with Pbr", "save", "scene", "loaded"])
 @pytest.mark.parametrize("name, number, kind", [("nowhere/a.png", errno.ENOENT, FileNotFoundError), ("file/a.png", errno.ENOTDIR, OSError)])
 def test_errors_of_files_are_as_pythons(tmp_path, use, name, number, kind):
     (tmp_path / "file").touch()
@@ -309,6 +311,50 @@ def test_no_picture_takes_the_place_of_what_it_is_drawn_from(renderer, tmp_path,
                 image.save(f"../{name}", format="png")
             assert str(caught.value) == f"'../{name}' is read for this picture, which would take its place"
     assert {path: path.read_bytes() for path in tmp_path.glob("*.*")} == before
+
+
+@pytest.mark.parametrize("folder", ["plain", "with space"])
+def test_models_of_scenes_are_named_as_they_were_given(renderer, tmp_path, folder):
+    path = tmp_path / folder / "model.obj"
+    model = lt.Scene([lt.Model(path), lt.Light.ambient()])
+    with pytest.raises(FileNotFoundError, match=f"^cannot read '{path}': No such file or directory$") as missing:
+        renderer.render(model)
+    assert isinstance(missing.value, lt.FileError) and missing.value.filename == str(path)
+    path.parent.mkdir()
+    path.write_text("nothing")
+    with pytest.raises(lt.FileError) as empty:
+        renderer.render(model)
+    assert str(empty.value) == f"cannot read '{path}': the model has nothing to draw: it has no triangles, lines or points"
+
+
+@pytest.mark.parametrize(
+    ("use", "message"),
+    [
+        (lambda: lt.Phong(diffuse="#ff0000"), "expected a number or three for a colour, not '#ff0000'"),
+        (lambda: lt.Pbr(base_color=None), "expected three numbers, not None"),
+        (lambda: lt.Sphere("abc", 1), "expected three numbers, not 'abc'"),
+        (lambda: lt.Sphere((0, 0, 0), "1"), "expected a number, not '1'"),
+        (lambda: lt.Camera("wide").words("eye"), "expected a number, not 'wide'"),
+        (lambda: lt.load(HELLO).set_camera("eye", lt.Camera(size=("a", 1))), "expected a number, not 'a'"),
+        (lambda: lt.render(HELLO, picture="0"), "picture: expected a whole number, not '0'"),
+        (lambda: lt.render(HELLO, size=(8, 8)).save("a.png", bits=8.0), "bits: expected a whole number, not 8.0"),
+        (lambda: lt.render(HELLO, size=(8, 8)).encoded(quality="9"), "quality: expected a whole number, not '9'"),
+        (lambda: lt.render(HELLO, size=(8, 8)).encoded(3), "format: expected a text, not 3"),
+        (lambda: lt.render(HELLO, size=(8, 8)).encoded("ppm", ppm_ascii=1), "ppm_ascii: expected True or False, not 1"),
+    ],
+)
+def test_values_of_another_kind_are_type_errors(use, message):
+    with pytest.raises(TypeError) as caught:
+        use()
+    assert str(caught.value) == message
+
+
+def test_numbers_may_be_numpys(renderer):
+    wanted = renderer.render(HELLO, size=(8, 9), exposure=-1.5, eye=(0, 1, 9))
+    for number in (np.array, np.float32, np.float64):
+        eye = [number(0), number(1), number(9)]
+        image = renderer.render(HELLO, picture=np.int64(0), size=(np.array(8), np.int8(9)), exposure=number(-1.5), eye=eye, strict=np.False_)
+        assert image.encoded(bits=np.int32(8)) == wanted.encoded()
 
 
 def test_unknown_names(renderer):

@@ -110,6 +110,8 @@ def test_model_from_another_folder(renderer, tmp_path):
     (lambda: lt.Mesh([(0, 0, 0)], [(0, 0, 1)]), "from 0 to 0"),
     (lambda: lt.Mesh([(0, 0, 0)], [(0.0, 0.0, 0.0)]), "whole numbers"),
     (lambda: lt.Mesh([0, 0, 0], [(0, 0, 0)]), "N x 3"),
+    (lambda: lt.Mesh([("a", 0, 0)], [(0, 0, 0)]), "an array of numbers: "),
+    (lambda: lt.Mesh([(0, 0, 0)], [(0, 0, 0), (0, 0)]), "an array of numbers: "),
     (lambda: CUBE.rotate(3, (0, 0, 0)), "axis must not be zero"),
     (lambda: CUBE.scale(0), "factors must not be 0"),
     (lambda: lt.Light.spot((0, 0, 0), (0, 0, 1), range=-2), "a range above 0"),

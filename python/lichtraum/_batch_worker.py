@@ -63,23 +63,33 @@ def plan_hash(folder: str) -> str:
         return hashlib.sha256(file.read()).hexdigest()
 
 
-def _obstacle(work: Work) -> str:
-    """Why this machine cannot take part; empty where it can."""
+def _obstacle(work: Work) -> tuple[int, str]:
+    """Why this machine cannot take part, and the status for that; 0 where it can."""
     if version != work.version:
-        return f"it has lichtraum {version}, and the job was begun by {work.version}: install the same everywhere"
+        return 65, f"it has lichtraum {version}, and the job was begun by {work.version}: install the same everywhere"
     try:
         is_same = plan_hash(work.folder) == work.plan_hash
-    except OSError as error:
-        return f"it cannot read the plan ({error}): all machines need the folder under the same path"
-    return "" if is_same else f"{work.folder} has another plan there: all machines need the same folder"
+    except OSError as error:  # a share may be gone for a while, and others have it
+        return TRY_AGAIN, f"it cannot read the plan ({error}): all machines need the folder under the same path"
+    return (0, "") if is_same else (65, f"{work.folder} has another plan there: all machines need the same folder")
 
 
 def draw_batch(work: Work, first: int, last: int) -> Outcome:
     """Has units `first` to `last` drawn, both included; those that are there already are skipped."""
     begin = time.monotonic()
-    obstacle = _obstacle(work)
-    if obstacle:
-        return Outcome(65, f"worker on {socket.gethostname()}: {obstacle}", 0.0)
+    status, text = _obstacle(work)
+    was_ended = False
+    if status == 0:
+        status, text, was_ended = _draw(work, first, last)
+        if status in NEVER and _obstacle(work)[0] == TRY_AGAIN:  # the plan is gone meanwhile
+            status = TRY_AGAIN
+    if status != 0 and status not in NEVER and not was_ended:
+        time.sleep(_PAUSE_SECONDS)
+    return Outcome(status, f"worker on {socket.gethostname()}: {text}", time.monotonic() - begin)
+
+
+def _draw(work: Work, first: int, last: int) -> tuple[int, str, bool]:
+    """The child's status, what it said, and whether `end_children` ended it."""
     program = [PROGRAM, "job", "work", work.folder, f"--units={first}..{last}", "--quiet", *work.options]
     child = subprocess.Popen(
         [sys.executable, "-I", "-S", "-c", _CHILD, *program],
@@ -90,12 +100,10 @@ def draw_batch(work: Work, first: int, last: int) -> Outcome:
     _children[child] = work.folder
     stderr = child.communicate()[1]
     was_ended = _children.pop(child, None) is None
-    if child.returncode != 0 and child.returncode not in NEVER and not was_ended:
-        time.sleep(_PAUSE_SECONDS)
     text = message_of(stderr.decode(errors="replace"))
     if child.returncode < 0:
         text = f"'lichtraum job work' was ended by signal {-child.returncode} in units {first}..{last}. {text}".strip()
-    return Outcome(child.returncode, f"worker on {socket.gethostname()}: {text}", time.monotonic() - begin)
+    return child.returncode, text, was_ended
 
 
 def end_children(folder: str) -> None:

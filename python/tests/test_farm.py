@@ -11,7 +11,7 @@ import pytest
 pytest.importorskip("distributed")
 
 import lichtraum as lt
-from dask_processes import HELLO, is_running, lichtraum, machines, merged, picture_of, plan, tracers_of, unit_files, wait_for
+from dask_processes import HELLO, PROGRAM, is_running, lichtraum, machines, merged, picture_of, plan, tracers_of, unit_files, wait_for
 from lichtraum import farm
 from lichtraum._batch_worker import draw_batch
 from lichtraum._batches import MOST_TASKS, MissingUnits, Pace, least_size
@@ -136,14 +136,38 @@ def test_what_never_works_ends_the_job(tmp_path):
 
 def test_machines_that_cannot_take_part_say_why(job):
     work = JobFolder(str(job)).work([])
-    for wrong, reason in [
-        (work._replace(version="0.0.1"), "begun by 0.0.1"),
-        (work._replace(folder=str(job) + "x"), "cannot read the plan"),
-        (work._replace(plan_hash="0" * 64), "another plan"),
+    for wrong, status, reason in [
+        (work._replace(version="0.0.1"), 65, "begun by 0.0.1"),
+        (work._replace(folder=str(job) + "x"), 75, "cannot read the plan"),
+        (work._replace(plan_hash="0" * 64), 65, "another plan"),
     ]:
         outcome = draw_batch(wrong, 0, 0)
-        assert outcome.status == 65 and reason in outcome.message
+        assert outcome.status == status and reason in outcome.message
     assert not unit_files(job)
+
+
+def test_a_plan_that_is_gone_when_a_child_begins_may_come_back(job, monkeypatch):
+    work = JobFolder(str(job)).work([])
+    program = job.parent / "program"
+    program.write_text(f"#!/bin/sh\nmv {job} {job}.gone\nexec {PROGRAM} \"$@\"\n")
+    program.chmod(0o755)
+    monkeypatch.setattr("lichtraum._batch_worker.PROGRAM", str(program))
+    outcome = draw_batch(work, 0, 0)
+    assert outcome.status == 75 and "no plan.json" in outcome.message
+
+
+def test_one_of_two_machines_has_lost_the_folder(job, tmp_path):
+    from distributed import Client
+
+    hidden = ["unshare", "-m", "sh", "-c", f'mount -t tmpfs none {job} && exec "$@"', "sh"]
+    if subprocess.run([*hidden, "true"], capture_output=True).returncode:
+        pytest.skip("no folder can be hidden here")
+    with machines(tmp_path) as crew, Client(crew.begin(1)) as client:
+        crew.add_worker(*hidden)
+        client.wait_for_workers(2)
+        summary = farm.run(job, client, progress=False)
+    assert summary.drawn == 12 and summary.failed >= 1
+    assert merged(job) == picture_of(tmp_path)
 
 
 def test_full_disk(tmp_path):

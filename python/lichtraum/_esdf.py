@@ -10,7 +10,7 @@ from typing import Any, Sequence
 import numpy
 
 from ._errors import FileError, UsageError
-from ._files import replacement
+from ._files import write_file
 from ._materials import WHITE, Material, Pbr, Phong
 from ._nodes import Camera, Light, Mesh, Model, Shape
 from ._values import Color, color, is_word, text_of
@@ -127,8 +127,7 @@ class Writer:
         for mesh, name in self._meshes.values():
             path, content = self._folder / name, _ply(mesh, self._target)
             if not path.exists() or path.read_bytes() != content:
-                with replacement(path) as temporary:
-                    temporary.write_bytes(content)
+                write_file(path, content)
 
     def path_of(self, path: str) -> str:
         """As the scene's file calls it: as seen from there; one that eSDF cannot name, by a link."""

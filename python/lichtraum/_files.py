@@ -8,18 +8,23 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Iterator, Union
 
+from . import _native
 from ._errors import FileError, UsageError
 
 
 def file_name(path: Union[str, os.PathLike[str]]) -> str:
     """As the library takes it. Raises UsageError for what it would cut off or not understand."""
-    name = os.fspath(path)
-    if "\0" in name:
-        raise UsageError(f"{name!r}: no file has a name with a NUL character")
+    name = _without_nul(os.fspath(path))
     try:
         name.encode()
     except UnicodeEncodeError:
         raise UsageError(f"{name!r}: expected a name in UTF-8: rename the file") from None
+    return name
+
+
+def _without_nul(name: str) -> str:
+    if "\0" in name:
+        raise UsageError(f"{name!r}: no file has a name with a NUL character")
     return name
 
 
@@ -51,14 +56,18 @@ def _explain(error: FileError, path: str, reason: str) -> None:
         raise FileError.of(str(error), cause, path) from None
 
 
+def write_file(target: Path, content: bytes) -> None:
+    """As pictures are written: whole or not at all, where a link leads to, and with the permissions of the old file."""
+    name = _without_nul(str(target))
+    with writing(name):
+        _native.write_file(os.fsencode(name), content)
+
+
 @contextmanager
-def replacement(target: Path) -> Iterator[Path]:
-    """The name of a file to write beside `target`, which it then replaces: whole, or not at all if something is raised.
-    Nobody else has that name."""
+def draft(target: Path) -> Iterator[Path]:
+    """The name of a file beside `target`, which nobody else has, and which is removed at the end."""
     temporary = target.with_name(f"{target.name}.{uuid.uuid4().hex[:12]}.partial")
     try:
         yield temporary
-        os.replace(temporary, target)
-    except BaseException:
+    finally:
         temporary.unlink(missing_ok=True)
-        raise

@@ -8,7 +8,7 @@ from pathlib import Path
 from . import _native
 from ._edited_text import EditedText
 from ._errors import FileError, SceneError, UsageError
-from ._files import reading, replacement
+from ._files import draft, reading, write_file
 from ._materials import Material, checked
 from ._native import Diagnostic
 from ._nodes import Camera, Light
@@ -23,7 +23,7 @@ class LoadedScene:
         """`how` it is read, and what of that holds for files that are saved of it."""
         with reading(path):
             self._native = wait_for(lambda _: _native.read_scene(path, how))
-        self._path, self._how, self._how_saved = path, how, how_saved
+        self._path, self._how, self._how_saved = os.path.abspath(path), how, how_saved
         self._moves: list[tuple[str, Words]] = []
         self._materials: dict[str, Material] = {}
         self._lights: dict[str, Light] = {}
@@ -108,9 +108,13 @@ class LoadedScene:
         if self._native.is_model:
             raise UsageError(f"{self._path}: a model is not saved as eSDF; lt.Scene([lt.Model(...)]) holds one")
         try:
-            with replacement(target) as temporary:
-                temporary.write_bytes(self._edited(Path(self._path).read_bytes()))
+            edited = self._edited(Path(self._path).read_bytes())
+            with draft(target) as temporary:
+                temporary.write_bytes(edited)
                 self._check(temporary, target)
+            write_file(target, edited)
+        except FileError:
+            raise
         except OSError as error:
             message = f"cannot save {self._path!r} as {str(target)!r}: {error.strerror or error}"
             raise FileError.of(message, error, str(target)) from error

@@ -11,7 +11,7 @@ from typing import Iterable, Iterator, Optional, Union
 
 from ._errors import FileError, SceneError, UsageError
 from ._esdf import Writer
-from ._files import replacement
+from ._files import write_file
 from ._native import Diagnostic
 from ._nodes import Camera, Group, Light, Model, Shape
 from ._values import Color, expect, is_word
@@ -127,9 +127,8 @@ class Scene:
                 writer.background(self.background)
             writer.camera(self.camera, path.stem + ".png")
             writer.write_meshes()
-            with replacement(path) as temporary:
-                temporary.write_bytes(writer.text().encode("utf-8", "surrogateescape"))
-        except FileError:  # of a model
+            write_file(path, writer.text().encode("utf-8", "surrogateescape"))
+        except FileError:
             raise
         except OSError as error:
             raise FileError.of(f"cannot write {str(path)!r}: {error.strerror or error}", error, str(path)) from error

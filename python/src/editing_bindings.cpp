@@ -6,6 +6,7 @@
 
 #include "bindings.hpp"
 #include "editing.hpp"
+#include "lichtraum/image_io.hpp"
 #include "saving.hpp"
 
 namespace nb = nanobind;
@@ -76,6 +77,15 @@ void bind_editing(nb::module_& module) {
         return statements_of(std::move(copy), path, options);
       },
       nb::arg("text"), nb::arg("path"), nb::arg("options"));
+  module.def(
+      "write_file",
+      [](nb::bytes const& path, nb::bytes const& content) {
+        std::filesystem::path const name(std::string(path.c_str(), path.size()));
+        std::string_view const bytes(content.c_str(), content.size());
+        nb::gil_scoped_release const released;
+        write_file_atomically(name, bytes);
+      },
+      nb::arg("path"), nb::arg("content"));
   module.def("identity_of", &identity_of, nb::arg("scene"), Release());
 }
 

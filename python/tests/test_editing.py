@@ -86,6 +86,29 @@ def test_all_changes_at_once(renderer, loaded, tmp_path):
     assert np.array_equal(pixels(renderer, loaded), pixels(renderer, tmp_path / "scene.sdf"))
 
 
+@pytest.mark.parametrize("make", [lambda: lt.load("scene.sdf"), lambda: lt.Scene([lt.Sphere((0, 0, -5), 1)])], ids=["loaded", "made"])
+def test_saving_writes_where_links_lead_to_and_keeps_permissions(loaded, tmp_path, monkeypatch, make):
+    monkeypatch.chdir(tmp_path)
+    secret = tmp_path / "folder" / "secret.sdf"
+    secret.parent.mkdir()
+    secret.touch()
+    secret.chmod(0o600)
+    Path("link.sdf").symlink_to(secret)
+    make().save("link.sdf")
+    assert Path("link.sdf").is_symlink() and secret.stat().st_mode & 0o777 == 0o600
+    assert lt.load(secret).cameras and os.listdir("folder") == ["secret.sdf"]
+    assert sorted(os.listdir()) == ["folder", "link.sdf", "scene.sdf"]
+
+
+def test_what_was_loaded_by_a_relative_name_is_saved_from_elsewhere(loaded, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    scene = lt.load("scene.sdf")
+    Path("folder").mkdir()
+    monkeypatch.chdir("folder")
+    scene.save("saved.sdf")
+    assert lt.load("saved.sdf").shapes == scene.shapes
+
+
 def test_threads_save_to_one_file(loaded, tmp_path):
     scenes = [lt.load(tmp_path / "scene.sdf") for _ in range(4)]
     for number, scene in enumerate(scenes):

@@ -47,7 +47,7 @@ class Bar:
         bar = ipywidgets.FloatProgress(min=0, max=1)
 
         def show(fraction: float) -> None:
-            if not bar.value:
+            if not bar.value and fraction < 1:  # else it is over before anybody looks
                 display(bar)
             bar.value = fraction
 

@@ -163,7 +163,7 @@ def render(
     """Draws a scene or a model: a file's name, what `load` read, or a Scene.
 
     `picture`: which of the file's `render` statements, counted from 0. `progress`: False for no bar, or a function that is called
-    with a number from 0 to 1. The others are in RenderOptions, and mean what they mean to `lichtraum render`. Other
+    with a number from 0 to 1, at last with 1. The others are in RenderOptions, and mean what they mean to `lichtraum render`. Other
     threads run meanwhile, and Ctrl-C stops it.
 
     Raises SceneError, UsageError, FileError, DeviceError.

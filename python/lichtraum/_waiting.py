@@ -34,7 +34,7 @@ class _Work(Generic[Result]):
 
 def wait_for(work: Callable[[_native.Control], Result], show: Optional[Callable[[float], object]] = None) -> Result:
     """What `work` returns or raises, which runs in a thread of its own: nothing but this would let a signal (Ctrl-C) be
-    answered while a file is read. `show` is called with a fraction from 0 to 1.
+    answered while a file is read. `show` is called with a fraction from 0 to 1, with 1 once all is done.
 
     When a signal comes or `show` raises, that is raised at once. The work is told to stop, does so when it can, and
     nobody hears of it any more; whoever uses the same renderer waits for it, and so does Python's end.
@@ -53,4 +53,7 @@ def wait_for(work: Callable[[_native.Control], Result], show: Optional[Callable[
         task.control.stop()
         raise
     thread.join()
-    return task.result()
+    result = task.result()
+    if show is not None and shown < 1:
+        show(1.0)
+    return result

@@ -227,7 +227,18 @@ def test_other_threads_run_and_progress_is_told(renderer):
     done.set()
     thread.join()
     assert len(ran) > 10
-    assert shown == sorted(shown) and all(0 < fraction <= 1 for fraction in shown) and shown
+    assert shown == sorted(shown) and all(0 < fraction <= 1 for fraction in shown) and len(shown) > 1
+    assert shown[-1] == 1 and shown.count(1) == 1
+
+
+@pytest.mark.parametrize("scene", [HELLO, lt.load(HELLO), lt.Scene([lt.Sphere((0, 0, -5), 1), lt.Light.ambient()])], ids=["file", "loaded", "made"])
+def test_progress_ends_with_all(renderer, scene):
+    shown = []
+    renderer.render(scene, size=(8, 8), progress=shown.append)
+    assert shown[-1] == 1 and shown.count(1) == 1
+    with pytest.raises(lt.UsageError):
+        renderer.render(scene, size=(8, 8), camera="nobody", progress=shown.append)
+    assert shown.count(1) == 1  # not of what failed
 
 
 def test_what_progress_raises_comes_out(renderer):

@@ -115,7 +115,7 @@ class Crew:
                 )
             outcome = Outcome(TRY_AGAIN, f"workers died: {error}", 0.0)
         elif future.status != "cancelled":
-            outcome = Outcome(TRY_AGAIN, "a worker died with its answer", 0.0)  # the folder knows what it drew
+            outcome = Outcome(TRY_AGAIN, "a worker died before its answer arrived", 0.0)  # the folder knows what it drew
         else:
             raise _scheduler_is_gone()
         if outcome.status != 0:

@@ -54,12 +54,12 @@ class Image:
 
     @property
     def width(self) -> int:
-        """Pixels."""
+        """Width in pixels."""
         return self._picture.width
 
     @property
     def height(self) -> int:
-        """Pixels."""
+        """Height in pixels."""
         return self._picture.height
 
     @property
@@ -69,7 +69,7 @@ class Image:
 
     @property
     def samples(self) -> int:
-        """A pixel."""
+        """Samples per pixel."""
         return self._picture.samples
 
     @property

@@ -32,7 +32,7 @@ class LoadedScene:
 
     @property
     def name(self) -> str:
-        """Of its file."""
+        """The name of the scene's file."""
         return self._native.name
 
     @property
@@ -42,17 +42,17 @@ class LoadedScene:
 
     @property
     def shapes(self) -> list[str]:
-        """Names."""
+        """The names of the shapes."""
         return self._native.shapes
 
     @property
     def materials(self) -> list[str]:
-        """Names."""
+        """The names of the materials."""
         return self._native.materials
 
     @property
     def lights(self) -> list[str]:
-        """Names."""
+        """The names of the lights."""
         return self._native.lights
 
     @property

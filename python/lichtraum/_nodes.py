@@ -293,7 +293,7 @@ class Light:
 
     @classmethod
     def ambient(cls, brightness: Color = 0.2, *, name: Optional[str] = None) -> Light:
-        """Arrives everywhere."""
+        """Light that reaches every surface equally."""
         return cls("ambient", {"brightness": [*color(brightness)]}, name)
 
     @classmethod

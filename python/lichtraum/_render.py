@@ -77,7 +77,7 @@ class Renderer:
 
     @property
     def device(self) -> str:
-        """Its name."""
+        """The name of the device."""
         return self._session.device
 
     def render(
@@ -190,7 +190,7 @@ def load(path: Path, /, **options: Unpack[RenderOptions]) -> LoadedScene:
     """
     for name in options:
         if name not in READING:
-            raise TypeError(f"{name!r} says nothing about reading: it is for render")
+            raise TypeError(f"{name!r} does not affect how a file is read: pass it to render")
     how, how_saved = parsed(dict(options)), parsed({"allow_path": options.get("allow_path")})
     scene = LoadedScene(file_name(path), how, how_saved)
     _warn_of(scene.diagnostics)

@@ -42,7 +42,7 @@ nb::object plane(nb::handle self, std::string_view name) {
 Floats radiance(nb::handle self) {
   auto const& picture = nb::cast<Picture const&>(self);
   if (picture.radiance.empty()) {
-    throw Error(ErrorKind::usage, "the picture has no radiance: its planes are other ones");
+    throw Error(ErrorKind::usage, "the picture has no radiance: planes= asked only for others");
   }
   return view(picture.radiance, picture, 3, self);
 }

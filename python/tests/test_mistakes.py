@@ -360,7 +360,7 @@ def test_numbers_may_be_numpys(renderer):
 def test_unknown_names(renderer):
     with pytest.raises(TypeError, match="no option 'sizes'"):
         renderer.render(HELLO, sizes=(1, 1))
-    with pytest.raises(TypeError, match="size"):
+    with pytest.raises(TypeError, match="^'size' does not affect how a file is read: pass it to render$"):
         lt.load(HELLO, size=(1, 1))
     with pytest.raises(TypeError, match="^seed cannot be True or False"):
         renderer.render(HELLO, seed=True)

@@ -104,7 +104,7 @@ def test_planes(renderer):
     np.testing.assert_allclose(np.linalg.norm(normal[number > 0], axis=-1), 1, atol=1e-5)
     with pytest.raises(KeyError, match="albedo.*there are: radiance"):
         image.planes["albedo"]
-    with pytest.raises(lt.UsageError, match="no radiance"):
+    with pytest.raises(lt.UsageError, match="^the picture has no radiance: planes= asked only for others$"):
         np.asarray(renderer.render(HELLO, size=(8, 8), planes="depth"))
 
 

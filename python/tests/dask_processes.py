@@ -20,8 +20,8 @@ def lichtraum(*words):
     return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True)
 
 
-def plan(folder, size="64x48", tile="16x16", scene=HELLO):
-    assert lichtraum("job", "plan", scene, f"--size={size}", f"--tile={tile}", "-o", folder).returncode == 0
+def plan(folder, *words, size="64x48", tile="16x16", scene=HELLO):
+    assert lichtraum("job", "plan", scene, f"--size={size}", f"--tile={tile}", *words, "-o", folder).returncode == 0
     return folder
 
 

@@ -240,6 +240,18 @@ def test_what_cannot_be_written_is_told_before_anything_is_drawn(job, tmp_path, 
     assert not unit_files(job)
 
 
+def test_what_a_file_cannot_take_is_told_before_anything_is_drawn(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    scene = tmp_path / "scene.sdf"
+    scene.write_bytes(HELLO.read_bytes())
+    (tmp_path / "link.exr").symlink_to(scene)
+    job = plan(tmp_path / "job", "--planes=depth,normal", scene=scene)
+    for output, status, message in [("a.png", 64, "'a.png' has room for one"), ("link.exr", 73, "'link.exr' is read for this picture")]:
+        with pytest.raises(lt.JobError, match=message) as caught:
+            farm.run(job, output=output, progress=False)
+        assert caught.value.status == status and not unit_files(job)
+
+
 def test_the_picture_goes_to_standard_output(job, tmp_path):
     for _ in range(2):
         process = command(job, "-o", "-", stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=False)

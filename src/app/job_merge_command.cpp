@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 
 #include "app/arguments.hpp"
+#include "app/files_read.hpp"
 #include "app/job_commands.hpp"
 #include "app/merging_renderer.hpp"
+#include "app/picture_plan.hpp"
 #include "app/planned_pictures.hpp"
 #include "app/sequence.hpp"
 #include "app/video.hpp"
@@ -65,11 +67,18 @@ void check_version(farm::Plan const& plan) {
 }
 
 /// Before units are looked for: lichtraum.farm hears of it before it has any drawn.
-void check_output(OutputOptions const& options) {
+void check_output(farm::Plan const& plan, OutputOptions const& options) {
   OutputNames names(options);
   if (options.file.empty()) return;
   Output const first = names.next({});
-  if (!first.is_standard_output()) check_writable(first.path);
+  Job job = plan.job;
+  job.region = plan.region;
+  check_format(job, first);
+  if (first.is_standard_output()) return;
+  FilesRead files;
+  for (farm::ReadFile const& file : plan.files) files.add(file.path);
+  files.refuse_to_overwrite(first.path);
+  check_writable(first.path);
 }
 
 /// Before scenes are read, which takes time.
@@ -93,7 +102,7 @@ int job_merge_command(Arguments const& arguments, Console& console) {
   if (!parse_job_merge(arguments, options, console)) return 0;
   farm::PlanFolder const folder(options.folder);
   if (!options.allow_mixed) check_version(folder.plan());
-  check_output(options.output);
+  check_output(folder.plan(), options.output);
   check_all_there(folder);
   farm::PlannedFiles(folder.plan()).check();
 

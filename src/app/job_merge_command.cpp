@@ -67,8 +67,13 @@ void check_version(farm::Plan const& plan) {
 }
 
 /// Before units are looked for: lichtraum.farm hears of it before it has any drawn.
-void check_output(farm::Plan const& plan, OutputOptions const& options) {
+void check_output(farm::Plan const& plan, JobMergeOptions const& merge) {
+  OutputOptions const& options = merge.output;
   OutputNames names(options);
+  if (merge.frames_per_second) {
+    if (!names.is_film()) throw Error(ErrorKind::usage, "--fps is for films (-o film.mp4)");
+    check_frame_rate(options.file, *merge.frames_per_second);
+  }
   if (options.file.empty()) return;
   Output const first = names.next({});
   Job job = plan.job;
@@ -102,7 +107,7 @@ int job_merge_command(Arguments const& arguments, Console& console) {
   if (!parse_job_merge(arguments, options, console)) return 0;
   farm::PlanFolder const folder(options.folder);
   if (!options.allow_mixed) check_version(folder.plan());
-  check_output(folder.plan(), options.output);
+  check_output(folder.plan(), options);
   check_all_there(folder);
   farm::PlannedFiles(folder.plan()).check();
 
@@ -114,10 +119,6 @@ int job_merge_command(Arguments const& arguments, Console& console) {
   render.output = options.output;
   render.output.allowed_paths = allowed_paths;
   OutputNames names(render.output);
-  if (options.frames_per_second) {
-    if (!names.is_film()) throw Error(ErrorKind::usage, "--fps is for films (-o film.mp4)");
-    check_frame_rate(render.output.file, *options.frames_per_second);
-  }
   combine(render, inputs, names);
   if (options.frames_per_second) render.frames_per_second = options.frames_per_second;
   render.load.whole_animation_rate.reset();  // the plan has the pictures that it has

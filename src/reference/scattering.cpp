@@ -28,11 +28,29 @@ Rgb bounce_gain(Rgb const& f0, Rgb const& f90, double kept) {
   return Rgb(1) / (1.0 - mean * (1 - kept));
 }
 
-/// Up to this roughness microfacets reflect nearly alike.
-constexpr double nearly_smooth_alpha = 0.02;
+/// Up to this roughness a table of 16 angles is too coarse at the critical one.
+constexpr double sharp_alpha = 0.2;
 
 /// The square of the cosine beyond the surface, by Snell's law; negative where all is reflected.
 double cosine_beyond_squared(double eta, double cosine) { return 1 - eta * eta * (1 - cosine * cosine); }
+
+/// What a solid reflects of light from within, all microfacets together: the mean over how they lean in the plane of
+/// incidence, whose density is GGX's along one axis, weighted by how large they look.
+Rgb reflected_by_facets(ReferenceBsdf const& bsdf, double eta, double cosine) {
+  constexpr int count = 256;
+  double const sine = std::sqrt(std::max(1 - square(cosine), 0.0));
+  Rgb sum(0);
+  double all = 0;
+  for (int i = 0; i < count; ++i) {
+    double const q = 2 * (i + 0.5) / count - 1;
+    double const slope = bsdf.alpha * q / std::sqrt(1 - q * q);
+    double const leaning = std::max(cosine + slope * sine, 0.0) / std::sqrt(1 + slope * slope);
+    double const beyond = cosine_beyond_squared(eta, leaning);
+    sum += leaning * (beyond > 0 ? schlick(bsdf.f0, bsdf.f90, std::sqrt(beyond)) : Rgb(1));
+    all += leaning;
+  }
+  return all > 0 ? sum / all : Rgb(1);
+}
 
 }  // namespace
 
@@ -68,9 +86,9 @@ ReferenceScattering::ReferenceScattering(ReferenceBsdf const& bsdf, Vec3 const& 
     refraction_gain_ = 1 / total;
     dielectric_gain_ = Rgb(refraction_gain_);
     reflected = refraction_gain_ * (eta_ > 1 ? Rgb(solid.reflected) : gloss.a * bsdf.f0 + gloss.b * bsdf.f90);
-    double const beyond = cosine_beyond_squared(eta_, cosine);
-    if (eta_ > 1 && bsdf.alpha < nearly_smooth_alpha) {  // near the critical angle the table is too coarse
-      reflected = beyond > 0 ? schlick(bsdf.f0, bsdf.f90, std::sqrt(beyond)) : Rgb(1);
+    if (eta_ > 1 && bsdf.alpha < sharp_alpha) {
+      double const part = std::max(2 * bsdf.alpha / sharp_alpha - 1, 0.0);  // the table's, from half of it on
+      reflected = glm::mix(reflected_by_facets(bsdf, eta_, cosine), reflected, part);
     }
   }
   base_ *= std::max(1 - largest_channel(reflected), 0.0);  // alike in all channels (KHR_materials_specular)

@@ -220,23 +220,24 @@ TEST_CASE("past the critical angle a smooth solid mirrors all light, whatever it
   }
 }
 
-TEST_CASE("white furnace: nearly smooth solids with a matt share keep all light at the critical angle, too",
+TEST_CASE("white furnace: solids with a matt share keep all light near the critical angle",
           "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
   BsdfProbe const probe(quickest_lanes());
   std::vector<float4> const uniforms = even_uniforms(16384);
   for (double const ior : {1.5, 2.0}) {
-    for (double const share : {0.05, 0.3}) {
-      for (bool const is_leaf : {false, true}) {
-        BsdfParameters surface = transmitting(layered_bsdf(1, 0, 0.03), share, ior);
-        if (is_leaf) surface = translucent(surface, 0.5);
+    for (double const roughness : {0.03, 0.1, 0.2, 0.3, 0.4, 0.5}) {
+      BsdfParameters const solid = transmitting(layered_bsdf(1, 0, roughness), 0.05, ior);
+      // Rougher ones are halfway to the table, which has 16 angles.
+      double const margin = roughness > 0.2 ? 0.075 : 0.035;
+      for (BsdfParameters const& surface : {solid, translucent(solid, 0.5)}) {
         for (double angle = 21; angle < 60; angle += 2) {  // the critical ones, 30 and 41.8 degrees, lie between
-          INFO("ior " << ior << ", transmission " << share << ", " << angle << " degrees");
+          INFO("ior " << ior << ", roughness " << roughness << ", " << angle << " degrees");
           auto const samples = probe.sample(
               {"", surface, false}, std::vector<float4>(uniforms.size(), to_float4(viewer_at(angle))), uniforms);
           double sum = 0;
           for (float4 const& weight : samples.weights) sum += double(weight.x);
-          CHECK(sum / double(uniforms.size()) == Approx(1).margin(0.02));
+          CHECK(sum / double(uniforms.size()) == Approx(1).margin(margin));
         }
       }
     }

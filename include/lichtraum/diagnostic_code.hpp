@@ -99,6 +99,7 @@ namespace LICHTRAUM_API lichtraum {
   CODE(W, 0822, outside_animation, "a time outside of an animation")                                    \
   CODE(W, 0823, white_picture, "a picture that is mostly white")                                        \
   CODE(W, 0824, far_scene, "a scene far from the origin")                                               \
+  CODE(W, 0825, repaired_environment, "an environment with values that cannot be light")                \
   CODE(E, 0901, nothing_to_draw, "a model with nothing to draw")                                        \
   CODE(W, 0902, geometry_left_out, "parts of a model that cannot be drawn")                             \
   CODE(W, 0903, texture_left_out, "a picture of a model that cannot be used")                           \

@@ -20,6 +20,7 @@ struct EnvironmentMap {
   int width = 0;
   int height = 0;
   std::vector<float> radiance;  ///< height x width x 3, first row at the top; linear Rec. 709, finite and not negative
+  std::string repairs{};        ///< which values of its file were replaced, for people; empty: none
 };
 
 /// The most that a map's file may have: 16384 x 8192.
@@ -27,8 +28,9 @@ inline constexpr std::int64_t max_environment_pixels = std::int64_t(1) << 27;
 
 /// Reads a map from a picture in latitude and longitude: Radiance (.hdr; RGBE, whichever run lengths), OpenEXR (.exr;
 /// R, G and B, or Y, of any type) or PFM (.pfm), told apart by their first bytes, whose values are taken for linear
-/// Rec. 709. Throws Error{no_input} for a file that cannot be opened, Error{scene} for one that is not whole, has no
-/// pixels or too many, or values that are infinite, negative or no numbers; the message says where, and what to do.
+/// Rec. 709. Values that are negative or no numbers become 0, infinite ones the largest other value. Throws
+/// Error{no_input} for a file that cannot be opened, Error{scene} for one that is not whole, has no pixels or too many,
+/// or more than one such value in a hundred; the message says where, and what to do.
 EnvironmentMap read_environment(std::filesystem::path const& path);
 
 /// The most that EnvironmentLight::brightness may be where somebody writes it.

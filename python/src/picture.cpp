@@ -46,7 +46,8 @@ void warn_of_faults(Picture& picture, Scene const& scene, Bounds const& bounds, 
                                 bounds,
                                 app::light_in(scene, picture.request.integrator),
                                 is_model,
-                                picture.request.region == whole_picture(picture.request.resolution)};
+                                picture.request.region == whole_picture(picture.request.resolution),
+                                scene.environment ? std::string_view(scene.environment->map->repairs) : ""};
   for (auto& [fault, finding] : app::faults_of(drawn, sight)) picture.diagnostics.push_back(std::move(finding));
 }
 

@@ -102,6 +102,10 @@ double Sight::white_share(Background const& background, Development const& devel
 std::vector<std::pair<PictureFault, Diagnostic>> faults_of(DrawnPicture const& drawn, Sight const& sight) {
   std::vector<std::pair<PictureFault, Diagnostic>> found;
   if (auto far = far_scene(drawn.bounds)) found.emplace_back(PictureFault::far_away, std::move(*far));
+  if (!drawn.map_repairs.empty()) {
+    found.emplace_back(PictureFault::repaired_map,
+                       warning(DiagnosticCode::repaired_environment, std::string(drawn.map_repairs)));
+  }
   bool const lacks_light =
       drawn.light != SceneLight::some && !sight.is_empty() && drawn.request.planes.has(FilmPlane::radiance);
   if (lacks_light) {

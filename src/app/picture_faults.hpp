@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,10 +44,11 @@ struct DrawnPicture {
   Bounds const& bounds;          ///< of the scene
   SceneLight light = SceneLight::some;
   bool is_model = false;
-  bool is_whole = true;  ///< false: a region of it, which may well show nothing
+  bool is_whole = true;            ///< false: a region of it, which may well show nothing
+  std::string_view map_repairs{};  ///< EnvironmentMap::repairs of what lights it
 };
 
-enum class PictureFault { far_away, no_light, too_bright, nothing_seen };
+enum class PictureFault { far_away, repaired_map, no_light, too_bright, nothing_seen };
 
 /// Each with a warning that says why and what to do, at no place. All of the picture was added to `sight`.
 std::vector<std::pair<PictureFault, Diagnostic>> faults_of(DrawnPicture const& drawn, Sight const& sight);

@@ -66,8 +66,8 @@ std::vector<Diagnostic> PictureFindings::of_scene(PictureReady const& ready, Pic
 
 std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, PicturePlan const& plan,
                                                     Sight const& sight) {
-  DrawnPicture const drawn{ready.request, ready.development, ready.background,    ready.scene->bounds,
-                           ready.light,   is_model_,         !options_.job.region};
+  DrawnPicture const drawn{ready.request, ready.development, ready.background,     ready.scene->bounds,
+                           ready.light,   is_model_,         !options_.job.region, ready.map_repairs};
   std::vector<Diagnostic> found;
   for (auto& [fault, finding] : faults_of(drawn, sight)) {
     if (!told_.insert(fault).second) continue;

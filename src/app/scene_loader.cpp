@@ -51,6 +51,7 @@ class Pictures {
       picture.background = picture.request.background.value_or(scene.background);
       picture.scene = prepared;
       picture.light = light_in(scene, picture.request.integrator);
+      if (scene.environment) picture.map_repairs = scene.environment->map->repairs;
       if (plan.output.format->encode) picture.development = development_of(plan.job, scene);
       picture.fingerprint = fmt::format("{}-{}", picture_fingerprint(*prepared, picture.request, picture.development),
                                         plan.job.encoding.bits);

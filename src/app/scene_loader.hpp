@@ -34,9 +34,10 @@ struct PictureReady {
   std::shared_ptr<PreparedScene const> scene;
   std::string fingerprint;  ///< for the picture's file
   SceneLight light = SceneLight::some;
-  std::string denoiser;  ///< what is to take the noise out of it; empty: nothing
-  bool is_done = false;  ///< with --resume: the file is there, and is this picture
-  double load_ms = 0;    ///< bringing the scene to where it is in this picture
+  std::string map_repairs;  ///< EnvironmentMap::repairs
+  std::string denoiser;     ///< what is to take the noise out of it; empty: nothing
+  bool is_done = false;     ///< with --resume: the file is there, and is this picture
+  double load_ms = 0;       ///< bringing the scene to where it is in this picture
 };
 
 /// Nothing more comes of the scene, as it is at its end or as `failure` says.

@@ -288,6 +288,15 @@ define camera eye 45
 render eye picture.png 32 24
 )",
      "lichtraum render scene.sdf"},
+    {DiagnosticCode::repaired_environment,
+     R"(Some values of the environment's picture are negative, infinite or no numbers,
+which light cannot be. 0 stands for them, and of infinite ones the largest other
+value. Resampling and sharpening leave such values, and suns that are too bright
+for half floats. Where more than one value in a hundred is of that kind, the
+picture is refused: then it is no picture of light, such as a normal map. For
+example, a sky that was scaled down has -0.0004 beside its sun.
+)",
+     "", ""},
 };
 static_assert(explains_all(picture_table, "08"));
 

@@ -61,3 +61,21 @@ TEST_CASE("every picture of a scene that moves has the environment", "[app][envi
   CHECK(lichtraum.render(draw + "--environment studio").err.find("already there") == std::string::npos);
   CHECK_THAT(lichtraum.render(draw + "--environment studio").err, contains_text("2 pictures were already there"));
 }
+
+TEST_CASE("an environment with a few values that are no light is drawn, and they are told", "[app][environment]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("a.sdf", ball_scene);
+  std::vector<float> values(3 * 20 * 10, 1);
+  values[100] = -0.25f;
+  std::string bytes(values.size() * sizeof(float), '\0');
+  std::memcpy(bytes.data(), values.data(), bytes.size());
+  lichtraum.folder.write("sky.pfm", "PF\n20 10\n-1.0\n" + bytes);
+  std::string const words = "a.sdf --size 16x12 --samples 1 --integrator path --environment sky.pfm ";
+  for (std::string const command : {"check ", "render -o a.png --device reference "}) {
+    auto const result = lichtraum(command + words);
+    INFO(result.out + result.err);
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.out + result.err,
+               contains_text("sky.pfm: 1 of its 600 values cannot be light") && contains_text("[W0825]"));
+  }
+}

@@ -314,6 +314,28 @@ TEST_CASE("values that are no light are counted, and the first is named", "[unit
   CHECK(decode(encode(black, "exr")).radiance == std::vector<float>(24));
 }
 
+TEST_CASE("a few values that are no light are replaced, and that is told", "[unit][environment]") {
+  Image image = sample_image(20, 10);
+  image.data()[3 * (2 * 20 + 4) + 1] = -0.5f;
+  image.data()[7] = std::numeric_limits<float>::infinity();
+  image.data()[9] = -std::numeric_limits<float>::infinity();
+  image.data().back() = quiet_nan;
+  EnvironmentMap const map = decode(encode(image, "pfm"));
+  float largest = 0;
+  for (std::size_t i = 0; i < 600; ++i) {
+    if (std::isfinite(image.data()[i])) largest = std::max(largest, image.data()[i]);
+  }
+  for (std::size_t i = 0; i < 600; ++i) {
+    float const value = image.data()[i];
+    CHECK(map.radiance[i] == (value >= 0 ? std::min(value, largest) : 0));
+  }
+  CHECK(
+      map.repairs ==
+      "sky: 4 of its 600 values cannot be light, as they are negative, infinite or no numbers; the first is inf of "
+      "green in column 3, row 1 (from 1, the top); 0 stands for them, and the largest of the others for infinite ones");
+  CHECK(decode(encode(sample_image(20, 10), "pfm")).repairs.empty());
+}
+
 TEST_CASE("what is no environment says what one would be", "[unit][environment]") {
   CHECK(contains(refusal(""), "the file is empty"));
   CHECK(contains(refusal("\x89PNG\r\n"), "it is not a Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) file"));

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 
@@ -20,23 +21,38 @@ struct EnvironmentFormat {
 constexpr EnvironmentFormat formats[] = {
     {"#?", decode_hdr}, {"\x76\x2f\x31\x01", decode_exr}, {"PF", decode_pfm}, {"Pf", decode_pfm}};
 
-/// Light that is no number, infinite or negative would spoil every pixel that it reaches.
-void check_values(EnvironmentFile const& file, EnvironmentMap const& map) {
+/// Light that is no number, infinite or negative would spoil every pixel that it reaches. Resampling and sharpening
+/// leave some of it in many a sky, and a sun too bright for half floats is infinite; where there is much, it is no
+/// light.
+void mend_values(EnvironmentFile const& file, EnvironmentMap& map) {
   std::size_t count = 0, first = 0;
+  float largest = 0;
   for (std::size_t i = 0; i < map.radiance.size(); ++i) {
     float const value = map.radiance[i];
-    if (value >= 0 && std::isfinite(value)) continue;
-    if (count++ == 0) first = i;
+    if (value >= 0 && std::isfinite(value)) {
+      largest = std::max(largest, value);
+    } else if (count++ == 0) {
+      first = i;
+    }
   }
   if (count == 0) return;
   std::size_t const pixel = first / 3;
   auto const width = std::size_t(map.width);
   char const* const channels[] = {"red", "green", "blue"};
-  file.fail(fmt::format(
+  std::string const what = fmt::format(
       "{} of its {} values cannot be light, as they are negative, infinite or no numbers; the first is "
-      "{} of {} in column {}, row {} (from 1, the top). Replace them in a picture editor, and save "
-      "the file again",
-      count, map.radiance.size(), map.radiance[first], channels[first % 3], pixel % width + 1, pixel / width + 1));
+      "{} of {} in column {}, row {} (from 1, the top)",
+      count, map.radiance.size(), map.radiance[first], channels[first % 3], pixel % width + 1, pixel / width + 1);
+  constexpr std::size_t most_share = 100;  // one in so many
+  if (most_share * count > map.radiance.size()) {
+    file.fail(what + ". Replace them in a picture editor, and save the file again");
+  }
+  for (float& value : map.radiance) {
+    if (!(value >= 0)) value = 0;
+    if (std::isinf(value)) value = largest;
+  }
+  map.repairs =
+      fmt::format("{}: {}; 0 stands for them, and the largest of the others for infinite ones", file.name, what);
 }
 
 }  // namespace
@@ -65,7 +81,7 @@ EnvironmentMap decode_environment(EnvironmentFile const& file) {
     if (!file.bytes.starts_with(format.first_bytes)) continue;
     try {
       EnvironmentMap map = format.decode(file);
-      check_values(file, map);
+      mend_values(file, map);
       return map;
     } catch (std::bad_alloc const&) {
       file.fail("the environment needs more memory than there is. Scale it down");

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/largest_channel.hpp"
+#include "core/square.hpp"
 #include "reference/albedo_tables.hpp"
 #include "reference/microfacets.hpp"
 #include "reference/point.hpp"

@@ -12,13 +12,13 @@
 #include <string>
 
 #include "core/utf8.hpp"
+#include "lichtraum/esdf.hpp"
 #include "lichtraum/model.hpp"
 #include "support/catch.hpp"
 #include "support/project_files.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace lichtraum;
-using namespace lichtraum::test;
 
 namespace {
 

@@ -15,6 +15,7 @@
 #include "io/image/decode_bmp.hpp"
 #include "io/image/decode_png.hpp"
 #include "io/image/decode_tga.hpp"
+#include "shared/srgb.h"
 
 namespace lichtraum {
 namespace {
@@ -136,27 +137,17 @@ bool decode_webp(std::string_view bytes, TextureImage& image, std::string& reaso
   return false;
 }
 
-/// What the bytes of colours stand for, and back: the nearest.
-class SrgbBytes {
- public:
-  SrgbBytes() {
-    for (std::size_t i = 0; i < 256; ++i) linear_[i] = linear_from_srgb(double(i) / 255);
-    for (std::size_t i = 0; i < 255; ++i) limits_[i] = linear_from_srgb((double(i) + 0.5) / 255);
-  }
-  double linear(std::uint8_t byte) const { return linear_[byte]; }
-  std::uint8_t nearest(double linear) const {
-    return std::uint8_t(std::upper_bound(limits_.begin(), limits_.end(), linear) - limits_.begin());
-  }
-
- private:
-  std::array<double, 256> linear_;
-  std::array<double, 255> limits_;
-};
+/// Where the light of one byte of sRGB ends, and that of the next begins.
+std::array<double, 255> limits_of_srgb() {
+  std::array<double, 255> limits;
+  for (std::size_t i = 0; i < limits.size(); ++i) limits[i] = linear_from_srgb((double(i) + 0.5) / 255);
+  return limits;
+}
 
 /// Half as wide and high: the mean of four pixels, of colours that of their light. The last row or column of an odd
 /// size counts twice.
 TextureImage halved(TextureImage const& image, TexelContent content) {
-  SrgbBytes const srgb;
+  auto const limits = limits_of_srgb();
   TextureImage half;
   half.name = image.name;
   ImageSize const size = ImageSize{image.width, image.height}.halved();
@@ -176,8 +167,8 @@ TextureImage halved(TextureImage const& image, TexelContent content) {
                                      at(2 * x + 1, 2 * y + 1, c)};
         if (content == TexelContent::color && c < 3) {
           double light = 0;
-          for (std::uint8_t const byte : four) light += srgb.linear(byte) / 4;
-          *out++ = srgb.nearest(light);
+          for (std::uint8_t const byte : four) light += double(device::linear_from_srgb_table[byte]) / 4;
+          *out++ = std::uint8_t(std::ranges::upper_bound(limits, light) - limits.begin());
         } else {
           *out++ = std::uint8_t((four[0] + four[1] + four[2] + four[3] + 2) / 4);
         }

@@ -89,9 +89,8 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
   add_value(parser, "--depth", options.job.max_depth, parse_depth, "N",
             "Maximum depth of reflection and refraction\n(default: 5; path: 16)", group);
   add_value(parser, "--clamp", options.job.max_indirect, parse_clamp, "X",
-            "The most radiance that scattered light may add at\neach bounce, such as 10: less noise, but darker\nthan "
-            "it should be "
-            "(default: no limit)",
+            "The most radiance that scattered light may add at\neach bounce, such as 10: less noise, but darker\n"
+            "than it should be (default: no limit)",
             group);
   add_value(parser, "--seed", options.job.seed, parse_seed, "N", "Seed of the random samples (default: 0)", group);
   add_value(parser, "--background", options.job.background, parse_background, "COLOR",

@@ -249,8 +249,7 @@ JobView::Orbit parse_orbit(std::string_view text) {
   if (!is_good) {
     throw std::invalid_argument(
         "expected azimuth and elevation (-90 to 90) in degrees, and perhaps a distance above 0 (without one, the "
-        "camera "
-        "sees everything), such as 35,20 or 35,20,5");
+        "camera sees everything), such as 35,20 or 35,20,5");
   }
   return {numbers[0], numbers[1], count == 3 ? std::optional(numbers[2]) : std::nullopt};
 }

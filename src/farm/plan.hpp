@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lichtraum/device.hpp"
+#include "lichtraum/file_stamp.hpp"
 #include "lichtraum/job.hpp"
 
 /// Pictures that many machines draw together, by way of files in a folder that all of them see.

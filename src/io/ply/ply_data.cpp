@@ -12,6 +12,7 @@
 #include "io/ply/ply_sources.hpp"
 #include "io/polygon.hpp"
 #include "io/triangles.hpp"
+#include "shared/srgb.h"
 
 namespace lichtraum::ply {
 namespace {
@@ -120,10 +121,10 @@ class DataReader {
     if (!(length > 0 && std::isfinite(length))) return {0, 0, 0};
     return {float(n.x / length), float(n.y / length), float(n.z / length)};
   }
-  /// Nearly all colours are bytes: then the logarithms are in a table.
+  /// Nearly all colours are bytes, which there is a table for.
   float linear(double value) const {
     double const byte = value * 255;
-    if (byte >= 0 && byte <= 255 && byte == std::floor(byte)) return linear_bytes_[std::size_t(byte)];
+    if (byte >= 0 && byte <= 255 && byte == std::floor(byte)) return device::linear_from_srgb_table[std::size_t(byte)];
     return float(linear_from_srgb(double(finite(value))));
   }
 
@@ -260,12 +261,6 @@ class DataReader {
     return true;
   }
 
-  static std::array<float, 256> make_linear_bytes() {
-    std::array<float, 256> table;
-    for (std::size_t i = 0; i < table.size(); ++i) table[i] = float(linear_from_srgb(double(float(i) / 255)));
-    return table;
-  }
-
   Source source_;
   Drawn drawn_;
   Reading reading_;
@@ -276,7 +271,6 @@ class DataReader {
   MeshGeometry geometry_;
   FaceAttributes faces_;
   std::array<double, slot_count + 1> row_{};  // of a vertex, an edge or a face; what none of its properties is stays
-  std::array<float, 256> linear_bytes_ = make_linear_bytes();
   bool has_told_small_ = false;
   bool has_told_uvs_ = false;
   std::vector<std::uint32_t> corners_;  // of one face; these are kept for their memory

@@ -33,7 +33,7 @@ std::string_view function_name(Integrator integrator) {
 std::string RenderProgram::options() const {
   std::string text = fmt::format("-cl-std=CL1.2 -D INTEGRATE={} -D RAY_STACK_SIZE={}{}", function_name(integrator),
                                  ray_stack_size, grouping_options(grouping));
-  if (integrator == Integrator::path) text += " -D LIGHT_PASSES_GLASS=0";
+  if (integrator == Integrator::path) text += " -D LIGHT_PASSES_GLASS=0 -D HIDES_BACKS=1";
   if (!has_all_planes) text += fmt::format(" -D POSSIBLE_PLANES={}", PLANE_RADIANCE);
   if (grouping != RayGrouping::one) text += fmt::format(" -D TRAVERSAL_STACK_SIZE={}", traversal_stack_size);
   if (without_models) text += fmt::format(" -D POSSIBLE_FEATURES={}", SCENE_WITHOUT_MODELS);

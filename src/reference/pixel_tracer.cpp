@@ -84,7 +84,8 @@ void PixelTracer::trace(int x, int y, RayCounts& counts) const {
 }
 
 void PixelTracer::trace_center(int x, int y, Pixel& pixel, RayCounts& counts) const {
-  auto const center = surfaces_.center(request_.camera.generate_ray(x + 0.5, y + 0.5, request_.resolution));
+  auto const center =
+      surfaces_.center(request_.camera.generate_ray(x + 0.5, y + 0.5, request_.resolution), request_.integrator);
   ++counts.camera;
   counts.camera_hits += std::isfinite(center.depth);
   pixel.add(FilmPlane::depth, Vec3(center.depth));

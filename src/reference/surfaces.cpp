@@ -5,6 +5,7 @@
 
 #include "reference/integrator.hpp"
 #include "reference/point.hpp"
+#include "reference/scattering_point.hpp"
 #include "scene/graph_order.hpp"
 
 namespace lichtraum {
@@ -68,12 +69,20 @@ FirstSurface ReferenceSurfaces::sample(Ray const& ray) const {
   return {1, glm::min(point.phong.kd + point.phong.ks, Rgb(1)), point.normal};
 }
 
-ReferenceSurfaces::Center ReferenceSurfaces::center(Ray const& ray) const {
+ReferenceSurfaces::Center ReferenceSurfaces::center(Ray const& camera_ray, Integrator integrator) const {
+  Ray ray = camera_ray;
   Hit hit;
   Center center;
-  if (!find_closest(scene_, ray, 0, hit)) return center;
-  center.depth = hit.t;
+  for (;;) {
+    hit = Hit();
+    if (!find_closest(scene_, ray, 0, hit)) return center;
+    if (integrator != Integrator::path) break;
+    ReferenceScatteringPoint const point = find_scattering_point(ray, hit);
+    if (point.from_outside || point.shows_back) break;
+    ray = {point.below(), ray.direction};
+  }
   center.position = ray.at(hit.t);
+  center.depth = glm::distance(camera_ray.origin, center.position);
   center.material = numbers_.materials.at(hit.shape->material().get());
   if (!leaves_.empty()) {
     std::uint64_t const object = object_number(ray);

@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 #include "lichtraum/film.hpp"
+#include "lichtraum/renderer.hpp"
 #include "reference/scene.hpp"
 #include "scene/object_numbers.hpp"
 
@@ -35,7 +36,8 @@ class ReferenceSurfaces {
     Vec3 position{0};
     std::uint32_t object = 0, instance = 0, material = 0;
   };
-  Center center(Ray const& ray) const;
+  /// Of a camera ray of unit direction. For paths, surfaces that are not double-sided hide their backs.
+  Center center(Ray const& ray, Integrator integrator) const;
 
  private:
   /// One occurrence of a shape that is no composite.

@@ -6,6 +6,7 @@
 #include "lichtraum/seen_point.hpp"
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
+#include "support/pbr.hpp"
 #include "support/picture_check.hpp"
 #include "support/skip.hpp"
 #include "support/textured_meshes.hpp"
@@ -154,6 +155,47 @@ TEST_CASE("a picture's objects lead back to their places in the graph", "[image]
 TEST_CASE("smooth, bumpy and cut out surfaces show in all planes", "[image][planes]") {
   REQUIRE_OPENCL_DEVICE();
   check_planes(make_textured_scene(), "textured");
+}
+
+TEST_CASE("planes and paths see through the same backs, and whitted through none", "[image][planes][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  // Three sheets one behind the other, wound clockwise as the camera sees them, but for the last.
+  Scene scene = scene_of(graph +
+                         "define material sheet 0 0 0  1 1 1  0 0 0  1\n"
+                         "define shape triangle near -3 -2 3  0 3 3  3 -2 3 sheet\n"
+                         "define shape triangle far -3 -2 2  0 3 2  3 -2 2 sheet\n"
+                         "define shape triangle front -1 -2 1  0 -2 1  -0.5 1.5 1 sheet\n");
+  *(*scene.materials.find("sheet")) = Material("sheet", pbr({0.5, 0.5, 0.5}, 0, 1));
+  std::vector<FilmPlane> const planes{FilmPlane::depth, FilmPlane::position, FilmPlane::object, FilmPlane::instance,
+                                      FilmPlane::material};
+  RenderRequest request = whole_picture(scene.cameras.front(), small_size);
+  request.planes = {};
+  for (FilmPlane const plane : planes) request.planes.add(plane);
+  std::vector<std::vector<float>> depths;
+  for (Integrator const integrator : {Integrator::whitted, Integrator::path}) {
+    request.integrator = integrator;
+    Film const expected = film_on(reference_device(), scene, request);
+    auto const values = expected.values(FilmPlane::depth);
+    depths.emplace_back(values.begin(), values.end());
+    for (DeviceInfo const& device : opencl_devices()) {
+      for (auto const& [layout, traversal] : layouts_of(device)) {
+        INFO(layout << ", integrator " << int(integrator));
+        Film const actual = film_on(device, scene, request, traversal);
+        for (FilmPlane const plane : planes) {
+          INFO("plane " << info_of(plane).name);
+          CHECK(differing(actual, expected, plane, 1e-4) <= 10);  // silhouettes
+        }
+      }
+    }
+  }
+  std::size_t beyond = 0, alike = 0;
+  for (std::size_t i = 0; i < depths[0].size(); ++i) {
+    CHECK(depths[1][i] >= depths[0][i] * 0.9999f);
+    beyond += depths[1][i] > depths[0][i] + 1;
+    alike += std::isfinite(depths[0][i]) && depths[1][i] < depths[0][i] * 1.0001f;
+  }
+  CHECK(beyond > depths[0].size() / 20);
+  CHECK(alike > depths[0].size() / 20);
 }
 
 TEST_CASE("a transparent picture leaves out the background, and mirrors still show it", "[image][planes]") {

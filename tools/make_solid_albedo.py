@@ -16,8 +16,17 @@ STEPS_U, STEPS_V = 64, 32
 LEAST_ROUGHNESS = math.sqrt(0.001)  # MIN_ALPHA of kernels/shared/pbr_material.h
 
 
+class Albedo:
+    """Of light from everywhere, what is sent to a viewer after one bounce: in all, and of it what is reflected. The same
+    where microfacets reflect nothing but what cannot be refracted: "bare" (KHR_materials_specular, a factor of 0)."""
+
+    def __init__(self, reflected, critical, refracted, bare):
+        self.total, self.reflected = reflected + critical + refracted, reflected + critical
+        self.bare_total, self.bare_reflected = critical + bare, critical
+
+
 def albedo(eta, f0, alpha, cosine):
-    """What is reflected, and what is refracted. eta: the index on the viewer's side over the one beyond."""
+    """eta: the index on the viewer's side over the one beyond."""
     ox = math.sqrt(1 - cosine * cosine)
     length = math.hypot(alpha * ox, cosine)
     sx, sz = alpha * ox / length, cosine / length
@@ -27,7 +36,7 @@ def albedo(eta, f0, alpha, cosine):
         projected = math.sqrt(alpha * alpha * (x * x + y * y) + z * z)
         return z * (cosine + projected_o) / (z * projected_o + cosine * projected)
 
-    reflected = refracted = 0.0
+    reflected = critical = refracted = bare = 0.0
     for i in range(STEPS_U):
         root = 1 - (i + 0.5) / STEPS_U
         z = root * root * (1 + sz) - sz
@@ -40,14 +49,20 @@ def albedo(eta, f0, alpha, cosine):
             dot = min(1.0, ox * hx + cosine * hz)
             beyond = 1 - eta * eta * (1 - dot * dot)
             inner = math.sqrt(max(0.0, beyond))
-            fresnel = 1.0 if beyond <= 0 else f0 + (1 - f0) * (1 - (inner if eta > 1 else dot)) ** 5
+            fresnel = f0 + (1 - f0) * (1 - (inner if eta > 1 else dot)) ** 5
             if 2 * dot * hz > cosine:
-                reflected += 2 * root * fresnel * unmasked(2 * dot * hx - ox, 2 * dot * hy, 2 * dot * hz - cosine)
+                mirrored = 2 * root * unmasked(2 * dot * hx - ox, 2 * dot * hy, 2 * dot * hz - cosine)
+                if beyond > 0:
+                    reflected += fresnel * mirrored
+                else:
+                    critical += mirrored
             along = eta * dot - inner
             if beyond > 0 and along * hz < eta * cosine:
-                refracted += 2 * root * (1 - fresnel) * unmasked(along * hx - eta * ox, along * hy,
-                                                                 eta * cosine - along * hz)
-    return reflected / (STEPS_U * STEPS_V), refracted / (STEPS_U * STEPS_V)
+                passed = 2 * root * unmasked(along * hx - eta * ox, along * hy, eta * cosine - along * hz)
+                refracted += (1 - fresnel) * passed
+                bare += passed
+    steps = STEPS_U * STEPS_V
+    return Albedo(reflected / steps, critical / steps, refracted / steps, bare / steps)
 
 
 def main():
@@ -59,15 +74,17 @@ def main():
             alpha = (LEAST_ROUGHNESS + (1 - LEAST_ROUGHNESS) * row / (ROUGHNESSES - 1)) ** 2
             for column in range(COSINES):
                 cosine = max((column / (COSINES - 1)) ** 2, 1e-4)
-                values.append(sum(albedo(1 / ior, ratio * ratio, alpha, cosine)))
+                outside = albedo(1 / ior, ratio * ratio, alpha, cosine)
                 within = albedo(ior, ratio * ratio, alpha, cosine)
-                values += [sum(within), within[0]]
+                values += [outside.bare_total, outside.total, within.bare_total, within.total, within.bare_reflected,
+                           within.reflected]
     albedo_table.write(
         "solid",
         "of light from everywhere, what is reflected and\n"
-        " * refracted towards a viewer outside, towards one within, and what is reflected towards that one; for the square\n"
-        " * root of the cosine between viewer and normal from 0 to 1, roughness = sqrt(alpha) from the least to 1,\n"
-        " * and the square root of (ior - 1) / (ior + 1) / SOLID_LARGEST from 0 to 1.",
+        " * refracted towards a viewer outside, towards one within, and what is reflected towards that one; each without what\n"
+        " * Fresnel's factor reflects before the critical angle, and with it; for the square root of the cosine between\n"
+        " * viewer and normal from 0 to 1, roughness = sqrt(alpha) from the least to 1, and the square root of\n"
+        " * (ior - 1) / (ior + 1) / SOLID_LARGEST from 0 to 1.",
         {
             "SOLID_IORS": IORS,
             "SOLID_ROUGHNESSES": ROUGHNESSES,

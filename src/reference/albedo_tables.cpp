@@ -45,21 +45,22 @@ ReflectionAlbedo reflection_albedo(double alpha, double cosine) {
   return {channel(0), channel(1)};
 }
 
-SolidAlbedo solid_albedo(double eta, double alpha, double cosine) {
+SolidAlbedo solid_albedo(double eta, double specular, double alpha, double cosine) {
   Place const column = place_on(std::sqrt(std::max(cosine, 0.0)), SOLID_COSINES);
   double const least = double(SOLID_LEAST_ROUGHNESS);
   Place const row = place_on((std::sqrt(alpha) - least) / (1 - least), SOLID_ROUGHNESSES);
   double const ratio = std::abs(eta - 1) / (eta + 1);
   Place const slice = place_on(std::sqrt(ratio / double(SOLID_LARGEST)), SOLID_IORS);
-  auto const channel = [&](int which) {
+  auto const entry = [&](int which) {
     auto const in_slice = [&](int k) {
       return between(column, row, [&](int i, int j) {
-        return double(device::solid_albedo_table[3 * ((k * SOLID_ROUGHNESSES + j) * SOLID_COSINES + i) + which]);
+        return double(device::solid_albedo_table[6 * ((k * SOLID_ROUGHNESSES + j) * SOLID_COSINES + i) + which]);
       });
     };
     return (1 - slice.share) * in_slice(slice.first) + slice.share * in_slice(slice.first + 1);
   };
-  return {channel(eta > 1 ? 1 : 0), channel(2)};
+  auto const channel = [&](int first) { return (1 - specular) * entry(first) + specular * entry(first + 1); };
+  return {channel(eta > 1 ? 2 : 0), channel(4)};
 }
 
 }  // namespace lichtraum

@@ -15,7 +15,8 @@ struct SolidAlbedo {
   double total;      ///< reflected and refracted
   double reflected;  ///< of it, towards a viewer within only
 };
-/// `eta` is the index of refraction on the viewer's side over the one beyond.
-SolidAlbedo solid_albedo(double eta, double alpha, double cosine);
+/// `eta` is the index of refraction on the viewer's side over the one beyond, `specular` the factor of what microfacets
+/// reflect of it before the critical angle.
+SolidAlbedo solid_albedo(double eta, double specular, double alpha, double cosine);
 
 }  // namespace lichtraum

@@ -77,11 +77,12 @@ ReferenceScattering::ReferenceScattering(ReferenceBsdf const& bsdf, Vec3 const& 
   dielectric_gain_ = bounce_gain(bsdf.f0, bsdf.f90, gloss_albedo_);
   Rgb reflected = dielectric_gain_ * (gloss.a * bsdf.f0 + gloss.b * bsdf.f90);
   if (is_solid()) {
-    auto const solid = solid_albedo(eta_, bsdf.alpha, cosine);
+    double const specular = largest_channel(bsdf.f90);
+    auto const solid = solid_albedo(eta_, specular, bsdf.alpha, cosine);
     double total = solid.total;
     if (bsdf.has_film) {  // it reflects more of what reflection keeps than the table knows of
       double const ratio = (eta_ - 1) / (eta_ + 1);
-      double const more = largest_channel(bsdf.f0) - ratio * ratio;
+      double const more = largest_channel(bsdf.f0) - specular * ratio * ratio;
       total += std::max(more, 0.0) * std::max(gloss_albedo_ - total, 0.0);
     }
     refraction_gain_ = 1 / total;

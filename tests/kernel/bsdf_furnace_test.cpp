@@ -198,17 +198,29 @@ TEST_CASE("white furnace: solids keep all light, from outside and from within", 
   }
 }
 
+TEST_CASE("white furnace: solids keep all light, whatever their specular factor", "[kernel][bsdf][statistics]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe(quickest_lanes());
+  for (double const ior : {1.1, 1.5, 2.4}) {
+    for (double const specular : {0.0, 0.5}) {
+      auto const solid = [&](double roughness, double) {
+        return with_specular(transmitting(layered_bsdf(1, 0, roughness), 1, ior), specular);
+      };
+      for (bool const from_outside : {true, false}) {
+        INFO("ior " << ior << ", specular " << specular << (from_outside ? "" : " from within"));
+        check(extremes(probe, solid, from_outside, 1), from_outside ? 0.98 : 0.96, 1.0215);  // as above
+      }
+    }
+  }
+}
+
 TEST_CASE("past the critical angle a smooth solid mirrors all light, whatever its specular factor",
           "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();
   BsdfProbe const probe(quickest_lanes());
   for (double const specular : {0.0, 0.5, 1.0}) {
     for (double const metallic : {0.0, 0.5}) {
-      BsdfParameters surface = transmitting(layered_bsdf(1, metallic, 0.03), 1, 1.5);
-      for (int c = 0; c < 3; ++c) {
-        surface.f0[c] *= float(specular);
-        surface.f90[c] *= float(specular);
-      }
+      BsdfParameters const surface = with_specular(transmitting(layered_bsdf(1, metallic, 0.03), 1, 1.5), specular);
       INFO("specular " << specular << ", metallic " << metallic);
       auto const means = furnace(probe, {"", surface, false});
       for (std::size_t i = 0; i < means.size(); ++i) {

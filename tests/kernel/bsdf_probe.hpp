@@ -99,6 +99,15 @@ inline BsdfParameters transmitting(BsdfParameters out, double share, double ior 
   return out;
 }
 
+/// KHR_materials_specular's factor.
+inline BsdfParameters with_specular(BsdfParameters out, double factor) {
+  for (int c = 0; c < 3; ++c) {
+    out.f0[c] *= float(factor);
+    out.f90[c] *= float(factor);
+  }
+  return out;
+}
+
 /// Lets `share` through of what was diffuse, to all directions: KHR_materials_diffuse_transmission.
 inline BsdfParameters translucent(BsdfParameters out, double share) {
   for (int c = 0; c < 3; ++c) {
@@ -160,6 +169,7 @@ inline std::vector<BsdfCase> bsdf_cases(std::vector<double> const& roughnesses =
         with_sheen(translucent(transmitting(layered_bsdf(0.9, 0, roughness), 0.5, 1.4), 0.5), 0.5, 0.5));
     add("solid", transmitting(layered_bsdf(1, 0, roughness), 1, 1.5));
     add("solid from within", transmitting(layered_bsdf(1, 0, roughness), 1, 1.5), false);
+    add("solid with specular 0.3", with_specular(transmitting(layered_bsdf(0.9, 0, roughness), 1, 1.5), 0.3));
     add("coated, half matt solid", coated(transmitting(layered_bsdf(0.9, 0.2, roughness), 0.5, 1.3), 0.5, 0.4));
   }
   return cases;

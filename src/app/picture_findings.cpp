@@ -72,7 +72,7 @@ std::vector<Diagnostic> PictureFindings::of_picture(PictureReady const& ready, P
   for (auto& [fault, finding] : faults_of(drawn, sight)) {
     if (!told_.insert(fault).second) continue;
     finding.location = plan.location;
-    std::string const better = better_hint(fault, ready, plan);
+    std::string const better = better_hint(fault, plan);
     if (!better.empty()) finding.hint = better;
     found.push_back(std::move(finding));
   }
@@ -125,14 +125,14 @@ PictureFindings::DefinedBelow PictureFindings::defined_below(PicturePlan const& 
 
 /// What the file tells about it: that something is defined too late, or that another convention would show it. Empty
 /// where it tells nothing.
-std::string PictureFindings::better_hint(PictureFault fault, PictureReady const& ready, PicturePlan const& plan) {
+std::string PictureFindings::better_hint(PictureFault fault, PicturePlan const& plan) {
   if (is_model_ || options_.is_merging) return {};
   if (fault == PictureFault::no_light) return hint_of_order("light", defined_below(plan).light);
   if (fault != PictureFault::nothing_seen) return {};
   std::string hint = hint_of_order("shape", defined_below(plan).shape);
   if (!hint.empty()) return hint;
   for (Convention const& convention : other_conventions(options_.job.reading.dialect)) {
-    if (shows_something(convention.dialect, ready.request, plan.scene_number)) {
+    if (shows_something(convention.dialect, plan)) {
       return fmt::format("with {} it is in view", convention.arguments);
     }
   }
@@ -140,20 +140,22 @@ std::string PictureFindings::better_hint(PictureFault fault, PictureReady const&
 }
 
 /// Draws the picture again, small, from the file read under other options.
-bool PictureFindings::shows_something(EsdfDialect const& dialect, RenderRequest request, std::size_t wanted) {
-  request = reduced(std::move(request));
-  request.planes = {FilmPlane::depth};
+bool PictureFindings::shows_something(EsdfDialect const& dialect, PicturePlan plan) {
+  plan.job.reading.dialect = dialect;
   bool is_seen = false;
-  SceneReading reading = options_.job.reading;
-  reading.dialect = dialect;
-  LoadedScene script = source_->load(reading, options_.load);
+  LoadedScene script = source_->load(plan.job.reading, options_.load);
   script.play([&](Scene const& scene, std::size_t index) {
-    Camera const* const camera = scene.cameras.find(request.camera.name());
-    if (index != wanted || !camera) return true;
-    request.camera = camera->fitted(request.resolution);
-    renderer_.set_scene(scene, options_.job.root);
-    Film film;
-    is_seen = renderer_.render(request, film).statistics.rays.camera_hits > 0;
+    if (index != plan.scene_number) return true;
+    try {
+      std::optional<Vec3> turn_center;
+      RenderRequest request = reduced(request_for(plan, scene, turn_center));
+      request.planes = {FilmPlane::depth};
+      renderer_.set_scene(scene, options_.job.root);
+      Film film;
+      is_seen = renderer_.render(request, film).statistics.rays.camera_hits > 0;
+    } catch (Error const& error) {
+      if (error.kind() != ErrorKind::usage) throw;  // read so, the options do not fit
+    }
     return false;
   });
   return is_seen;

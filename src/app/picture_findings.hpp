@@ -35,9 +35,9 @@ class PictureFindings {
     std::string light;
   };
 
-  std::string better_hint(PictureFault fault, PictureReady const& ready, PicturePlan const& plan);
+  std::string better_hint(PictureFault fault, PicturePlan const& plan);
   DefinedBelow defined_below(PicturePlan const& plan) const;
-  bool shows_something(EsdfDialect const& dialect, RenderRequest request, std::size_t wanted);
+  bool shows_something(EsdfDialect const& dialect, PicturePlan plan);
 
   Renderer& renderer_;
   RenderOptions const& options_;

@@ -70,4 +70,8 @@ TEST_CASE("a camera that sees nothing: which convention would show the scene", "
       "define shape sphere s 20 0 0 2 m\ntransform eye rotate 90 0 1 0\ntransform eye translate 0 0 -10\n";
   CHECK_THAT(warning(both), contains_text("with --rotation left --transform-order local it is in view"));
   CHECK_THAT(warning(sphere_at("0 0 5")), !contains_text("it is in view"));
+  // The options move it, whatever the file says.
+  CHECK_THAT(warning(sphere_at("0 0 -5"), "--eye 0,0,5 --look-at 0,0,10"), !contains_text("it is in view"));
+  CHECK_THAT(warning(sphere_at("0 0 -5") + "transform eye rotate 30 0 1 0\n", "--eye 0,0,5 --look-at 0,0,10"),
+             !contains_text("it is in view"));
 }

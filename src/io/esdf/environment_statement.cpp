@@ -8,7 +8,7 @@
 #include "core/parse_number.hpp"
 #include "io/esdf/interpreter.hpp"
 #include "io/esdf/keys.hpp"
-#include "lichtraum/sandboxed_path.hpp"
+#include "io/esdf/named_file.hpp"
 
 // define light environment <name> <file>|studio|[rgb] [rotation=<degrees>] [brightness=<x>]
 
@@ -30,15 +30,10 @@ std::optional<EnvironmentLight> read_color(Interpreter& interpreter, std::span<T
 std::optional<EnvironmentLight> read_map(Interpreter& interpreter, Token word) {
   std::string source(word);
   if (word != "studio") {
-    SandboxedPath const path =
-        resolve_sandboxed(interpreter.source.folder, std::filesystem::path(word), interpreter.options.allowed_paths);
-    if (!path) {
-      interpreter.error(Code::file_outside, word, fmt::format("cannot use {}: {}", in_quotes(word), path.reason),
-                        "--allow-path <folder> permits files outside of the scene's folder");
-      return std::nullopt;
-    }
-    source = path.path.string();
-    if (interpreter.options.on_read) interpreter.options.on_read(path.path);
+    auto const path = find_named_file(interpreter, word);
+    if (!path) return std::nullopt;
+    source = path->string();
+    if (interpreter.options.on_read) interpreter.options.on_read(*path);
   }
   try {
     return EnvironmentLight{source, interpreter.options.find_environment(source)};

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "io/esdf/interpreter.hpp"
+#include "io/esdf/named_file.hpp"
 #include "io/model_cache.hpp"
 #include "io/unread_model.hpp"
-#include "lichtraum/sandboxed_path.hpp"
 
 // define shape mesh <name> <file> [<material>]
 // Dialect: define shape obj <file>, whose name is the file's.
@@ -25,15 +25,10 @@ std::string known_formats(std::span<MeshFormat const> formats) {
 /// Null, after a report, when the file cannot be used.
 std::shared_ptr<Shape> load_mesh(Interpreter& interpreter, Token name, Token file,
                                  std::shared_ptr<Material const> material) {
-  SandboxedPath const path =
-      resolve_sandboxed(interpreter.source.folder, std::filesystem::path(file), interpreter.options.allowed_paths);
-  if (!path) {
-    interpreter.error(Code::file_outside, file, fmt::format("cannot use {}: {}", in_quotes(file), path.reason),
-                      "--allow-path <folder> permits files outside of the scene's folder");
-    return nullptr;
-  }
-  MeshFormat const* const format = find_mesh_format(interpreter.source.mesh_formats, path.path);
-  if (auto const unread = recognise_unread_model(path.path); !format && unread) {
+  auto const path = find_named_file(interpreter, file);
+  if (!path) return nullptr;
+  MeshFormat const* const format = find_mesh_format(interpreter.source.mesh_formats, *path);
+  if (auto const unread = recognise_unread_model(*path); !format && unread) {
     interpreter.error(Code::unread_format, file, fmt::format("cannot read {}: it is {}", in_quotes(file), unread->what),
                       unread->hint);
     return nullptr;
@@ -48,7 +43,7 @@ std::shared_ptr<Shape> load_mesh(Interpreter& interpreter, Token name, Token fil
     options.allowed_paths = interpreter.options.allowed_paths;
     options.material = std::move(material);
     options.on_read = interpreter.options.on_read;
-    return interpreter.options.models->shape(*format, path.path, options, std::string(name));
+    return interpreter.options.models->shape(*format, *path, options, std::string(name));
   } catch (SceneError const& problem) {
     std::string const first = problem.diagnostics().empty() ? problem.what() : problem.diagnostics().front().message;
     interpreter.error(Code::unreadable_file, file, fmt::format("cannot read {}: {}", in_quotes(file), first));

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <stdexcept>
 
+#include "core/float3.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/orbit.hpp"
 #include "lichtraum/turntable.hpp"
@@ -18,8 +19,6 @@ void require(bool holds, std::string const& message) {
 }
 
 std::string text_of(Vec3 const& v) { return fmt::format("{:g},{:g},{:g}", v.x, v.y, v.z); }
-
-bool is_finite(Vec3 const& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 void check_fov(char const* option, std::optional<double> const& degrees) {
   require(!degrees || (*degrees > 0 && *degrees < 180),

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/elementary.hpp"
+#include "core/float3.hpp"
 #include "reference/integrator.hpp"
 #include "reference/path_integrator.hpp"
 #include "reference/scattering_point.hpp"
@@ -34,8 +35,6 @@ glm::dvec2 lens_point(RenderRequest const& request, int x, int y, int index) {
   double const angle = 2 * std::numbers::pi * random.y;
   return std::sqrt(double(random.x)) * glm::dvec2(cos_of(angle), sin_of(angle));
 }
-
-bool is_finite(Rgb const& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
 
 }  // namespace
 

@@ -11,8 +11,7 @@ namespace lichtraum {
 Cone::Cone(std::string name, Vec3 const& base, Vec3 const& tip, double radius, std::shared_ptr<Material const> material)
     : Shape(std::move(name), std::move(material)), base_(base), tip_(tip), radius_(radius) {
   if (!(radius > 0 && std::isfinite(radius))) throw std::invalid_argument("a cone's radius must be positive");
-  double const height = glm::length(tip - base);
-  if (!(height > 0 && std::isfinite(height))) throw std::invalid_argument("a cone's tip must not lie in its base");
+  if (!is_direction(tip - base)) throw std::invalid_argument("a cone's tip must not lie in its base");
 }
 
 Bounds Cone::bounds() const {

@@ -11,8 +11,7 @@ Cylinder::Cylinder(std::string name, Vec3 const& p1, Vec3 const& p2, double radi
                    std::shared_ptr<Material const> material)
     : Shape(std::move(name), std::move(material)), p1_(p1), p2_(p2), radius_(radius) {
   if (!(radius > 0 && std::isfinite(radius))) throw std::invalid_argument("a cylinder's radius must be positive");
-  double const height = glm::length(p2 - p1);
-  if (!(height > 0 && std::isfinite(height))) throw std::invalid_argument("a cylinder's ends must be two points");
+  if (!is_direction(p2 - p1)) throw std::invalid_argument("a cylinder's ends must be two points");
 }
 
 Bounds Cylinder::bounds() const {

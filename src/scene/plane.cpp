@@ -1,4 +1,3 @@
-#include <cmath>
 #include <stdexcept>
 
 #include "core/format_numbers.hpp"
@@ -9,8 +8,8 @@ namespace lichtraum {
 
 Plane::Plane(std::string name, Vec3 const& point, Vec3 const& normal, std::shared_ptr<Material const> material)
     : Shape(std::move(name), std::move(material)), point_(point), normal_(normal) {
-  double const length = glm::length(normal);
-  if (!(length > 0 && std::isfinite(length))) throw std::invalid_argument("a plane's normal must not be zero");
+  if (!is_finite(point)) throw std::invalid_argument("a plane's point must be finite");
+  if (!is_direction(normal)) throw std::invalid_argument("a plane's normal must be finite and not zero");
 }
 
 bool Plane::closest_hit(Ray const& ray, double t_min, Hit& hit) const {

@@ -21,10 +21,6 @@ bool is_finite(Mat4 const& m) {
   return true;
 }
 
-bool is_direction(Vec3 const& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && v != Vec3(0);
-}
-
 /// Rodrigues' rotation formula, for an axis of unit length.
 Mat3 about(Vec3 const& axis, double radians) {
   double const c = cos_of(radians);
@@ -78,10 +74,9 @@ Transform Transform::from_matrix(Mat4 const& matrix) {
 Transform Transform::look_along(Vec3 const& eye, Vec3 const& direction, Vec3 const& up) {
   if (!is_direction(direction)) throw std::invalid_argument("the direction of view must not be zero");
   if (!is_direction(up)) throw std::invalid_argument("the up vector must not be zero");
+  if (are_parallel(direction, up)) throw std::invalid_argument("the up vector is parallel to the direction of view");
   Vec3 const back = -unit_vector(direction);
-  Vec3 const right = glm::cross(unit_vector(up), back);
-  if (glm::length(right) < 1e-9) throw std::invalid_argument("the up vector is parallel to the direction of view");
-  Vec3 const x = glm::normalize(right);
+  Vec3 const x = glm::normalize(glm::cross(unit_vector(up), back));
   Mat4 rotation(1);
   rotation[0] = glm::dvec4(x, 0);
   rotation[1] = glm::dvec4(glm::cross(back, x), 0);

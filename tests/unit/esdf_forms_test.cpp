@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -505,4 +507,44 @@ TEST_CASE("blanks, comments and line ends", "[unit][esdf]") {
   CHECK(findings("").empty());
   CHECK(findings("\n").empty());
   CHECK(findings("\xEF\xBB\xBF").empty());
+}
+
+TEST_CASE("directions, ends and axes may be as short as numbers are", "[unit][esdf]") {
+  Scene const scene = scene_of(red +
+                               "define shape plane p 0 -1 0 0 1e-200 0 red\n"
+                               "define shape cylinder c 0 0 0 0 1e-200 0 1 red\n"
+                               "define shape cone t 0 0 0 0 0 1e-320 1 red\n"
+                               "define shape sphere s 0 0 0 1 red\n"
+                               "transform s rotate 90 1e-200 0 0\n"
+                               "transform s translate 0 5 0\n"
+                               "define camera a 60 0 0 0 0 0 -1e-200\n"
+                               "define camera b 60 0 0 0 0 0 -1 0 1e-300 0\n");
+  Hit hit;
+  CHECK(shape<Plane>(scene, "p").closest_hit({{0, 0, 0}, {0, -1, 0}}, 0, hit));
+  CHECK(hit.t == Approx(1));
+  check_near(shape<Sphere>(scene, "s").world_from_object().vector({0, 1, 0}), {0, 0, 1});
+  for (char const* const name : {"a", "b"}) {
+    check_near(camera(scene, name).world_from_camera().vector({0, 0, -1}), {0, 0, -1});
+    check_near(camera(scene, name).world_from_camera().vector({0, 1, 0}), {0, 1, 0});
+  }
+  // About the sine that is least: a warning, or a camera.
+  for (std::string const sine : {"1e-7", "1e-8", "0.99999999999e-9", "1.00000000001e-9", "1e-9", "1e-10"}) {
+    CHECK(loads("define camera c 60 0 0 0 0 0 -1 " + sine + " 0 -1\n"));
+  }
+}
+
+TEST_CASE("what is no file is not waited for", "[unit][esdf]") {
+  TemporaryFolder const folder;
+  REQUIRE(::mkfifo((folder / "silent.obj").c_str(), 0600) == 0);
+  REQUIRE(::mkfifo((folder / "silent.hdr").c_str(), 0600) == 0);
+  for (std::string const line : {"define shape mesh m silent.obj\n", "define light environment e silent.hdr\n"}) {
+    try {
+      EsdfScript::from_text(line, "s.sdf", {}, folder.path());
+      FAIL("it was read");
+    } catch (SceneError const& error) {
+      REQUIRE(count_errors(error.diagnostics()) == 1);
+      CHECK_THAT(error.diagnostics().back().message, contains_text("it is not a regular file"));
+      CHECK(error.diagnostics().back().code == DiagnosticCode::unreadable_file);
+    }
+  }
 }

@@ -7,6 +7,7 @@
 #include "io/esdf/interpreter.hpp"
 #include "io/esdf/keys.hpp"
 #include "io/esdf/statements.hpp"
+#include "scene/unit_vector.hpp"
 
 // define camera <name> <fov-x> [<x-res> <y-res>] [aperture=<diameter> focus=<distance>] [orthographic=<width>]
 // Dialects: <fov> [eye], <fov> [eye] [dir], <fov> [eye] [dir] [up], <fov> <x-res> <y-res> [eye] [dir]
@@ -28,13 +29,6 @@ struct CameraKeys {
 
   bool has_lens() const { return aperture > 0; }
 };
-
-Vec3 unit(Vec3 const& v) { return v / glm::length(v); }
-
-bool are_parallel(Vec3 const& a, Vec3 const& b) {
-  constexpr double smallest_sine = 1e-9;
-  return glm::length(glm::cross(unit(a), unit(b))) < smallest_sine;
-}
 
 /// Eye, direction and up from `tokens` (3, 6 or 9 of them), as the frame they span.
 std::optional<Transform> read_frame(Interpreter& interpreter, std::span<Token const> tokens) {
@@ -58,7 +52,7 @@ std::optional<Transform> read_frame(Interpreter& interpreter, std::span<Token co
                         fmt::format("{} {} {} is taken as up", other.x, other.y, other.z));
     up = other;
   }
-  return Transform::look_along(eye, unit(direction), unit(up));
+  return Transform::look_along(eye, direction, up);
 }
 
 std::optional<double> read_opening_angle(Interpreter& interpreter, Token token) {

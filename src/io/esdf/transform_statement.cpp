@@ -94,8 +94,7 @@ std::optional<Steps> read_rotate(Interpreter& interpreter, Token operation, Oper
   std::array<double, 4> v{};
   if (!read_numbers(interpreter, operands, v)) return std::nullopt;
   Vec3 const axis(v[1], v[2], v[3]);
-  double const length = glm::length(axis);
-  if (length == 0) {
+  if (axis == Vec3(0)) {
     interpreter.error(Code::zero_direction, span_of(operands[1], operands[3]), "rotate: the axis must not be zero");
     return std::nullopt;
   }
@@ -105,7 +104,7 @@ std::optional<Steps> read_rotate(Interpreter& interpreter, Token operation, Oper
         fmt::format("rotate: the angle is {} and the axis {}", operands[0], span_of(operands[1], operands[3])),
         fmt::format("the angle comes first: rotate {} {}", operands[3], span_of(operands[0], operands[2])));
   }
-  return Steps{rotation(interpreter, v[0], axis / length)};
+  return Steps{rotation(interpreter, v[0], axis)};
 }
 
 std::optional<Steps> read_scale(Interpreter& interpreter, Token operation, Operands operands) {
@@ -121,8 +120,11 @@ std::optional<Steps> read_scale(Interpreter& interpreter, Token operation, Opera
     v = {v[0], v[0], v[0]};
   }
   for (std::size_t i = 0; good && i < operands.size(); ++i) {
-    if (v[i] != 0) continue;
-    interpreter.error(Code::zero_scale, operands[i], "scale: a factor must not be 0", "it would make the object flat");
+    if (std::isfinite(1 / v[i])) continue;
+    interpreter.error(Code::zero_scale, operands[i],
+                      v[i] == 0 ? "scale: a factor must not be 0"
+                                : fmt::format("scale: the factor {} is too small", in_quotes(operands[i])),
+                      "it would make the object flat");
     good = false;
   }
   if (!good) return std::nullopt;

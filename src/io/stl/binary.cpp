@@ -68,7 +68,7 @@ Solids read_binary(std::string_view bytes, Diagnostics& diagnostics, Vec3 const&
   for (std::size_t at = data_at; at < end; at += facet_bytes) {
     Float3 corners[3];
     for (std::size_t i = 0; i < 3; ++i) corners[i] = corner_at(bytes, at + corners_at + i * sizeof(Float3));
-    if (std::all_of(std::begin(corners), std::end(corners), is_finite)) {
+    if (std::ranges::all_of(corners, [](Float3 const& corner) { return is_finite(corner); })) {
       for (Float3 const& corner : corners) {
         result.extent.add(to_vec3(corner));
         solid.corners.push_back(to_float3(to_vec3(corner) - origin));

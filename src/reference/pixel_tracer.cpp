@@ -134,7 +134,7 @@ void PixelTracer::trace_samples(int x, int y, Pixel& pixel, RayCounts& counts) c
     pixel.add(FilmPlane::normal, surface.normal);
     // With alpha, what is seen through the picture is somebody else's.
     if (planes.has(FilmPlane::alpha) && surface.alpha == 0) continue;
-    if (is_finite(radiance)) {
+    if (is_finite(to_float3(radiance))) {  // as the film keeps it
       pixel.add(FilmPlane::radiance, radiance);
     } else {
       ++counts.not_finite;

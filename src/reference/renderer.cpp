@@ -94,6 +94,7 @@ class ReferenceRenderer final : public Renderer {
   }
 
   RenderResult render(RenderRequest const& request, Film& film, ProgressFunction const& progress) override {
+    if (!scene_) throw Error(ErrorKind::usage, "there is no scene to draw: set_scene comes first");
     check_request(request);
     SampleRange const wanted = wanted_samples(request);
     if (!has_begun(request, film)) film = Film(request.region, request.planes, wanted.first);
@@ -124,7 +125,7 @@ class ReferenceRenderer final : public Renderer {
 
   Image develop(Film film, Development const& development) override {
     Development known = development;
-    if (known.tone_map == ToneMap::automatic) known.tone_map = scene_->graph.tone_map;
+    if (known.tone_map == ToneMap::automatic) known.tone_map = scene_ ? scene_->graph.tone_map : ToneMap::none;
     return lichtraum::develop(std::move(film), known);
   }
 
@@ -166,7 +167,7 @@ class ReferenceRenderer final : public Renderer {
   }
 
   DeviceInfo device_;
-  std::shared_ptr<PreparedGraph const> scene_ = std::make_shared<PreparedGraph>();
+  std::shared_ptr<PreparedGraph const> scene_;
 };
 
 }  // namespace

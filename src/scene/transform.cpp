@@ -64,6 +64,13 @@ Transform Transform::from_matrix(Mat4 const& matrix) {
   for (int column = 0; column < 3; ++column) {
     for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(linear[column][row]));
   }
+  // Columns of unit length enclose a body of some volume, or lie in a plane but for rounding.
+  constexpr double least_volume = 1e-15;
+  Mat3 directions;
+  for (int column = 0; column < 3; ++column) directions[column] = unit_vector(linear[column]);
+  if (!(std::abs(glm::determinant(directions)) >= least_volume)) {
+    throw std::invalid_argument("the matrix has no inverse");
+  }
   Mat3 const linear_inverse = glm::inverse(linear / largest) / largest;
   Mat4 inverse(linear_inverse);
   inverse[3] = glm::dvec4(-(linear_inverse * Vec3(matrix[3])), 1);

@@ -268,17 +268,26 @@ TEST_CASE("a film is developed as it is asked for, or as the scene says", "[unit
 }
 
 TEST_CASE("samples that are no numbers are counted and left out", "[unit][reference]") {
-  Scene scene = small_scene();
-  scene.background = Rgb(std::numeric_limits<double>::infinity(), 0, 0);
+  // The second is a number to the tracer, and none to the film.
+  for (double const red : {std::numeric_limits<double>::infinity(), 1e39}) {
+    Scene scene = small_scene();
+    scene.background = Rgb(red, 0, 0);
+    auto const renderer = make_reference_renderer();
+    renderer->set_scene(scene);
+    RenderRequest request = request_of({20, 15});
+    request.sampling.count = 4;
+    Film film;
+    RayCounts const rays = renderer->render(request, film).statistics.rays;
+    CHECK(rays.not_finite >= rays.camera - rays.camera_hits);
+    CHECK(rays.not_finite < rays.camera);
+    for (float const value : film.values(FilmPlane::radiance)) REQUIRE(std::isfinite(value));
+  }
+}
+
+TEST_CASE("nothing is drawn before there is a scene", "[unit][reference]") {
   auto const renderer = make_reference_renderer();
-  renderer->set_scene(scene);
-  RenderRequest request = request_of({20, 15});
-  request.sampling.count = 4;
   Film film;
-  RayCounts const rays = renderer->render(request, film).statistics.rays;
-  CHECK(rays.not_finite >= rays.camera - rays.camera_hits);
-  CHECK(rays.not_finite < rays.camera);
-  for (float const value : film.values(FilmPlane::radiance)) REQUIRE(std::isfinite(value));
+  CHECK_THROWS_AS(renderer->render(request_of({20, 15}), film), Error);
 }
 
 TEST_CASE("another background than the scene's, or none", "[unit][reference]") {

@@ -55,6 +55,11 @@ TEST_CASE("a transform without an inverse is refused", "[unit][transform]") {
   Mat4 flat(1);
   flat[2][2] = 0;
   CHECK_THROWS_AS(Transform::from_matrix(flat), std::invalid_argument);
+  Mat4 singular(1);  // 1 to 9: its rounded determinant is not 0
+  for (int i = 0; i < 9; ++i) singular[i % 3][i / 3] = i + 1;
+  CHECK_THROWS_AS(Transform::from_matrix(singular), std::invalid_argument);
+  Mat4 const thin = Transform::scaling({1e-10, 1, 1e-10}).matrix();
+  CHECK(Transform::from_matrix(thin).inverse_matrix()[0][0] == Approx(1e10));
   Mat4 projective(1);
   projective[0][3] = 0.5;
   CHECK_THROWS_AS(Transform::from_matrix(projective), std::invalid_argument);

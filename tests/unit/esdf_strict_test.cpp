@@ -101,6 +101,9 @@ TEST_CASE("strict mode refuses every dialect, which is accepted otherwise", "[un
 TEST_CASE("what strict mode refuses once, it does not report again where it is used", "[unit][esdf]") {
   CHECK(findings("define camera eye 45 0 0 0 0 0 -1 0 1 0\nrender eye a.ppm 1 1\n", strict).size() == 1);
   CHECK(findings("define material a 1 0 0 1 0 0 1 0 0 10 1\ndefine shape sphere s 0 0 0 1 a\n", strict).size() == 1);
+  auto const mesh = findings(base + "define shape mesh m there_is_none.obj\n", strict);
+  REQUIRE(mesh.size() == 1);
+  CHECK(mesh[0].code == DiagnosticCode::not_standard);
 }
 
 TEST_CASE("dialects are noted, for those who want to know", "[unit][esdf]") {
@@ -125,8 +128,8 @@ TEST_CASE("strict mode says what would be done without it", "[unit][esdf]") {
            {"render eye my image.ppm 1 1", "spaces", "without --strict: taken as 'myimage.ppm'"},
            {"render eye a.ppm 1 1 4", "one more number", "without --strict: taken as samples per pixel"},
            {"define light ambient a 0 0 0 1 1 1", "ambient light has no position", "ambient light is written: "},
-           {"define material a 1 0 0 1 0 0 1 0 0 10 1", "1 number after m", "--material-extras says what they mean"},
-           {"define shape teapot t 1", "teapot", "the shapes are triangle, sphere, box, composite and mesh"}}) {
+           {"define material a 1 0 0 1 0 0 1 0 0 10 1", "1 number after m", "without --strict: --material-extras says"},
+           {"define shape teapot t 1", "teapot", "the shapes are triangle, sphere, box and composite"}}) {
     INFO(c.line);
     auto const found = findings(base + c.line + "\n", strict);
     REQUIRE(found.size() == 1);

@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::string_view kind_names[] = {"material", "shape", "light", "camera"};  // by Kind
 
+constexpr Kind all_kinds[] = {Kind::material, Kind::shape, Kind::light, Kind::camera};
+
 std::string_view name_of(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
 bool is_conflict_marker(Token token) {
@@ -26,6 +28,8 @@ bool is_conflict_marker(Token token) {
 Token defined_name(Kind kind, std::span<Token const> tokens) {
   auto const token = [&](std::size_t i) { return i < tokens.size() ? tokens[i] : Token(); };
   if (kind == Kind::camera && token(0) == "camera") return token(1);
+  if (kind == Kind::light && token(0) == "ambient") return token(1);
+  if (kind == Kind::light && token(0) == "define" && token(1) == "ambient") return token(2);
   if (token(0) != "define" || token(1) != name_of(kind)) return {};
   if (kind == Kind::shape) return token(3);
   bool const has_light_class =
@@ -121,7 +125,12 @@ void Interpreter::drop_semicolon() {
 bool Interpreter::report_spaces_around_equals() {
   Token const line = span_of(tokens_.front(), tokens_.back());
   if (line.find('"') != Token::npos) return false;  // a file's name may have them
+  auto const is_name = [&](Token token) {           // which may be any word
+    return std::ranges::any_of(all_kinds,
+                               [&](Kind kind) { return defined_name(kind, tokens_).data() == token.data(); });
+  };
   for (std::size_t i = 3; i < tokens_.size(); ++i) {
+    if (is_name(tokens_[i])) continue;
     bool const is_before = tokens_[i].front() == '=' && !has_key(tokens_[i - 1]) && !looks_like_number(tokens_[i - 1]);
     bool const is_after = tokens_[i].back() == '=' && i + 1 < tokens_.size() && !has_key(tokens_[i + 1]);
     if (!is_before && !is_after) continue;
@@ -231,7 +240,7 @@ void Interpreter::execute() {
 }
 
 void Interpreter::mark_faulty(std::span<Token const> definition) {
-  for (Kind const kind : {Kind::material, Kind::shape, Kind::light, Kind::camera}) {
+  for (Kind const kind : all_kinds) {
     Token const name = defined_name(kind, definition);
     if (!name.empty()) mark_faulty(kind, name);
   }
@@ -270,7 +279,7 @@ std::shared_ptr<Material> const& Interpreter::material(Token name) {
   if (last_material_ && name == (*last_material_)->name()) return *last_material_;
   if (auto* const found = scene.materials.find(name)) return *(last_material_ = found);
   if (!is_faulty(Kind::material, name))
-    report_undefined(Code::undefined_material, "material", Kind::material, name, scene.materials);
+    report_undefined(Code::undefined_material, "material", {Kind::material}, name, scene.materials);
   return magenta_;
 }
 
@@ -307,7 +316,7 @@ void Interpreter::define(Token name, EnvironmentLight environment) {
   tell(EsdfStatement::Kind::environment, name);
   if (scene.environment && scene.environment->name != name) {
     std::string const& first = scene.environment->name;
-    std::size_t const line = find_definition(Kind::light, first, false);
+    std::size_t const line = find_definition(Kind::light, first, Lines::before);
     error(Code::second_environment, name, fmt::format("there is an environment already: {}", in_quotes(first)),
           line == 0 ? std::string() : fmt::format("it is defined in line {}; a scene has one", line));
   } else if (scene.environment || scene.lights.contains(name)) {
@@ -327,7 +336,7 @@ void Interpreter::render(RenderCommand command, Token at) {
 }
 
 void Interpreter::report_duplicate(Kind kind, Token name) {
-  std::size_t const line = find_definition(kind, name, false);
+  std::size_t const line = find_definition(kind, name, Lines::before);
   error(Code::already_defined, name, fmt::format("{} {} is already defined", name_of(kind), in_quotes(name)),
         line == 0 ? std::string() : fmt::format("first defined in line {}", line));
 }
@@ -338,7 +347,7 @@ bool Interpreter::is_light(Token name) const {
 
 std::string Interpreter::defined_as_another_kind(Token name) {
   auto const defined = [&](Kind kind) {
-    std::size_t const line = find_definition(kind, name, false);
+    std::size_t const line = find_definition(kind, name, Lines::before);
     return fmt::format("{} is a {}{}", in_quotes(name), name_of(kind),
                        line == 0 ? std::string() : fmt::format(", defined in line {}", line));
   };
@@ -350,19 +359,17 @@ std::string Interpreter::defined_as_another_kind(Token name) {
 }
 
 std::string Interpreter::defined_later(Kind kind, Token name) {
-  std::size_t const line = find_definition(kind, name, true);
+  std::size_t const line = find_definition(kind, name, Lines::after);
   return line == 0 ? std::string() : fmt::format("it is defined later, in line {}: statements run in order", line);
 }
 
-std::size_t Interpreter::find_definition(Kind kind, Token name, bool after_current_line) {
+std::size_t Interpreter::find_definition(Kind kind, Token name, Lines where) {
   if (diagnostics_.has_all_errors()) return 0;
-  std::string_view text = source.text;
-  std::size_t lines_before = 0;
-  if (after_current_line) {
-    std::string_view const current = diagnostics_.line().text;
-    text.remove_prefix(static_cast<std::size_t>(current.data() - text.data()));
-    lines_before = diagnostics_.line().number - 1;
-  }
+  auto const current = static_cast<std::size_t>(diagnostics_.line().text.data() - source.text.data());
+  bool const is_after = where == Lines::after;
+  std::string_view const text =
+      is_after ? std::string_view(source.text).substr(current) : std::string_view(source.text).substr(0, current);
+  std::size_t const lines_before = is_after ? diagnostics_.line().number - 1 : 0;
   LineReader reader(text);
   Line line;
   std::vector<Token> tokens;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
@@ -99,15 +100,23 @@ class Interpreter {
   bool is_light(Token name) const;
   /// Reports a reference to something that does not exist, with what was probably meant. Once for each name.
   template <class... Names>
-  void report_undefined(Code code, std::string_view what, Kind kind, Token name, Names const&... names) {
-    auto const [known, is_new] = undefined_[static_cast<std::size_t>(kind)].try_emplace(name, Diagnostics::no_finding);
+  void report_undefined(Code code, std::string_view what, std::initializer_list<Kind> kinds, Token name,
+                        Names const&... names) {
+    auto const first = static_cast<std::size_t>(*kinds.begin());
+    auto const [known, is_new] = undefined_[first].try_emplace(name, Diagnostics::no_finding);
     if (!is_new) return diagnostics_.add_again(known->second);
-    std::string hint = defined_later(kind, name);
+    std::string hint;
+    for (Kind const kind : kinds) {
+      if (hint.empty()) hint = defined_later(kind, name);
+    }
     if (hint.empty()) hint = defined_as_another_kind(name);
     if (hint.empty()) hint = suggest(name, names...);
     error(code, name, std::string(what) + ' ' + in_quotes(name) + " is not defined", std::move(hint));
     known->second = diagnostics_.last();
   }
+
+  /// "it is defined later, in line 7: statements run in order", or an empty text.
+  std::string defined_later(Kind kind, Token name);
 
   /// Tells whoever wants to know (options.on_statement) what the current line did.
   void tell(EsdfStatement::Kind kind, std::string_view name) const;
@@ -126,9 +135,10 @@ class Interpreter {
   /// Reports it, so that the rest of the line is read as if it were not there.
   void drop_semicolon();
   void report_duplicate(Kind kind, Token name);
-  /// The first line that defines `name`, from the text's start or after the current line; 0: none found.
-  std::size_t find_definition(Kind kind, Token name, bool after_current_line);
-  std::string defined_later(Kind kind, Token name);
+  /// Before the current line, or from it on.
+  enum class Lines { before, after };
+  /// The first of these lines that defines `name`; 0: none found.
+  std::size_t find_definition(Kind kind, Token name, Lines where);
   /// "'red' is a material, defined in line 1", for what is not of the kind that was looked for.
   std::string defined_as_another_kind(Token name);
 

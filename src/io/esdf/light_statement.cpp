@@ -29,6 +29,7 @@ Signature const sdf_signature{{{"the position", 3}, {"La", 3}, {"Ld", 3}},
                               "define light <name> <x> <y> <z> <La: r g b> <Ld: r g b>"};
 Signature const diffuse_signature{{{"the position", 3}, {"Ld", 3}}};
 Signature const ambient_signature{{{"La", 3}}};
+constexpr std::string_view light_kinds[] = {"diffuse", "ambient", "environment"};
 constexpr std::size_t diffuse_numbers = 6;
 constexpr std::size_t ambient_numbers = 3;
 
@@ -63,6 +64,13 @@ bool check_brightness(Interpreter& interpreter, Statement const& statement, Rgb 
   interpreter.error(Code::number_too_large, statement.last(), "colour times brightness is too large",
                     "single-precision numbers reach about 3.4e38");
   return false;
+}
+
+/// Where it takes light away.
+void warn_of_brightness(Interpreter& interpreter, Token token, double value, char const* what) {
+  if (value >= 0) return;
+  interpreter.warning(Code::color_out_of_range, token, fmt::format("{}: the brightness is negative", what),
+                      "0 is black");
 }
 
 /// Takes the keys off the end of a light with a position: its radius. The first arguments are `names`, whatever is in
@@ -119,6 +127,7 @@ void define_light_as(Interpreter& interpreter, Statement const& statement, Form 
       Rgb const ld = rgb(values.subspan(3)) * v[6];
       if (!check_brightness(interpreter, statement, ld)) return;
       check(3, "light: the colour", largest_share);
+      warn_of_brightness(interpreter, statement.last(), v[6], "light");
       interpreter.scene.tone_map = ToneMap::reinhard;
       define_lamp(ld);
       break;
@@ -213,10 +222,9 @@ void define_environment_light(Interpreter& interpreter, Statement const& outer, 
 /// Whether there is a word before the name that is no kind of light, which is then reported: a word is where the first
 /// number would be, and it is near a kind, or only with a kind does the count come out.
 bool report_unknown_kind(Interpreter& interpreter, Statement const& statement) {
-  constexpr std::string_view known[] = {"diffuse", "ambient", "environment"};
   if (statement.size() < 2 || looks_like_number(statement[1])) return false;
-  if (std::find(std::begin(known), std::end(known), statement[0]) != std::end(known)) return false;
-  std::string const hint = interpreter.suggest(statement[0], known);
+  if (std::ranges::find(light_kinds, statement[0]) != std::end(light_kinds)) return false;
+  std::string const hint = interpreter.suggest(statement[0], light_kinds);
   std::size_t const numbers = first_key(statement, 2) - 2;
   if (hint.empty() && numbers != diffuse_numbers && numbers != ambient_numbers) return false;
   interpreter.error(Code::unknown_light, statement[0], fmt::format("light: unknown kind {}", in_quotes(statement[0])),
@@ -227,9 +235,7 @@ bool report_unknown_kind(Interpreter& interpreter, Statement const& statement) {
 /// A name for an ambient light that was given none. It has a blank, so that no file can use it.
 std::string free_ambient_name(Scene const& scene) { return fmt::format("ambient light {}", scene.lights.size() + 1); }
 
-}  // namespace
-
-void define_light(Interpreter& interpreter, Statement const& statement) {
+void read_light(Interpreter& interpreter, Statement const& statement) {
   if (report_unknown_kind(interpreter, statement)) return;
   Token const word = statement.size() > 0 ? statement[0] : Token();
   auto const after_word = [&](Statement const& outer) {
@@ -242,6 +248,17 @@ void define_light(Interpreter& interpreter, Statement const& statement) {
   if (!radius) return;
   if (word == "diffuse") return define_diffuse(interpreter, lamp, after_word(lamp), *radius);
   define_plain(interpreter, lamp, *radius);
+}
+
+}  // namespace
+
+void define_light(Interpreter& interpreter, Statement const& statement) {
+  read_light(interpreter, statement);
+  auto const& words = statement.arguments;
+  std::size_t const place =
+      words.size() > 1 && std::ranges::find(light_kinds, words[0]) != std::end(light_kinds) ? 1 : 0;
+  bool const is_named = place < words.size() && !looks_like_number(words[place]);
+  if (is_named && !interpreter.is_light(words[place])) interpreter.mark_faulty(Kind::light, words[place]);
 }
 
 // ambient [rgb], ambient <name> [rgb] [<brightness>], ambient <value>; all of it also after `define`.
@@ -259,9 +276,10 @@ void define_ambient(Interpreter& interpreter, Statement const& statement) {
   if (!read_numbers(interpreter, statement.arguments.subspan(first), v)) return;
   Rgb const la = size == 1 ? Rgb(v[0]) : Rgb(v[0], v[1], v[2]) * v[3];
   if (!check_brightness(interpreter, statement, la)) return;
-  if (size > 1) {
-    check_color(interpreter, statement.arguments.subspan(first, 3), std::span(v).first(3), "ambient", largest_share);
-  }
+  std::size_t const channels = size == 1 ? 1 : 3;
+  check_color(interpreter, statement.arguments.subspan(first, channels), std::span(v).first(channels), "ambient",
+              largest_share);
+  warn_of_brightness(interpreter, statement.last(), v[3], "ambient");
   if (size == 5) interpreter.scene.tone_map = ToneMap::reinhard;
   if (has_name) {
     interpreter.define(statement[0], Light::ambient(std::string(statement[0]), la));

@@ -208,7 +208,8 @@ bool read_extras(Interpreter& interpreter, std::span<Token const> tokens, Option
         Code::extra_material_numbers, span_of(tokens[named], tokens.back()),
         named == 0 ? fmt::format("material: {}{}", count, interpreter.options.strict ? "" : ", ignored")
                    : fmt::format("material: {}, only the first {} named by --material-extras", count, named),
-        "--material-extras says what they mean, e.g. --material-extras reflectance,ior");
+        interpreter.done_unless_strict(
+            "--material-extras says what they mean, e.g. --material-extras reflectance,ior"));
     if (!accepted) return false;
   } else if (!interpreter.dialect(at, "a material with " + count)) {
     return false;

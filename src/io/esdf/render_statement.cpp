@@ -88,7 +88,10 @@ Camera const* find_camera(Interpreter& interpreter, Statement const& statement, 
   if (Camera const* const camera = name.empty() ? nullptr : cameras.find(name)) return camera;
   if (!name.empty() && interpreter.is_faulty(Kind::camera, name)) return nullptr;
   if (cameras.size() == 1) {
-    std::string const hint = interpreter.done_unless_strict("using the only one: " + in_quotes(cameras.front().name()));
+    std::string const later = name.empty() ? std::string() : interpreter.defined_later(Kind::camera, name);
+    std::string const hint =
+        fmt::format("{}{}{}", later, later.empty() ? "" : "; ",
+                    interpreter.done_unless_strict("using the only one: " + in_quotes(cameras.front().name())));
     bool const accepted =
         name.empty()
             ? interpreter.dialect_warning(Code::camera_assumed, statement.keyword, "render: no camera is given", hint)
@@ -97,7 +100,7 @@ Camera const* find_camera(Interpreter& interpreter, Statement const& statement, 
     return accepted ? &cameras.front() : nullptr;
   }
   if (!name.empty()) {
-    interpreter.report_undefined(Code::undefined_camera, "camera", Kind::camera, name, cameras);
+    interpreter.report_undefined(Code::undefined_camera, "camera", {Kind::camera}, name, cameras);
   } else {
     interpreter.error(Code::no_camera, place_after(statement.keyword), "render: no camera is given",
                       std::string(render_usage));

@@ -183,7 +183,7 @@ void define_composite(Interpreter& interpreter, Statement const& statement) {
       interpreter.error(Code::contains_itself, child,
                         fmt::format("composite {} cannot contain itself", in_quotes(name)));
     } else if (!interpreter.is_faulty(Kind::shape, child)) {
-      interpreter.report_undefined(Code::undefined_shape, "shape", Kind::shape, child, interpreter.scene.shapes);
+      interpreter.report_undefined(Code::undefined_shape, "shape", {Kind::shape}, child, interpreter.scene.shapes);
     }
   }
   interpreter.define(name, std::make_shared<Composite>(std::string(name), std::move(children)));
@@ -191,7 +191,7 @@ void define_composite(Interpreter& interpreter, Statement const& statement) {
 
 constexpr Keyword shape_table[] = {
     {"triangle", define_triangle},        {"sphere", define_sphere},    {"box", define_box},
-    {"composite", define_composite},      {"mesh", define_mesh},        {"obj", define_obj, false},
+    {"composite", define_composite},      {"mesh", define_mesh, false}, {"obj", define_obj, false},
     {"cylinder", define_cylinder, false}, {"cone", define_cone, false}, {"plane", define_plane, false},
 };
 

@@ -189,14 +189,15 @@ void transform(Interpreter& interpreter, Statement const& statement) {
                         fmt::format("{} is both a shape and a camera: the shape is transformed", in_quotes(name)));
   }
   if (!shape && !camera && !interpreter.is_faulty(Kind::shape, name) && !interpreter.is_faulty(Kind::camera, name)) {
-    if (interpreter.is_light(name)) {
+    if (interpreter.is_light(name) || interpreter.is_faulty(Kind::light, name)) {
       interpreter.error(Code::transformed_light, name,
                         fmt::format("{} is a light: only shapes and cameras can be transformed", in_quotes(name)),
-                        scene.lights.contains(name) ? "set the light's position in its definition"
-                                                    : "rotation=<degrees> in its definition turns it");
+                        scene.environment && scene.environment->name == name
+                            ? "rotation=<degrees> in its definition turns it"
+                            : "set the light's position in its definition");
     } else {
-      interpreter.report_undefined(Code::undefined_object, "shape or camera", Kind::shape, name, scene.shapes,
-                                   scene.cameras);
+      interpreter.report_undefined(Code::undefined_object, "shape or camera", {Kind::shape, Kind::camera}, name,
+                                   scene.shapes, scene.cameras);
     }
   }
 

@@ -39,6 +39,8 @@ struct ModelOptions : ModelChoice {
   std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the model's that may be read
   std::shared_ptr<Material const> material;          ///< for everything, instead of the model's own; null: these
   FileObserver on_read;                              ///< may be empty
+  /// Materials that are written as Phong's stay so, for a scene whose own are: of OBJ.
+  bool is_part_of_scene = false;
 };
 
 /// What only glTF models have, as far as it is not in the scene.

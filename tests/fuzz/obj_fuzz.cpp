@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
       lichtraum::obj::MadePictures made;
       for (bool const has_pictures : {false, true}) {
         for (auto const map : lichtraum::obj::mtl_textures) (material.*map).image = has_pictures ? picture : nullptr;
-        for (bool const has_colors : {false, true}) lichtraum::obj::material_from_mtl(material, has_colors, made);
+        for (bool const is : {false, true}) lichtraum::obj::material_from_mtl(material, {is, is}, made);
       }
     }
     lichtraum::flatten(lichtraum::import_obj_text(text, "fuzz.obj", "/nonexistent").scene.roots());

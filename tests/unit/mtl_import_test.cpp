@@ -1,3 +1,4 @@
+#include <cmath>
 #include <filesystem>
 
 #include "io/obj/made_pictures.hpp"
@@ -26,6 +27,8 @@ std::string triangle_of_each(std::initializer_list<char const*> materials) {
 
 TEST_CASE("MTL: Phong's coefficients, mirrors and glass", "[unit][obj]") {
   TemporaryFolder const folder;
+  ModelOptions options;
+  options.is_part_of_scene = true;
   folder.write("m.mtl",
                "newmtl plain\nKd 0.1 0.2 0.3\nKs 0.5 0.5 0.4\nNs 20\nKa 0.01 0.02 0.03\nKe 0 0 2\n"
                "newmtl blender\nKa 1 1 1\nKd 0.5 0 0\n"
@@ -39,7 +42,7 @@ TEST_CASE("MTL: Phong's coefficients, mirrors and glass", "[unit][obj]") {
                "newmtl unbent\nillum 7\nNi 1\n");
   folder.write("m.obj", triangle_of_each({"plain", "blender", "mirror", "glass", "thin", "matt", "meshlab", "filter",
                                           "clear", "unbent"}));
-  Model const model = import_obj(folder / "m.obj");
+  Model const model = import_obj(folder / "m.obj", options);
   CHECK(shown(model.diagnostics) == "");
   auto const& material = [&](char const* name) -> Material const& { return **model.scene.materials.find(name); };
   CHECK(material("plain").ka() == Rgb(0.01, 0.02, 0.03));
@@ -62,6 +65,39 @@ TEST_CASE("MTL: Phong's coefficients, mirrors and glass", "[unit][obj]") {
   CHECK(material("filter").reflect() == 0.3);
   CHECK(material("clear").transmit() == 1);
   CHECK(material("unbent").transmit() == 0);
+}
+
+TEST_CASE("MTL: a model by itself has highlights of paint, and its mirrors and glass stay what they are",
+          "[unit][obj]") {
+  TemporaryFolder const folder;
+  folder.write("m.mtl",
+               "newmtl blender\nNs 250\nKd 0.8 0.05 0.05\nKs 0.5 0.5 0.5\nillum 2\n"
+               "newmtl old\nKd 0.58 0.1 0.1\nKs 0.9 0.9 0.9\nNs 10\n"
+               "newmtl weak\nKd 0.5 0.5 0.5\nKs 0.1 0.1 0.1\n"
+               "newmtl matt\nKs 1 1 1\nillum 1\n"
+               "newmtl mirror\nKs 0.3 0.3 0.3\nillum 3\n"
+               "newmtl thin\nKs 0.5 0.5 0.5\nd 0.5\n");
+  folder.write("m.obj", triangle_of_each({"blender", "old", "weak", "matt", "mirror", "thin"}));
+  Model const model = import_obj(folder / "m.obj");
+  auto const& material = [&](char const* name) -> Material const& { return **model.scene.materials.find(name); };
+  struct Case {
+    char const* name;
+    Rgb color;
+    double specular;
+  };
+  for (Case const& c : std::vector<Case>{{"blender", {0.8, 0.05, 0.05}, 1},
+                                         {"old", {0.58, 0.1, 0.1}, 1},
+                                         {"weak", {0.5, 0.5, 0.5}, 0.2},
+                                         {"matt", {0.8, 0.8, 0.8}, 0}}) {
+    INFO(c.name);
+    REQUIRE(material(c.name).pbr());
+    CHECK(material(c.name).pbr()->base_color == c.color);
+    CHECK(material(c.name).pbr()->specular == Approx(c.specular));
+    CHECK(material(c.name).pbr()->double_sided);
+  }
+  CHECK(material("blender").pbr()->roughness == Approx(std::pow(2 / 1002., 0.25)));
+  CHECK(material("mirror").reflect() == 0.3);
+  CHECK(material("thin").transmit() == 0.5);
 }
 
 TEST_CASE("MTL: with a picture, materials keep highlights and mirrors, and zeros beside it are not meant",
@@ -365,7 +401,7 @@ TEST_CASE("OBJ: a colour of 0 beside a picture that is lost says nothing", "[uni
   folder.write("m.mtl",
                "newmtl a\nKd 0 0 0\nmap_Kd lost.png\nnewmtl b\nKd 0 0 0\nnewmtl c\nKd 0 0.5 0\nmap_Kd lost.png\n");
   Model const model = import_obj(folder / "m.obj");
-  auto const kd = [&](char const* name) { return (*model.scene.materials.find(name))->kd(); };
+  auto const kd = [&](char const* name) { return (*model.scene.materials.find(name))->pbr()->base_color; };
   CHECK(kd("a") == Rgb(0.8));
   CHECK(kd("b") == Rgb(0));
   CHECK(kd("c") == Rgb(0, 0.5, 0));

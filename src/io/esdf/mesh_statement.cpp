@@ -43,6 +43,7 @@ std::shared_ptr<Shape> load_mesh(Interpreter& interpreter, Token name, Token fil
     options.allowed_paths = interpreter.options.allowed_paths;
     options.material = std::move(material);
     options.on_read = interpreter.options.on_read;
+    options.is_part_of_scene = true;
     return interpreter.options.models->shape(*format, *path, options, std::string(name));
   } catch (SceneError const& problem) {
     std::string const first = problem.diagnostics().empty() ? problem.what() : problem.diagnostics().front().message;

@@ -202,7 +202,7 @@ class Importer {
         (m.*map).image = pictures_.image_of(m.*map, library.folder, *library.findings);
       }
       if (m.map_kd.image) pictured_.insert(m.name);
-      materials_[m.name] = material_from_mtl(m, !file.colors.empty(), made);
+      materials_[m.name] = material_from_mtl(m, {!file.colors.empty(), options_.is_part_of_scene}, made);
     }
     diagnostics_.begin_line({});
     if (!halved.empty()) diagnostics_.add(Severity::warning, DiagnosticCode::textures_halved, {}, halved);

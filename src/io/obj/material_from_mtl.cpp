@@ -60,9 +60,12 @@ void set_normals(PbrModel& pbr, MtlMaterial const& source, MadePictures& made) {
 /// What Blinn's exponent is as GGX's roughness (Walter et al. 2007), with alpha the square of the roughness.
 double roughness_from(double m) { return std::sqrt(std::sqrt(2 / (4 * m + 2))); }
 
+/// What Blender writes for the highlight of glass and paint.
+constexpr double usual_ks = 0.5;
+
 }  // namespace
 
-std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, bool has_colors, MadePictures& made) {
+std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, MtlUse const& use, MadePictures& made) {
   int const illum = int(std::clamp(source.illum.value_or(2), 0.0, 10.0));
   Rgb const kd = factor(source.kd, source.map_kd).value_or(Rgb(0.8));
   // Exporters that know no ambient light write 1 1 1: taken as written, it would wash out every colour.
@@ -80,7 +83,9 @@ std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, bool has_
   bool const is_physical = source.metallic || source.roughness || source.clearcoat;
   bool const has_pictures = std::ranges::any_of(mtl_textures, [&](auto map) { return (source.*map).image != nullptr; });
   bool const is_absent = opacity == 0 && !refracts;
-  if (!is_physical && !has_pictures && !has_colors && !is_absent) {
+  // By paths, Phong's highlight mirrors as much of all around as it does of lamps: half of it, with Blender's Ks.
+  bool const is_body = !use.is_part_of_scene && !mirrors && opacity == 1;
+  if (!is_physical && !has_pictures && !use.has_colors && !is_absent && !is_body) {
     PhongModel phong{.ka = ka, .kd = kd, .ks = ks, .m = m};
     phong.transmit = 1 - opacity;
     phong.reflect = mirrors ? std::clamp(largest_channel(ks), 0.0, opacity) : 0;
@@ -119,7 +124,8 @@ std::shared_ptr<Material> material_from_mtl(MtlMaterial const& source, bool has_
   } else {
     pbr.ior = ior > 1 ? ior : 1.5;  // 1 is written for what bends no rays, and would take the highlight away
   }
-  pbr.specular = ks == Rgb(0) ? 0 : 1;
+  double const strongest = largest_channel(ks);
+  pbr.specular = mirrors ? double(strongest > 0) : std::min(strongest / usual_ks, 1.0);
   pbr.double_sided = true;
   return std::make_shared<Material>(source.name, std::move(pbr));
 }

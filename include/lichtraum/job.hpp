@@ -142,7 +142,7 @@ PlaneSet traced_planes(Job const& job);
 /// The job with camera (by its name; empty where the scene has none and the job's view says where one stands), size,
 /// region, integrator, sampling, depth and denoising decided: by the job itself, else by the scene's `render` statement
 /// number `picture`, else by the camera, else by the scene's defaults, else 640x480; whitted: one sample a pixel, 64
-/// with a lens, depth 5; path: 64 samples, of models 16, depth 16; 4096 at most where a limit of noise is set, which
+/// with a lens, depth 5; path: 64 samples, of models 16, depth 64; 4096 at most where a limit of noise is set, which
 /// only radiance has. `scene` is that at the end of its file. A job that is decided stays as it is. Throws Error{usage}
 /// for what the job asks for and cannot have, Error{scene} for a scene without cameras, or with a `render` that names
 /// an unknown one.

@@ -87,7 +87,7 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
   add_value(parser, "--samples", options.job.sampling, parse_samples, "N|NxN",
             "Samples per pixel: 16 random ones, or a grid such\nas 4x4 (default: " + default_samples + ")", group);
   add_value(parser, "--depth", options.job.max_depth, parse_depth, "N",
-            "Maximum depth of reflection and refraction\n(default: 5; path: 16)", group);
+            "Maximum depth of reflection and refraction\n(default: 5; path: 64)", group);
   add_value(parser, "--clamp", options.job.max_indirect, parse_clamp, "X",
             "The most radiance that scattered light may add at\neach bounce, such as 10: less noise, but darker\n"
             "than it should be (default: no limit)",

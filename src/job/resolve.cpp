@@ -51,7 +51,7 @@ Effort usual_effort(Integrator integrator, bool is_model, bool has_lens) {
     case Integrator::whitted:
       return {has_lens ? 64 : 1, 5};
     case Integrator::path:
-      return {is_model ? 16 : 64, 16};
+      return {is_model ? 16 : 64, 64};  // chance ends most paths before
   }
   return {};
 }

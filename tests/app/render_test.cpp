@@ -106,7 +106,7 @@ TEST_CASE("paths are traced when asked for, with samples and a depth of their ow
   auto const paths = picture("--integrator path");
   CHECK(picture("--integrator whitted") == picture(""));
   CHECK(paths != picture(""));
-  CHECK(picture("--integrator path --samples 64 --depth 16") == paths);
+  CHECK(picture("--integrator path --samples 64 --depth 64") == paths);
   CHECK(picture("--integrator path --samples 63") != paths);
 
   auto const asked_by_scene = [&](std::string const& words) {

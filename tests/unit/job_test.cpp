@@ -66,7 +66,7 @@ TEST_CASE("paths take more samples and go deeper, unless somebody says otherwise
   Job const usual = resolved(job, two_pictures());
   CHECK(usual.integrator == Integrator::path);
   CHECK(usual.sampling == Sampling{Sampling::Pattern::seeded, 64});
-  CHECK(usual.max_depth == 16);
+  CHECK(usual.max_depth == 64);
   CHECK(request_of(job, two_pictures()).integrator == Integrator::path);
   job.picture = 1;
   CHECK(resolved(job, two_pictures()).sampling == Sampling{Sampling::Pattern::seeded, 9});

@@ -169,9 +169,9 @@ Vec3 turn_center_of(Job const& job, Scene const& scene, Camera const& camera);
 /// Same exceptions as request_of.
 RenderRequest view_of(Job job, Scene const& scene);
 
-/// How radiance becomes the job's picture. `automatic` is what the scene says, but `neutral` where paths draw a model,
-/// or a scene that has no curve in an environment that was asked for: highlights are beyond any display, and `neutral`
-/// keeps the colours of the rest.
+/// How radiance becomes the job's picture. `automatic` is what the scene says, but `neutral` where paths draw a model
+/// (`none` where all of it is unlit), or a scene that has no curve in an environment that was asked for: highlights are
+/// beyond any display, and `neutral` keeps the colours of the rest.
 Development development_of(Job const& job, Scene const& scene);
 
 /// A JSON object with a key for each member that is not left open; docs/JOB.md lists them. Throws Error{usage} when a

@@ -8,6 +8,7 @@
 #include "film/check_request.hpp"
 #include "job/viewpoint.hpp"
 #include "lichtraum/error.hpp"
+#include "lichtraum/graph_summary.hpp"
 #include "lichtraum/job.hpp"
 #include "lichtraum/turntable.hpp"
 
@@ -31,11 +32,20 @@ std::optional<JobBackground> usual_background(Job const& job, Scene const& scene
   return {};
 }
 
+/// Whether all that is drawn shows its own colour, which a curve would change.
+bool is_unlit(Scene const& scene) {
+  auto const materials = materials_of(scene.roots());
+  return !materials.empty() && std::ranges::all_of(materials, [](auto const& material) {
+    PbrModel const* const pbr = material->pbr();
+    return pbr && pbr->unlit;
+  });
+}
+
 /// An environment that was asked for is light that a scene's author has not reckoned with: most of the picture would be
 /// white without a curve.
 ToneMap usual_tone_map(Job const& job, Scene const& scene) {
   if (chosen_integrator(job, scene).integrator != Integrator::path) return scene.tone_map;
-  if (is_model(job)) return ToneMap::neutral;
+  if (is_model(job)) return is_unlit(scene) ? ToneMap::none : ToneMap::neutral;
   std::string const& asked = job.reading.environment.source;
   bool const has_more_light = !asked.empty() && asked != "none";
   return has_more_light && scene.tone_map == ToneMap::none ? ToneMap::neutral : scene.tone_map;

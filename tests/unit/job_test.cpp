@@ -1,5 +1,7 @@
 #include "lichtraum/job.hpp"
 
+#include "lichtraum/pbr_model.hpp"
+#include "lichtraum/shapes.hpp"
 #include "lichtraum/turntable.hpp"
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
@@ -71,6 +73,29 @@ TEST_CASE("paths take more samples and go deeper, unless somebody says otherwise
   job.picture = 1;
   CHECK(resolved(job, two_pictures()).sampling == Sampling{Sampling::Pattern::seeded, 9});
   CHECK(resolved(job, two_pictures()).max_depth == 2);
+}
+
+TEST_CASE("models whose colours are painted on keep them", "[unit][job]") {
+  Scene scene = two_pictures();
+  Job job = job_of();
+  job.scene = "photographed.glb";
+  job.integrator = Integrator::path;
+  auto const curve_with = [&](bool first, bool second) {
+    PbrModel model;
+    model.unlit = first;
+    auto const a = std::make_shared<Material>("a", model);
+    model.unlit = second;
+    auto const b = std::make_shared<Material>("b", model);
+    scene.shapes = {};
+    scene.shapes.insert(std::make_shared<Sphere>("s", Vec3(0), 1, a));
+    scene.shapes.insert(std::make_shared<Sphere>("t", Vec3(0), 1, b));
+    return development_of(job, scene).tone_map;
+  };
+  CHECK(curve_with(true, true) == ToneMap::none);
+  CHECK(curve_with(true, false) == ToneMap::neutral);
+  CHECK(curve_with(false, false) == ToneMap::neutral);
+  job.tone_map = ToneMap::agx;
+  CHECK(curve_with(true, true) == ToneMap::agx);
 }
 
 TEST_CASE("the integrator is the job's, the render's, or what the scene needs", "[unit][job]") {

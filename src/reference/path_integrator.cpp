@@ -165,11 +165,13 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
                             : sees_background ? scene.background
                                               : scene.ambient;
       add(throughput * (depth == 0 ? background : from_afar), depth > 1);
+      if (depth == 0) sample.surface.albedo = glm::min(throughput * background, Rgb(1));
       return sample;
     }
     counts.camera_hits += is_first_ray && !is_ground;
     if (is_ground) {
       sample.begins_on_ground = true;
+      sample.surface.albedo = glm::min(throughput * background, Rgb(1));
       mirrored = ground.is_glossy() && random.uniform() < 0.5;
       if (ground.is_glossy()) throughput *= 2.0;
     }
@@ -223,7 +225,12 @@ PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& e
   bool const has_alpha = request.planes.has(FilmPlane::alpha);
   FollowedPath const path =
       follow_path(scene, environment, ground, ray, has_alpha ? Rgb(1) : background, request, random, counts);
-  if (!has_alpha || !path.begins_on_ground) return path;
+  if (!has_alpha) return path;
+  if (!path.begins_on_ground) {
+    PathSample sample = path;
+    if (sample.surface.alpha == 0) sample.surface.albedo = Rgb(0);  // what is behind it is somebody else's
+    return sample;
+  }
   // Whatever is behind it, the ground covers as much of that as it is darker than in the open.
   PathSample sample;
   sample.surface.alpha = 1 - glm::dot(path.radiance, Rgb(0.2126, 0.7152, 0.0722));

@@ -12,6 +12,7 @@ namespace lichtraum::app {
 namespace {
 
 constexpr double most_white = 0.5;  // of what a picture shows
+constexpr double most_black = 0.9;
 /// How many of its own sizes a scene may lie from the origin before reflections and shadows show that floats tell no
 /// more than 2,000 places apart in it. (Readers move models from 1,000 on, as it costs nothing there.)
 constexpr double most_sizes = 10'000;
@@ -61,6 +62,14 @@ Diagnostic black_picture(DrawnPicture const& drawn) {
                  "perhaps every lamp is inside a shape or outside the room, or the materials reflect nothing");
 }
 
+Diagnostic dark_picture(DrawnPicture const& drawn, double share) {
+  return warning(
+      DiagnosticCode::black_picture,
+      fmt::format("the picture is nearly black: next to no light reaches {:.0f} % of what {} sees", 100 * share,
+                  name_in_text(drawn.request.camera)),
+      fmt::format("--exposure {:g} brightens it; a closed room needs a lamp in it", drawn.development.exposure_ev + 4));
+}
+
 Diagnostic white_picture(DrawnPicture const& drawn, double share) {
   bool const may_map = drawn.development.tone_map == ToneMap::none;
   return warning(DiagnosticCode::white_picture,
@@ -95,8 +104,11 @@ void Sight::add(RayCounts const& rays, Film& film) {
 }
 
 double Sight::white_share(Background const& background, Development const& development) const {
-  double const seen = camera_rays_ > 0 ? double(camera_hits_) / double(camera_rays_) : 0;
-  return whiteness_.share(seen, background, development);
+  return extremes_.white_share(seen(), background, development);
+}
+
+double Sight::black_share(Background const& background, Development const& development) const {
+  return extremes_.black_share(seen(), background, development);
 }
 
 std::vector<std::pair<PictureFault, Diagnostic>> faults_of(DrawnPicture const& drawn, Sight const& sight) {
@@ -114,6 +126,10 @@ std::vector<std::pair<PictureFault, Diagnostic>> faults_of(DrawnPicture const& d
     found.emplace_back(PictureFault::no_light, black_picture(drawn));
   }
   if (!drawn.is_whole) return found;
+  bool const lacks_none =
+      std::ranges::none_of(found, [](auto const& fault) { return fault.first == PictureFault::no_light; });
+  double const black = drawn.is_model ? sight.black_share(drawn.background, drawn.development) : 0;
+  if (lacks_none && black > most_black) found.emplace_back(PictureFault::no_light, dark_picture(drawn, black));
   double const white = sight.white_share(drawn.background, drawn.development);
   if (white > most_white) found.emplace_back(PictureFault::too_bright, white_picture(drawn, white));
   if (sight.is_empty()) {

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/extreme_pixels.hpp"
 #include "app/scene_light.hpp"
-#include "app/whiteness.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/renderer.hpp"
 
@@ -17,7 +17,7 @@ class Sight {
   /// Of a part of it, or all, as it was traced.
   void add(RayCounts const& rays, Film& film);
   /// Of the same, what people see of its radiance.
-  void add(Image const& pixels, Development const& development) { whiteness_.add(pixels, development); }
+  void add(Image const& pixels, Development const& development) { extremes_.add(pixels, development); }
 
   /// No ray of the camera met anything.
   bool is_empty() const { return camera_rays_ > 0 && camera_hits_ == 0; }
@@ -25,15 +25,19 @@ class Sight {
   bool is_black() const { return camera_hits_ > 0 && is_black_; }
   /// Rays meet surfaces, and show none of them. Known where normals were traced.
   bool shows_no_surface() const { return camera_hits_ > 0 && !has_normals_; }
-  /// 0..1, see Whiteness; 0 where only films were added.
+  /// 0..1, see ExtremePixels; 0 where only films were added.
   double white_share(Background const& background, Development const& development) const;
+  double black_share(Background const& background, Development const& development) const;
 
  private:
+  /// Of the camera's rays, those that met something.
+  double seen() const { return camera_rays_ > 0 ? double(camera_hits_) / double(camera_rays_) : 0; }
+
   std::uint64_t camera_rays_ = 0;
   std::uint64_t camera_hits_ = 0;
   bool is_black_ = true;
   bool has_normals_ = false;  // or nobody knows
-  Whiteness whiteness_;
+  ExtremePixels extremes_;
 };
 
 /// A picture that was drawn, and of what.

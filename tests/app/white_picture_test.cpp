@@ -34,6 +34,23 @@ TEST_CASE("a picture that is mostly white is told, with what darkens it", "[app]
   CHECK_THAT(lichtraum("check a.sdf --device reference -o a.pfm").err, !contains_text("W0823"));
 }
 
+TEST_CASE("a model that is next to black is told, with what brightens it", "[app][white]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("m.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n");
+  auto const said = [&](std::string const& words) {
+    auto const result = lichtraum.render("m.obj --size 32x24 " + words);
+    CHECK(result.exit_code == 0);
+    return result.err;
+  };
+  CHECK_THAT(said("--exposure -12"), contains_text("next to no light reaches 100 % of what the camera") &&
+                                         contains_text("[W0815]") && contains_text("--exposure -8 brightens it"));
+  for (std::string const lighter :
+       {"", "--exposure -4", "--exposure -12 -o a.exr", "--exposure -12 --region 1,1,9,9"}) {
+    INFO(lighter);
+    CHECK_THAT(said(lighter), !contains_text("W0815"));
+  }
+}
+
 TEST_CASE("white that is meant is not told", "[app][white]") {
   Lichtraum const lichtraum;
   auto const said = [&](std::string const& text, std::string const& words = "") {

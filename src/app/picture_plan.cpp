@@ -10,14 +10,6 @@
 namespace lichtraum::app {
 namespace {
 
-std::string human(double bytes) {
-  for (char const* const unit : {"bytes", "kB", "MB", "GB", "TB", "PB"}) {
-    if (bytes < 1000) return fmt::format("{:.3g} {}", bytes, unit);
-    bytes /= 1000;
-  }
-  return fmt::format("{:.3g} EB", bytes);
-}
-
 std::string list_planes(PlaneSet const& planes) {
   std::string list;
   for (FilmPlane const plane : planes.list()) list += fmt::format("{}{}", list.empty() ? "" : ",", info_of(plane).name);
@@ -100,7 +92,7 @@ void check_memory(Region const& region, PlaneSet const& planes, int sample_count
   if (needed <= available) return;
   throw Error(kind, fmt::format("a picture of {}x{} pixels needs {} of memory; {} can be used: a "
                                 "smaller size needs less, and --region draws a part of it",
-                                region.width, region.height, human(needed), human(available)));
+                                region.width, region.height, bytes_text(needed), bytes_text(available)));
 }
 
 std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource const& source,

@@ -1,5 +1,6 @@
 #include "core/memory.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +16,14 @@ std::uint64_t usable_memory_bytes() {
     if (std::ifstream(file) >> limit) bytes = std::min(bytes, limit);
   }
   return bytes;
+}
+
+std::string bytes_text(double bytes) {
+  for (char const* const unit : {"bytes", "kB", "MB", "GB", "TB", "PB"}) {
+    if (bytes < 1000) return fmt::format("{:.3g} {}", bytes, unit);
+    bytes /= 1000;
+  }
+  return fmt::format("{:.3g} EB", bytes);
 }
 
 }  // namespace lichtraum

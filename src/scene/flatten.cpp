@@ -73,9 +73,11 @@ void check_size(UnfoldedCounts const& counts) {
     return count >= GraphNode::uncountable ? std::string("more than 10^18") : fmt::format("{}", count);
   };
   throw Error(ErrorKind::scene,
-              fmt::format("the scene unfolds to {} primitives and {} instances, which need {} bytes of memory; {} "
-                          "bytes can be used here. Use fewer instances of composites in composites.",
-                          shown(counts.primitives), shown(counts.instances), shown(needed), memory));
+              fmt::format("the scene unfolds to {} primitives and {} instances, which need {} of memory; {} can be "
+                          "used here. Use fewer instances of composites in composites.",
+                          shown(counts.primitives), shown(counts.instances),
+                          needed >= GraphNode::uncountable ? "more than 10^18 bytes" : bytes_text(double(needed)),
+                          bytes_text(double(memory))));
 }
 
 class Flattener {

@@ -259,6 +259,12 @@ TEST_CASE("what is broken is named by its JSON pointer, and the rest is drawn", 
     writer.json["scenes"] = {{{"nodes", {0, 1}}}};
     expect("/nodes/1: it occurs twice in the node tree");
   }
+  SECTION("a node below several others, which is told once") {
+    for (int i = 1; i < 4; ++i) writer.json["nodes"][i] = {{"children", {0}}};
+    writer.json["scenes"] = {{{"nodes", {0, 1, 2, 3}}}};
+    expect("/nodes/0: it occurs twice in the node tree");
+    CHECK(import_model(writer).diagnostics.size() == 1);
+  }
   SECTION("a required extension") {
     writer.json["nodes"].erase(1);
     writer.json["extensionsRequired"] = {"ACME_fur"};

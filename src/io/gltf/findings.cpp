@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace lichtraum::gltf {
 namespace {
@@ -23,8 +24,12 @@ Diagnostic make(Severity severity, DiagnosticCode code, std::string const& file,
 
 void Findings::warn(DiagnosticCode code, std::string_view pointer, std::string_view message) {
   if (is_muted_) return;
+  Diagnostic found = make(Severity::warning, code, file_, pointer, message);
+  bool const is_known =
+      std::ranges::any_of(diagnostics_, [&](Diagnostic const& known) { return known.message == found.message; });
+  if (is_known) return;
   if (diagnostics_.size() < max_findings) {
-    diagnostics_.push_back(make(Severity::warning, code, file_, pointer, message));
+    diagnostics_.push_back(std::move(found));
   } else {
     ++dropped_;
   }

@@ -14,7 +14,7 @@ class Findings {
  public:
   explicit Findings(std::filesystem::path const& file) : file_(file.string()) {}
 
-  /// Something is left out or repaired; the import goes on. After the first 100 only the number is kept.
+  /// Something is left out or repaired; the import goes on. Told once. After the first 100 only the number is kept.
   void warn(DiagnosticCode code, std::string_view pointer, std::string_view message);
 
   /// The model cannot be imported: throws a SceneError with this and everything found before.

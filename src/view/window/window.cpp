@@ -15,6 +15,7 @@
 #include "core/counted.hpp"
 #include "lichtraum/image_io.hpp"
 #include "view/edited_scene.hpp"
+#include "view/unused_name.hpp"
 #include "view/window/keys.hpp"
 #include "view/window/menu.hpp"
 
@@ -271,20 +272,17 @@ void Window::save_edits() {
 }
 
 bool Window::save_as(std::string const& stem, char const* extension, std::function<std::string()> const& contents) {
-  for (int number = 1;; ++number) {
-    std::string const name = fmt::format("{}_{:04}{}", stem, number, extension);
-    if (std::filesystem::exists(name)) continue;
-    try {
-      write_file_atomically(name, contents());
-      problem_.clear();
-      tell("saved " + name, seconds_to_read);
-      console_.info("saved " + name);
-      return true;
-    } catch (std::exception const& error) {
-      problem_ = error.what();
-      console_.error(error.what());
-      return false;
-    }
+  try {
+    std::string const name = unused_name(stem, extension);
+    write_file_atomically(name, contents());
+    problem_.clear();
+    tell("saved " + name, seconds_to_read);
+    console_.info("saved " + name);
+    return true;
+  } catch (std::exception const& error) {
+    problem_ = error.what();
+    console_.error(error.what());
+    return false;
   }
 }
 

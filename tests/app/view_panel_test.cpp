@@ -117,6 +117,22 @@ TEST_CASE("a window that was large gives the memory of its picture back", "[app]
   CHECK(result.exit_code == 0);
 }
 
+TEST_CASE("changes that are not saved are told of before they go, by whatever way", "[app][view]") {
+  for (char const* const program : {"Xvfb", "xdotool", "ffmpeg", "python3"}) {
+    if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
+  }
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("second.sdf", scene);
+  auto const result = run_in_xvfb("view_edits_in_xvfb.sh", lichtraum, 200);
+  INFO(result.out + result.err + lichtraum.folder.read("log.txt"));
+  REQUIRE(result.exit_code == 0);
+  CHECK(lichtraum.folder.read("exit_code") == "0\n");
+  auto const shot = [&](std::string const& name) { return decode(lichtraum.folder.read(name + ".png")); };
+  Area const message{270, 420, 640, 480};
+  CHECK(difference(shot("told_of_step"), shot("changed"), message) > 5);
+  CHECK(difference(shot("told_of_close"), shot("changed"), message) > 5);
+}
+
 TEST_CASE("the panel selects objects, changes lights and shows depth, normals and objects", "[app][view]") {
   for (char const* const program : {"Xvfb", "xdotool", "ffmpeg"}) {
     if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");

@@ -92,6 +92,10 @@ void Graphics::open(std::string const& title, Resolution const& size, std::optio
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, char const** files) {
     graphics_of(w).dropped.assign(files, files + count);
   });
+  glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+    glfwSetWindowShouldClose(w, GLFW_FALSE);
+    graphics_of(w).is_close_asked = true;
+  });
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   ImGui_ImplGlfw_InitForOpenGL(window, true);

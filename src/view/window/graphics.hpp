@@ -34,6 +34,7 @@ struct Graphics {
   std::vector<char32_t> characters;
   std::vector<PressedKey> keys;
   std::vector<std::string> dropped;  ///< files
+  bool is_close_asked = false;       ///< by its button, or however else the desktop lets users close windows
 
   /// Throws Error{unavailable} when there is no display, as `open` does.
   Graphics();

@@ -70,6 +70,7 @@ void Window::run() {
     bool const has_news = take_news();
     graphics_->begin_drawing();
     dismiss_messages();
+    if (std::exchange(graphics_->is_close_asked, false)) close();
     open_dropped();
     handle_mouse();
     handle_keys();
@@ -115,7 +116,7 @@ bool Window::take_news() {
     }
     glfwSetWindowTitle(graphics_->window, ("lichtraum - " + scene_.file).c_str());
     panel_.set_scene(scene_);
-    warns_of_edits_ = false;
+    has_unsaved_edits_ = false;
     begin_animation();
     focus_ = focus_of(scene_.request.camera, center_of_interest());
     mark_selection();  // of nothing: what was selected was of the scene before
@@ -160,11 +161,14 @@ void Window::open(std::filesystem::path const& file) {
 
 void Window::open_dropped() {
   if (graphics_->dropped.empty()) return;
-  files_.open(std::exchange(graphics_->dropped, {}).front());
+  std::string const file = std::exchange(graphics_->dropped, {}).front();
+  if (warns_of_edits("a file that is dropped again is opened without it")) return;
+  files_.open(file);
   open(files_.file());
 }
 
 void Window::step(int direction) {
+  if (warns_of_edits("Page Down and Page Up go on without it")) return;
   if (auto const other = files_.step(direction)) open(*other);
 }
 
@@ -207,13 +211,16 @@ void Window::mark_selection() {
   worker_->mark(panel_.selected_objects());
 }
 
+bool Window::warns_of_edits(std::string const& way) {
+  if (!has_unsaved_edits_ || std::exchange(warned_way_, way) == way) return false;
+  bool const is_model = scene_.loaded->is_model();  // whose file nobody writes
+  tell(fmt::format("what was changed is not saved: {}{}", is_model ? "" : "W saves it as a new file, ", way),
+       std::numeric_limits<double>::infinity());
+  return true;
+}
+
 void Window::close() {
-  if (std::exchange(warns_of_edits_, false)) {
-    bool const is_model = scene_.loaded->is_model();  // whose file nobody writes
-    return tell(fmt::format("what was changed is not saved: {}Q or Esc closes without it",
-                            is_model ? "" : "W saves it as a new file, "),
-                std::numeric_limits<double>::infinity());
-  }
+  if (warns_of_edits("Q or Esc closes without it")) return;
   glfwSetWindowShouldClose(graphics_->window, GLFW_TRUE);
 }
 
@@ -268,7 +275,7 @@ void Window::save_edits() {
     check_readable(edited, file, how);
     return edited;
   });
-  if (is_saved) warns_of_edits_ = false;
+  if (is_saved) has_unsaved_edits_ = false;
 }
 
 bool Window::save_as(std::string const& stem, char const* extension, std::function<std::string()> const& contents) {
@@ -376,7 +383,8 @@ void Window::draw_panel() {
   if (!changes.copied.empty()) copy(changes.copied);
   if (changes.values) {
     worker_->edit(scene_.number, panel_.values().edits());
-    warns_of_edits_ = panel_.values().is_edited();
+    has_unsaved_edits_ = panel_.values().is_edited();
+    warned_way_.clear();
   }
   if (changes.development) worker_->develop(panel_.development);
   if (changes.selection) mark_selection();

@@ -35,7 +35,9 @@ class Window {
   void handle_mouse();
   void handle_keys();
   void handle_character(char32_t character);
-  /// Not at once where edits would be lost, which are then told of.
+  /// Whether edits would be lost that were not saved: then says so, and that `way` loses them all the same when it is
+  /// gone again.
+  bool warns_of_edits(std::string const& way);
   void close();
   /// Of what lies over the picture, a menu or the list of keys. Whether there was any.
   bool close_topmost();
@@ -55,6 +57,7 @@ class Window {
   void advance_animation();
   void handle_animation_key(int key);
   void draw_time_line();
+  void choose_animation(std::size_t number);
   void take_pose(PosedView posed);
   void choose_camera(std::size_t number);
   /// As it is now: where it was moved, with the lens that the panel gives it.
@@ -99,7 +102,8 @@ class Window {
   std::string device_;
   std::string awaited_;  // the file that is being read; empty: none
   double awaited_since_ = 0;
-  bool warns_of_edits_ = false;  // there are some, neither saved nor told of
+  bool has_unsaved_edits_ = false;
+  std::string warned_way_;  // to lose them
   bool is_help_open_ = false;
   bool is_panel_open_ = true;
   Overlays overlays_;

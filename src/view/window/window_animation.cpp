@@ -60,6 +60,12 @@ void Window::handle_animation_key(int key) {
   if (key == GLFW_KEY_HOME) playback_.go_to(0);
 }
 
+void Window::choose_animation(std::size_t number) {
+  if (number == *scene_.loaded->contents()->animation) return;
+  if (warns_of_edits("an animation that is chosen again is shown without it")) return;
+  worker_->choose_animation(number);
+}
+
 void Window::draw_time_line() {
   if (playback_.duration() == 0) return;
   ModelContents const& contents = *scene_.loaded->contents();
@@ -83,7 +89,7 @@ void Window::draw_time_line() {
       for (std::size_t i = 0; i < contents.animations.size(); ++i) {
         ImGui::PushID(int(i));
         if (ImGui::Selectable(label_of(contents.animations[i], i).c_str(), i == *contents.animation)) {
-          worker_->choose_animation(i);
+          choose_animation(i);
         }
         ImGui::PopID();
       }

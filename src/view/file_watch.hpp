@@ -10,7 +10,6 @@ namespace lichtraum::view {
 /// The files that a scene was read from, and whether one of them is another than when it was read.
 class FileWatch {
  public:
-  void begin() { stamps_.clear(); }
   /// To be called before the file is read, so that no change goes unnoticed.
   void add(std::filesystem::path const& file) { stamps_.try_emplace(file, stamp_of(file)); }
 

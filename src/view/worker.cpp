@@ -30,14 +30,13 @@ app::LoadOptions observed_by(FileWatch& files) {
 
 }  // namespace
 
-Worker::Worker(app::SceneSource source, app::RenderOptions const& options, bool is_watching,
+Worker::Worker(app::SceneSource const& source, app::RenderOptions const& options, bool is_watching,
                app::Console const& console, std::function<void()> wake)
     : options_(options),
-      job_(source.job(options.job)),
       is_watching_(is_watching),
       console_(console),
       wake_(std::move(wake)),
-      source_(std::move(source)),
+      reading_{source, source.job(options.job)},
       load_options_(observed_by(files_)),
       thread_([this](std::stop_token const& stop) { work(stop); }) {}
 
@@ -91,7 +90,8 @@ void Worker::restart_refinement() {
                              ? Refinement::first_side_for(view_->resolution, *seconds_per_pixel_, moving_pass_seconds)
                              : side_when_unknown;
   bool const is_picture = !view_ || view_->planes.has(FilmPlane::radiance);
-  refinement_.restart(first_side, is_picture ? job_.sampling.value_or(Refinement::finest_by_default) : Sampling());
+  refinement_.restart(first_side,
+                      is_picture ? options_.job.sampling.value_or(Refinement::finest_by_default) : Sampling());
 }
 
 Worker::News Worker::news() {
@@ -110,11 +110,15 @@ void Worker::work(std::stop_token const& stop) {
       news_.device = renderer->device().name;
     }
     wake_();
-    load_options_.set_drawing(job_, renderer->device().kind);
-    load(*renderer);
+    load_options_.set_drawing(reading_.job, renderer->device().kind);
+    load(*renderer, reading_);
     while (!stop.stop_requested()) {
       look_at_files();
-      if (change_source() || files_have_changed_) load(*renderer);
+      if (auto const asked = asked_reading()) {
+        load(*renderer, *asked);
+      } else if (files_have_changed_) {
+        load(*renderer, reading_);
+      }
       apply_pose(*renderer);
       apply_edits(*renderer);
       develop_again(*renderer);
@@ -132,16 +136,17 @@ void Worker::work(std::stop_token const& stop) {
   wake_();
 }
 
-bool Worker::change_source() {
+std::optional<Worker::Reading> Worker::asked_reading() {
   std::lock_guard const lock(mutex_);
   auto const animation = std::exchange(new_animation_, std::nullopt);
   if (new_file_) {
-    source_ = app::SceneSource(*std::exchange(new_file_, std::nullopt));
-    job_ = source_.job(options_.job);
-    return true;
+    app::SceneSource const source(*std::exchange(new_file_, std::nullopt));
+    return Reading{source, source.job(options_.job)};
   }
-  if (animation) job_.reading.model.animation = std::to_string(*animation);
-  return animation.has_value();
+  if (!animation) return std::nullopt;
+  Reading reading = reading_;
+  reading.job.reading.model.animation = std::to_string(*animation);
+  return reading;
 }
 
 void Worker::look_at_files() {
@@ -151,43 +156,45 @@ void Worker::look_at_files() {
   files_have_changed_ = files_.has_changed();
 }
 
-void Worker::load(Renderer& renderer) {
+void Worker::load(Renderer& renderer, Reading reading) {
   bool const is_first = !std::exchange(has_tried_, true);
   files_have_changed_ = false;
-  files_.begin();
+  FileWatch shown_files = std::exchange(files_, {});
   try {
     app::Stopwatch const stopwatch;
-    auto const loaded_scene = std::make_shared<app::LoadedScene>(source_.load(job_.reading, load_options_));
+    auto const loaded_scene =
+        std::make_shared<app::LoadedScene>(reading.source.load(reading.job.reading, load_options_));
     app::LoadedScene const& loaded = *loaded_scene;
+    Job job = reading.job;
+    job.integrator = chosen_integrator(job, loaded.scene(), load_options_.device).integrator;
     SceneView scene;
-    scene.file = source_.name();
+    scene.file = reading.source.name();
     scene.loaded = loaded_scene;
     scene.models = load_options_.models;
-    scene.time_seconds = job_.reading.model.time_seconds;
-    scene.objects = std::make_shared<DrawnObjects const>(loaded.scene(), job_.root);
+    scene.time_seconds = job.reading.model.time_seconds;
+    scene.objects = std::make_shared<DrawnObjects const>(loaded.scene(), job.root);
     scene.values = SceneValues(loaded.scene(), *scene.objects);
     scene.number = scene_number_ + 1;
-    Job job = job_;
-    job.integrator = chosen_integrator(job, loaded.scene(), load_options_.device).integrator;
     scene.request = view_of(job, loaded.scene());
     scene.development = development_of(job, loaded.scene());
     scene.has_own_cameras = loaded.scene().has_own_cameras;
     scene.cameras.assign(loaded.scene().cameras.begin(), loaded.scene().cameras.end());
     scene.bounds = bounds_in_view(job, loaded.scene(), scene.request.camera);
     scene.up = job.view.up_in(loaded.scene());
-    auto prepared = renderer.prepare(loaded.scene(), job_.root, prepared_);
+    auto prepared = renderer.prepare(loaded.scene(), job.root, prepared_);
     scene_statistics_ = renderer.set_scene(prepared);
     // From here on nothing fails: till then, all that is known is of the scene that is shown.
     prepared_ = std::move(prepared);
     scene_number_ = scene.number;
     development_ = scene.development;
-    denoising_ = decided(job_.denoising, scene.request.integrator);
+    denoising_ = decided(job.denoising, scene.request.integrator);
     bounds_ = scene.bounds;
     loaded_ = loaded_scene;
     loaded_job_ = std::move(job);
+    reading_ = std::move(reading);
     has_edits_ = false;
     console_.show(loaded.diagnostics());
-    console_.detail(fmt::format("{}: ready after {:.1f} ms", source_.name(), stopwatch.milliseconds()));
+    console_.detail(fmt::format("{}: ready after {:.1f} ms", scene.file, stopwatch.milliseconds()));
     std::lock_guard const lock(mutex_);
     if (std::exchange(shown_file_, scene.file) != scene.file) view_.reset();  // its camera is another scene's
     if (scene.number == 1) view_ = scene.request;  // what the window will ask for, once it is open
@@ -201,6 +208,11 @@ void Worker::load(Renderer& renderer) {
     auto const* const known = dynamic_cast<Error const*>(&error);
     if (is_first && !(is_watching_ && known && known->kind() == ErrorKind::scene)) throw;
     tell_of(error);
+    if (!loaded_) {
+      reading_ = std::move(reading);
+    } else if (reading.source.name() != reading_.source.name()) {
+      files_ = std::move(shown_files);
+    }
   }
   wake_();
 }

@@ -72,8 +72,8 @@ class Worker {
  public:
   /// `options` and `console` must outlive it. `console`: for what is said about the device and the scene. `wake`:
   /// called from the thread whenever there is news.
-  Worker(app::SceneSource source, app::RenderOptions const& options, bool is_watching, app::Console const& console,
-         std::function<void()> wake);
+  Worker(app::SceneSource const& source, app::RenderOptions const& options, bool is_watching,
+         app::Console const& console, std::function<void()> wake);
   ~Worker();
   Worker(Worker const&) = delete;
   Worker& operator=(Worker const&) = delete;
@@ -114,9 +114,14 @@ class Worker {
 
  private:
   void work(std::stop_token const& stop);
-  /// Whether there is another file to read.
-  bool change_source();
-  void load(Renderer& renderer);
+  /// What is read to show a scene.
+  struct Reading {
+    app::SceneSource source;
+    Job job;
+  };
+  /// Another file, or another animation of the same, where one was asked for.
+  std::optional<Reading> asked_reading();
+  void load(Renderer& renderer, Reading reading);
   void apply_pose(Renderer& renderer);
   void apply_edits(Renderer& renderer);
   void develop_again(Renderer& renderer);
@@ -139,14 +144,13 @@ class Worker {
   void expect_marking();
 
   app::RenderOptions const& options_;
-  Job job_;
   bool is_watching_;
   app::Console const& console_;
   std::function<void()> wake_;
 
   // Of the thread alone.
-  app::SceneSource source_;
-  FileWatch files_;
+  Reading reading_;  // of the scene that is shown; before there is one, the last that was tried
+  FileWatch files_;  // that it read
   app::LoadOptions load_options_;
   SceneStatistics scene_statistics_;
   std::shared_ptr<app::LoadedScene> loaded_;

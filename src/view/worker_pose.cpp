@@ -30,7 +30,7 @@ void Worker::apply_pose(Renderer& renderer) {
     PosedView posed{scene_number_, pose->time_seconds, view_of(loaded_job_, scene), {}, {}};
     posed.cameras.assign(scene.cameras.begin(), scene.cameras.end());
     posed.bounds = bounds_in_view(loaded_job_, scene, posed.request.camera);
-    auto prepared = renderer.prepare(scene, job_.root, prepared_);
+    auto prepared = renderer.prepare(scene, loaded_job_.root, prepared_);
     scene_statistics_ = renderer.set_scene(has_edits_ ? renderer.edit(prepared, edits_in_place_) : prepared);
     prepared_ = std::move(prepared);
     bounds_ = posed.bounds;

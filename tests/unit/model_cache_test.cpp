@@ -107,7 +107,7 @@ TEST_CASE("a watch notices what was written, and what appears", "[unit][view][wa
   CHECK(!watch.has_changed());
   folder.write("paint.mtl", "longer than before, whatever the clock says: newmtl paint\n");
   CHECK(watch.has_changed());
-  watch.begin();
+  watch = {};
   watch.add(folder / "paint.mtl");
   watch.add(folder / "missing.png");
   std::filesystem::remove(folder / "paint.mtl");

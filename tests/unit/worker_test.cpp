@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "support/catch.hpp"
+#include "support/gltf_writer.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace lichtraum;
@@ -19,6 +20,20 @@ std::string const scene =
     "define shape sphere ball 0 0 -5  2 red\n"
     "define light diffuse lamp 3 4 6  1 1 1\n";
 std::string const camera = "define camera eye 50 8 8\n";
+
+/// A triangle with two animations.
+std::string moving_model() {
+  testing::GltfWriter writer;
+  writer.add_mesh({-1, -1, 0, 1, -1, 0, 0, 1, 0});
+  int const times = writer.add_accessor<float>("SCALAR", 1, {0, 2});
+  for (float const way : {1.0f, 2.0f}) {
+    int const places = writer.add_vec3({0, 0, 0, way, 0, 0});
+    writer.json["animations"].push_back(
+        {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
+         {"samplers", {{{"input", times}, {"output", places}}}}});
+  }
+  return writer.text();
+}
 
 app::RenderOptions on_reference_tracer() {
   app::RenderOptions options;
@@ -81,4 +96,24 @@ TEST_CASE("what is shown stays as it is when another file cannot be drawn", "[un
   view::Look const look = work.look_at_ball();
   CHECK(look.scene_number == shown.number);
   CHECK(look.seen);
+}
+
+TEST_CASE("what is shown is still watched, and has its animations, when another file cannot be read", "[unit][view]") {
+  TemporaryFolder const folder;
+  folder.write("moving.gltf", moving_model());
+  Work work(folder / "moving.gltf", true);
+  view::SceneView const shown = work.await(&Worker::News::scene);
+  work->open(folder.write("broken.sdf", "define nonsense\n"));
+  CHECK_THAT(work.await(&Worker::News::problem), contains_text("nonsense"));
+  work->choose_animation(1);
+  view::SceneView const chosen = work.await(&Worker::News::scene);
+  CHECK(chosen.file == shown.file);
+  CHECK(chosen.loaded->contents()->animation == 1);
+
+  work->open(folder / "broken.sdf");
+  work.await(&Worker::News::problem);
+  folder.write("moving.gltf", moving_model() + "\n");
+  view::SceneView const saved = work.await(&Worker::News::scene);
+  CHECK(saved.file == shown.file);
+  CHECK(saved.loaded->contents()->animation == 1);
 }

@@ -71,15 +71,15 @@ void Worker::overlay(Overlays const& overlays) {
 
 void Worker::edit(unsigned number, SceneEdits edits) {
   std::lock_guard const lock(mutex_);
-  edits_ = Edits{number, std::move(edits)};
+  edits_ = {number, std::move(edits)};
   is_new_view_ = true;
   restart_refinement();
   changed_.notify_all();
 }
 
-void Worker::develop(Development const& development) {
+void Worker::develop(unsigned number, Development const& development) {
   std::lock_guard const lock(mutex_);
-  new_development_ = development;
+  new_development_ = {number, development};
   has_question_ = true;
   changed_.notify_all();
 }
@@ -137,8 +137,8 @@ void Worker::work(std::stop_token const& stop) {
 }
 
 std::optional<Worker::Reading> Worker::asked_reading() {
+  auto const animation = take(new_animation_);
   std::lock_guard const lock(mutex_);
-  auto const animation = std::exchange(new_animation_, std::nullopt);
   if (new_file_) {
     app::SceneSource const source(*std::exchange(new_file_, std::nullopt));
     return Reading{source, source.job(options_.job)};
@@ -223,15 +223,11 @@ void Worker::tell_of(std::exception const& problem) {
 }
 
 void Worker::apply_edits(Renderer& renderer) {
-  std::optional<Edits> edits;
-  {
-    std::lock_guard const lock(mutex_);
-    edits.swap(edits_);
-  }
-  if (!edits || edits->scene_number != scene_number_) return;
+  std::optional<SceneEdits> edits = take(edits_);
+  if (!edits) return;
   try {
-    renderer.set_scene(renderer.edit(prepared_, edits->edits));
-    edits_in_place_ = std::move(edits->edits);
+    renderer.set_scene(renderer.edit(prepared_, *edits));
+    edits_in_place_ = std::move(*edits);
     has_edits_ = true;
     film_ = {};
   } catch (std::exception const& error) {  // as for want of memory, on the device or off it
@@ -241,11 +237,9 @@ void Worker::apply_edits(Renderer& renderer) {
 }
 
 void Worker::develop_again(Renderer& renderer) {
-  {
-    std::lock_guard const lock(mutex_);
-    if (!new_development_) return;
-    development_ = *std::exchange(new_development_, std::nullopt);
-  }
+  auto const development = take(new_development_);
+  if (!development) return;
+  development_ = *development;
   if (shown_.is_empty() || (shown_plane_ != FilmPlane::radiance && shown_plane_ != FilmPlane::albedo)) return;
   Frame frame = frame_;
   frame.image = developed(renderer);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "app/console.hpp"
 #include "app/picture_plan.hpp"
@@ -83,15 +84,15 @@ class Worker {
   /// Poses scene `number`, whose `loaded` can be posed, as its animation has it at that time; the last time that was
   /// asked for is the one that counts.
   void pose(unsigned number, double time_seconds);
-  /// Reads the model again with another of its animations.
-  void choose_animation(std::size_t number);
+  /// Reads scene `number`, a model, again with another of its animations.
+  void choose_animation(unsigned number, std::size_t animation);
   /// What is looked at from now on. Whatever is traced for an older view is given up.
   void show(RenderRequest const& view);
 
   /// From now on scene `number` has other lights and materials; nothing happens when it was read again meanwhile.
   void edit(unsigned number, SceneEdits edits);
-  /// From now on pictures are developed in this way, also the one that is shown.
-  void develop(Development const& development);
+  /// From now on its pictures are developed in this way, also the one that is shown.
+  void develop(unsigned number, Development const& development);
   /// From now on these are drawn over the pictures.
   void overlay(Overlays const& overlays);
   /// Finds out what is under a pixel of the view.
@@ -113,6 +114,23 @@ class Worker {
   News news();
 
  private:
+  /// What the window wants of a scene, which may be read again before the thread comes to it.
+  template <class Wish>
+  struct OfScene {
+    unsigned scene_number;
+    Wish wish;
+  };
+  template <class Wish>
+  using Asked = std::optional<OfScene<Wish>>;
+  /// What is asked of the scene that is shown, which then is no longer; of one before, nothing.
+  template <class Wish>
+  std::optional<Wish> take(Asked<Wish>& asked) {
+    std::lock_guard const lock(mutex_);
+    auto taken = std::exchange(asked, std::nullopt);
+    if (!taken || taken->scene_number != scene_number_) return std::nullopt;
+    return std::move(taken->wish);
+  }
+
   void work(std::stop_token const& stop);
   /// What is read to show a scene.
   struct Reading {
@@ -183,18 +201,10 @@ class Worker {
   bool has_question_ = false;                // what is being traced waits for the answer
   std::optional<double> seconds_per_pixel_;  // of the last passes with one sample a pixel
   Refinement refinement_;
-  struct Edits {
-    unsigned scene_number;
-    SceneEdits edits;
-  };
-  std::optional<Edits> edits_;  // to be applied
-  struct Pose {
-    unsigned scene_number;
-    double time_seconds;
-  };
-  std::optional<Pose> pose_;  // to be taken
-  std::optional<std::size_t> new_animation_;
-  std::optional<Development> new_development_;
+  Asked<SceneEdits> edits_;
+  Asked<double> pose_;  // at that time, in seconds
+  Asked<std::size_t> new_animation_;
+  Asked<Development> new_development_;
   struct Pixel {
     int x, y;
   };

@@ -6,28 +6,24 @@ namespace lichtraum::view {
 
 void Worker::pose(unsigned number, double time_seconds) {
   std::lock_guard const lock(mutex_);
-  pose_ = Pose{number, time_seconds};
+  pose_ = {number, time_seconds};
   has_question_ = true;
   changed_.notify_all();
 }
 
-void Worker::choose_animation(std::size_t number) {
+void Worker::choose_animation(unsigned number, std::size_t animation) {
   std::lock_guard const lock(mutex_);
-  new_animation_ = number;
+  new_animation_ = {number, animation};
   has_question_ = true;
   changed_.notify_all();
 }
 
 void Worker::apply_pose(Renderer& renderer) {
-  std::optional<Pose> pose;
-  {
-    std::lock_guard const lock(mutex_);
-    pose.swap(pose_);
-  }
-  if (!pose || pose->scene_number != scene_number_ || !loaded_->can_be_posed()) return;
+  auto const time_seconds = take(pose_);
+  if (!time_seconds || !loaded_->can_be_posed()) return;
   try {
-    Scene const scene = loaded_->pose(pose->time_seconds);
-    PosedView posed{scene_number_, pose->time_seconds, view_of(loaded_job_, scene), {}, {}};
+    Scene const scene = loaded_->pose(*time_seconds);
+    PosedView posed{scene_number_, *time_seconds, view_of(loaded_job_, scene), {}, {}};
     posed.cameras.assign(scene.cameras.begin(), scene.cameras.end());
     posed.bounds = bounds_in_view(loaded_job_, scene, posed.request.camera);
     auto prepared = renderer.prepare(scene, loaded_job_.root, prepared_);

@@ -85,6 +85,10 @@ class Work {
   Worker worker_;
 };
 
+float red_in_middle(view::Frame const& frame) {
+  return frame.image.pixel(frame.image.width() / 2, frame.image.height() / 2)[0];
+}
+
 }  // namespace
 
 TEST_CASE("what is shown stays as it is when another file cannot be drawn", "[unit][view]") {
@@ -105,7 +109,7 @@ TEST_CASE("what is shown is still watched, and has its animations, when another 
   view::SceneView const shown = work.await(&Worker::News::scene);
   work->open(folder.write("broken.sdf", "define nonsense\n"));
   CHECK_THAT(work.await(&Worker::News::problem), contains_text("nonsense"));
-  work->choose_animation(1);
+  work->choose_animation(shown.number, 1);
   view::SceneView const chosen = work.await(&Worker::News::scene);
   CHECK(chosen.file == shown.file);
   CHECK(chosen.loaded->contents()->animation == 1);
@@ -116,4 +120,16 @@ TEST_CASE("what is shown is still watched, and has its animations, when another 
   view::SceneView const saved = work.await(&Worker::News::scene);
   CHECK(saved.file == shown.file);
   CHECK(saved.loaded->contents()->animation == 1);
+}
+
+TEST_CASE("an exposure that was set while another scene was read is not that scene's", "[unit][view]") {
+  TemporaryFolder const folder;
+  Work work(folder.write("first.sdf", scene + camera));
+  view::SceneView const first = work.await(&Worker::News::scene);
+  work->open(folder.write("second.sdf", scene + camera));
+  Development black = first.development;
+  black.exposure_ev = -50;
+  work->develop(first.number, black);
+  work->show(work.await(&Worker::News::scene).request);
+  CHECK(red_in_middle(work.await(&Worker::News::frame)) > 0.1f);
 }

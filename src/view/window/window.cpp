@@ -386,7 +386,7 @@ void Window::draw_panel() {
     has_unsaved_edits_ = panel_.values().is_edited();
     warned_way_.clear();
   }
-  if (changes.development) worker_->develop(panel_.development);
+  if (changes.development) worker_->develop(scene_.number, panel_.development);
   if (changes.selection) mark_selection();
   if (changes.plane || changes.aperture) show();
 }

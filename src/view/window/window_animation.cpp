@@ -63,7 +63,7 @@ void Window::handle_animation_key(int key) {
 void Window::choose_animation(std::size_t number) {
   if (number == *scene_.loaded->contents()->animation) return;
   if (warns_of_edits("an animation that is chosen again is shown without it")) return;
-  worker_->choose_animation(number);
+  worker_->choose_animation(scene_.number, number);
 }
 
 void Window::draw_time_line() {

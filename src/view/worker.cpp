@@ -69,14 +69,6 @@ void Worker::overlay(Overlays const& overlays) {
   changed_.notify_all();
 }
 
-void Worker::edit(unsigned number, SceneEdits edits) {
-  std::lock_guard const lock(mutex_);
-  edits_ = {number, std::move(edits)};
-  is_new_view_ = true;
-  restart_refinement();
-  changed_.notify_all();
-}
-
 void Worker::develop(unsigned number, Development const& development) {
   std::lock_guard const lock(mutex_);
   new_development_ = {number, development};
@@ -220,20 +212,6 @@ void Worker::load(Renderer& renderer, Reading reading) {
 void Worker::tell_of(std::exception const& problem) {
   std::lock_guard const lock(mutex_);
   news_.problem = problem_text(problem);
-}
-
-void Worker::apply_edits(Renderer& renderer) {
-  std::optional<SceneEdits> edits = take(edits_);
-  if (!edits) return;
-  try {
-    renderer.set_scene(renderer.edit(prepared_, *edits));
-    edits_in_place_ = std::move(*edits);
-    has_edits_ = true;
-    film_ = {};
-  } catch (std::exception const& error) {  // as for want of memory, on the device or off it
-    tell_of(error);
-    wake_();
-  }
 }
 
 void Worker::develop_again(Renderer& renderer) {

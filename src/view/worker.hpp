@@ -62,6 +62,12 @@ struct PosedView {
   Bounds bounds;  ///< as SceneView::bounds
 };
 
+/// What edits change of how a scene is drawn, where they do.
+struct EditedView {
+  unsigned scene_number = 0;
+  RenderRequest request;  ///< as SceneView::request
+};
+
 /// What was found under a pixel.
 struct Look {
   unsigned scene_number = 0;
@@ -106,6 +112,7 @@ class Worker {
     std::optional<Marking> marking;
     std::optional<SceneView> scene;      ///< it was read, for the first time or again
     std::optional<PosedView> posed;      ///< it was posed
+    std::optional<EditedView> edited;    ///< it is drawn by another integrator since it was edited
     std::optional<std::string> problem;  ///< why it could not be read, posed or edited; empty: it was read
     std::string device;
   };
@@ -142,6 +149,8 @@ class Worker {
   void load(Renderer& renderer, Reading reading);
   void apply_pose(Renderer& renderer);
   void apply_edits(Renderer& renderer);
+  /// As when the edited scene is read from a file: what only paths show may have come, or gone.
+  void choose_integrator_again();
   void develop_again(Renderer& renderer);
   void look_at_pixel(Renderer& renderer);
   void trace_marking(Renderer& renderer, std::stop_token const& stop);

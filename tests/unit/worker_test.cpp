@@ -133,3 +133,20 @@ TEST_CASE("an exposure that was set while another scene was read is not that sce
   work->show(work.await(&Worker::News::scene).request);
   CHECK(red_in_middle(work.await(&Worker::News::frame)) > 0.1f);
 }
+
+TEST_CASE("a scene that begins to shine is drawn by paths, as it will be from a file", "[unit][view]") {
+  TemporaryFolder const folder;
+  Work work(folder.write("scene.sdf", scene + camera));
+  view::SceneView const shown = work.await(&Worker::News::scene);
+  REQUIRE(shown.request.integrator == Integrator::whitted);
+  Material const& red = **shown.loaded->scene().materials.begin();
+  SceneEdits shining;
+  shining.materials.emplace(&red, Material("red", PhongModel{.emission = Rgb(8)}));
+  work->edit(shown.number, shining);
+  view::EditedView const edited = work.await(&Worker::News::edited);
+  CHECK(edited.scene_number == shown.number);
+  CHECK(edited.request.integrator == Integrator::path);
+  CHECK(edited.request.max_depth > shown.request.max_depth);
+  work->edit(shown.number, {});
+  CHECK(work.await(&Worker::News::edited).request.integrator == Integrator::whitted);
+}

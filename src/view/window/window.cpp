@@ -124,6 +124,10 @@ bool Window::take_news() {
     show();
   }
   if (news.posed && news.posed->scene_number == scene_.number) take_pose(std::move(*news.posed));
+  if (news.edited && news.edited->scene_number == scene_.number) {
+    scene_.request = std::move(news.edited->request);
+    show();
+  }
   if (news.frame) {
     frame_ = std::move(*news.frame);
     graphics_->picture.upload(frame_->image.size(), frame_->pixels);
@@ -139,7 +143,7 @@ bool Window::take_news() {
       show();
     }
   }
-  return news.look || news.marking || news.frame || news.problem || news.scene || news.posed;
+  return news.look || news.marking || news.frame || news.problem || news.scene || news.posed || news.edited;
 }
 
 void Window::skip(std::string const& problem) {

@@ -36,6 +36,12 @@ press space
 until_true settled paused.png || exit 1
 click 600 456 # on the time line, near its end
 until_true changed late.png paused.png || exit 1
+click 92 294 # the picture's sliders
+until_true changed sliders.png late.png || exit 1
+click 100 340 # the lens's aperture
+until_true changed lens.png sliders.png || exit 1
+press Left
+until_true changed lens_before.png lens.png || exit 1
 press q
 wait $window
 echo $? >exit_code

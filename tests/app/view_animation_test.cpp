@@ -36,6 +36,15 @@ double column_of_square(DecodedImage const& image) {
   return count > 0 ? sum / count : 0;
 }
 
+/// How many pixels of the panel differ.
+int panel_differences(DecodedImage const& a, DecodedImage const& b) {
+  int count = 0;
+  for (int y = 0; y < 480; ++y) {
+    for (int x = 0; x < 258; ++x) count += a.at(x, y, 0) != b.at(x, y, 0);
+  }
+  return count;
+}
+
 }  // namespace
 
 TEST_CASE("the window plays an animation, and goes through it frame by frame", "[app][view]") {
@@ -76,5 +85,9 @@ TEST_CASE("the window plays an animation, and goes through it frame by frame", "
   CHECK(column("straight") == Approx(opened).margin(0.1));
   CHECK(column("paused") != Approx(opened).margin(1));
   CHECK(column("late") > opened + 150);
+  // What was set of the lens stays, though the model's camera has another in each frame.
+  auto const shot = [&](std::string const& name) { return decode(lichtraum.folder.read(name + ".png")); };
+  CHECK(panel_differences(shot("lens"), shot("sliders")) > 0);
+  CHECK(panel_differences(shot("lens_before"), shot("lens")) == 0);
 }
 #endif

@@ -192,6 +192,10 @@ void Window::look_through(Camera const& camera, Resolution const& made_for) {
   focus_ = focus_of(camera, center_of_interest());
 }
 
+bool Window::has_other_lens(Camera const& camera) const {
+  return panel_.aperture != camera.lens().aperture || focus_ != focus_of(camera, center_of_interest());
+}
+
 Vec3 Window::center_of_interest() const { return scene_.bounds.is_empty() ? Vec3(0) : scene_.bounds.center(); }
 
 void Window::show() {

@@ -65,6 +65,8 @@ class Window {
   /// From where a camera stands, with the lens that the panel gives it; look_through takes the camera's.
   void look_from(Camera const& camera, Resolution const& made_for);
   void look_through(Camera const& camera, Resolution const& made_for);
+  /// Than this one of the scene's, by the panel or a click.
+  bool has_other_lens(Camera const& camera) const;
   Vec3 center_of_interest() const;
   void frame_everything();
   void show();

@@ -39,12 +39,14 @@ void Window::advance_animation() {
 
 void Window::take_pose(PosedView posed) {
   is_pose_awaited_ = false;
+  bool const is_lens_set = has_other_lens(scene_.request.camera);
   scene_.request = std::move(posed.request);
   scene_.cameras = std::move(posed.cameras);
   scene_.bounds = posed.bounds;
   has_marking_ = false;
   if (is_moved_ || !scene_.has_own_cameras) return;
-  look_through(scene_.request.camera, scene_.request.resolution);
+  Camera const& camera = scene_.request.camera;
+  is_lens_set ? look_from(camera, scene_.request.resolution) : look_through(camera, scene_.request.resolution);
   show();
 }
 

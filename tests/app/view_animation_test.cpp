@@ -8,11 +8,13 @@
 
 namespace {
 
-/// A white square that goes from the left to the right for two seconds, before a camera.
-std::string moving_model() {
+/// A white square of a size that goes from the left to the right for two seconds, before a camera. At rest it is higher
+/// up.
+std::string moving_model(float size) {
   lichtraum::testing::GltfWriter writer;
-  writer.add_mesh({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0});
-  writer.json["nodes"][0]["translation"] = {-4, 0, 0};
+  float const s = 0.5f * size;
+  writer.add_mesh({-s, -s, 0, s, -s, 0, s, s, 0, -s, -s, 0, s, s, 0, -s, s, 0});
+  writer.json["nodes"][0]["translation"] = {-4, 1, 0};
   writer.json["nodes"].push_back({{"camera", 0}, {"translation", {0, 0, 10}}});
   writer.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1.2}, {"znear", 0.1}}}}};
   writer.json["scenes"] = {{{"nodes", {0, 1}}}};
@@ -23,17 +25,23 @@ std::string moving_model() {
   return writer.glb();
 }
 
-/// Where the square is in the picture right of the panel and above the time line: the mean column of bright pixels.
-double column_of_square(DecodedImage const& image) {
-  double sum = 0, count = 0;
+/// Where bright pixels are in the picture right of the panel and above the time line, in the mean.
+struct Square {
+  double column = 0, row = 0, pixels = 0;
+};
+Square square_in(DecodedImage const& image) {
+  Square square;
   for (int y = 120; y < 420; ++y) {
     for (int x = 270; x < 640; ++x) {
       if (image.at(x, y, 0) < 60) continue;
-      sum += x;
-      ++count;
+      square.column += x;
+      square.row += y;
+      ++square.pixels;
     }
   }
-  return count > 0 ? sum / count : 0;
+  square.column /= square.pixels;
+  square.row /= square.pixels;
+  return square;
 }
 
 /// How many pixels of the panel differ.
@@ -52,7 +60,8 @@ TEST_CASE("the window plays an animation, and goes through it frame by frame", "
     if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
   }
   Lichtraum const lichtraum;
-  lichtraum.folder.write("moving.glb", moving_model());
+  lichtraum.folder.write("moving.glb", moving_model(2));
+  lichtraum.folder.write("smaller.glb", moving_model(1.4f));
   Process process;
   process.arguments = {project_path("tests/app/view_animation_in_xvfb.sh"), LICHTRAUM_PROGRAM, lichtraum.folder.path()};
   process.timeout_seconds = 400;
@@ -70,17 +79,20 @@ TEST_CASE("the window plays an animation, and goes through it frame by frame", "
   CHECK(lichtraum.folder.read("exit_code") == "0\n");
   CHECK(lichtraum.folder.read("log.txt").empty());
 
-  auto const column = [&](std::string const& name) {
-    double const found = column_of_square(decode(lichtraum.folder.read(name + ".png")));
+  auto const square = [&](std::string const& name) {
+    Square const found = square_in(decode(lichtraum.folder.read(name + ".png")));
     INFO(name);
-    REQUIRE(found > 0);
+    REQUIRE(found.pixels > 0);
     return found;
   };
+  auto const column = [&](std::string const& name) { return square(name).column; };
   double const opened = column("opened"), stepped = column("stepped"), back = column("back");
   // Of 50 frames that take it across, so many steps, to half a pixel.
   CHECK(stepped > opened + 20);
   CHECK(stepped - back == Approx((stepped - opened) / 10).margin(0.5));
-  CHECK(column("start") == Approx(opened).margin(0.1));
+  // Its start is not where it is at rest, and is found again.
+  CHECK(square("start").row > square("opened").row + 15);
+  CHECK(column("start_again") == Approx(opened).margin(0.1));
   CHECK(column("turned") != Approx(opened).margin(1));  // Shift and an arrow move the camera
   CHECK(column("straight") == Approx(opened).margin(0.1));
   CHECK(column("paused") != Approx(opened).margin(1));
@@ -89,5 +101,8 @@ TEST_CASE("the window plays an animation, and goes through it frame by frame", "
   auto const shot = [&](std::string const& name) { return decode(lichtraum.folder.read(name + ".png")); };
   CHECK(panel_differences(shot("lens"), shot("sliders")) > 0);
   CHECK(panel_differences(shot("lens_before"), shot("lens")) == 0);
+  // What is read again is at the time that was shown.
+  CHECK(square("smaller").pixels < 0.7 * square("lens_before").pixels);
+  CHECK(column("smaller") == Approx(column("lens_before")).margin(0.5));
 }
 #endif

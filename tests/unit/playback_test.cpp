@@ -56,3 +56,18 @@ TEST_CASE("an animation of no length stands still", "[unit][view]") {
   playback.step(1, 25);
   CHECK(playback.time() == 0);
 }
+
+TEST_CASE("a model is at rest until its animation is played, or goes somewhere", "[unit][view]") {
+  Playback const untouched(2, std::nullopt);
+  CHECK_FALSE(untouched.has_begun());
+  CHECK(untouched.time() == 0);
+  CHECK(Playback(2, 0).has_begun());
+  Playback playback = untouched;
+  playback.advance(1);
+  CHECK_FALSE(playback.has_begun());
+  playback.go_to(0);
+  CHECK(playback.has_begun());
+  playback = untouched;
+  playback.play(1);
+  CHECK(playback.has_begun());
+}

@@ -104,7 +104,7 @@ bool Window::take_news() {
     awaited_.clear();
     bool const is_first = !camera_;
     if (news.scene->file != scene_.file) is_moved_ = false;
-    scene_ = std::move(*news.scene);
+    SceneView const before = std::exchange(scene_, std::move(*news.scene));
     if (overlays_.up != scene_.up) {
       overlays_.up = scene_.up;
       worker_->overlay(overlays_);
@@ -117,7 +117,7 @@ bool Window::take_news() {
     glfwSetWindowTitle(graphics_->window, ("lichtraum - " + scene_.file).c_str());
     panel_.set_scene(scene_);
     has_unsaved_edits_ = false;
-    begin_animation();
+    begin_animation(before);
     focus_ = focus_of(scene_.request.camera, center_of_interest());
     mark_selection();  // of nothing: what was selected was of the scene before
     if (!is_moved_) look_from(scene_.request.camera, scene_.request.resolution);

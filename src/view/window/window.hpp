@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,7 @@ class Window {
   void open_dropped();
   void step(int direction);
   /// What the clock, the keys and the time line do to an animation.
-  void begin_animation();
+  void begin_animation(SceneView const& before);
   void advance_animation();
   void handle_animation_key(int key);
   void draw_time_line();
@@ -111,11 +112,11 @@ class Window {
   Overlays overlays_;
   Panel panel_;
   Playback playback_;
-  double posed_time_ = 0;           // asked for last
-  bool is_pose_awaited_ = false;    // the next is asked for when this one is there
-  bool has_marking_ = false;        // of the current view
-  double dragged_ = 0;              // pixels, since the left button was pressed on the picture; negative: elsewhere
-  std::unique_ptr<Worker> worker_;  // last: it is ended first
+  std::optional<double> posed_time_;  // asked for last; nothing: the model stands as its nodes do
+  bool is_pose_awaited_ = false;      // the next is asked for when this one is there
+  bool has_marking_ = false;          // of the current view
+  double dragged_ = 0;                // pixels, since the left button was pressed on the picture; negative: elsewhere
+  std::unique_ptr<Worker> worker_;    // last: it is ended first
 };
 
 }  // namespace lichtraum::view

@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "view/window/keys.hpp"
 #include "view/window/window.hpp"
@@ -16,25 +18,34 @@ std::string label_of(ModelContents::Animation const& animation, std::size_t numb
   return animation.name.empty() ? fmt::format("animation {}", number) : animation.name;
 }
 
+/// The one that it can be posed by.
+std::optional<std::size_t> animation_of(SceneView const& scene) {
+  if (!scene.loaded || !scene.loaded->can_be_posed()) return std::nullopt;
+  ModelContents const* const contents = scene.loaded->contents();
+  return contents ? contents->animation : std::nullopt;
+}
+
 }  // namespace
 
-void Window::begin_animation() {
-  bool const was_playing = playback_.is_playing();
+void Window::begin_animation(SceneView const& before) {
+  Playback const last = std::exchange(playback_, {});
   is_pose_awaited_ = false;
-  playback_ = {};
-  ModelContents const* const contents = scene_.loaded->contents();
-  if (!contents || !contents->animation || !scene_.loaded->can_be_posed()) return;
-  playback_ = Playback(contents->animations[*contents->animation].seconds, scene_.time_seconds.value_or(0));
-  posed_time_ = playback_.time();
-  if (was_playing) playback_.play(glfwGetTime());
+  posed_time_ = scene_.time_seconds;
+  std::optional<std::size_t> const animation = animation_of(scene_), animation_before = animation_of(before);
+  if (!animation) return;
+  bool const is_known = animation_before && before.file == scene_.file;
+  playback_ = Playback(scene_.loaded->contents()->animations[*animation].seconds, scene_.time_seconds);
+  if (is_known && animation != animation_before) playback_.go_to(0);
+  if (is_known && animation == animation_before && last.has_begun()) playback_.go_to(last.time());
+  if (last.is_playing()) playback_.play(glfwGetTime());
 }
 
 void Window::advance_animation() {
   playback_.advance(glfwGetTime());
-  if (is_pose_awaited_ || playback_.time() == posed_time_) return;
+  if (is_pose_awaited_ || !playback_.has_begun() || playback_.time() == posed_time_) return;
   posed_time_ = playback_.time();
   is_pose_awaited_ = true;
-  worker_->pose(scene_.number, posed_time_);
+  worker_->pose(scene_.number, playback_.time());
 }
 
 void Window::take_pose(PosedView posed) {
@@ -79,10 +90,12 @@ void Window::draw_time_line() {
   if (ImGui::Button(playback_.is_playing() ? "pause" : "play ", {scaled(48), 0})) handle_animation_key(GLFW_KEY_SPACE);
   ImGui::SameLine();
   float time = float(playback_.time());
-  std::string const shown = fmt::format("%.2f of {:.2f} s", playback_.duration());
+  std::string const shown =
+      fmt::format("{} {:.2f} s", playback_.has_begun() ? "%.2f of" : "at rest,", playback_.duration());
   bool const are_several = contents.animations.size() > 1;
   ImGui::SetNextItemWidth(std::clamp(width - scaled(are_several ? 230 : 110), scaled(60), scaled(400)));
-  if (ImGui::SliderFloat("##time", &time, 0, float(playback_.duration()), shown.c_str())) playback_.go_to(double(time));
+  bool const is_moved = ImGui::SliderFloat("##time", &time, 0, float(playback_.duration()), shown.c_str());
+  if (is_moved || ImGui::IsItemActivated()) playback_.go_to(double(time));
   if (are_several) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(scaled(110));

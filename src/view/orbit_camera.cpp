@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "lichtraum/orbit.hpp"
+#include "view/values_as_esdf.hpp"
 
 namespace lichtraum::view {
 namespace {
@@ -117,7 +118,7 @@ std::string camera_as_esdf(Camera const& camera, Resolution const& size) {
   Vec3 const axis(rotation.x, rotation.y, rotation.z);
   double const sine = glm::length(axis);
   Vec3 const eye = position_of(camera);
-  std::string const name = camera.name().empty() ? "view" : camera.name();
+  std::string const name = camera.name().empty() ? "view" : word_of(camera.name());
   Lens const& lens = camera.lens();
   std::string keys = lens.aperture > 0 ? fmt::format(" aperture={} focus={}", lens.aperture, lens.focus_distance) : "";
   constexpr double any_angle = 45;  // which an orthographic camera has no use for

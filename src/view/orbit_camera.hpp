@@ -47,8 +47,8 @@ class OrbitCamera {
 };
 
 /// Statements that define this camera in eSDF: `define camera`, with its lens, then, where it has them, a scale (per
-/// axis, which is no standard, as a lens is none), a rotation and a translation, a line each. A camera that was scaled
-/// after it was turned may be sheared as well: that is lost.
+/// axis, which is no standard, as a lens is none), a rotation and a translation, a line each. Its name is made one
+/// word. A camera that was scaled after it was turned may be sheared as well: that is lost.
 std::string camera_as_esdf(Camera const& camera, Resolution const& size);
 
 }  // namespace lichtraum::view

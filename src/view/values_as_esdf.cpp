@@ -7,17 +7,6 @@
 namespace lichtraum::view {
 namespace {
 
-/// As one word. Bytes of UTF-8 are letters.
-std::string word_of(std::string name) {
-  auto const is_kept = [](unsigned char c) {
-    return c >= 0x80 || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
-           c == '-' || c == '_';
-  };
-  std::replace_if(
-      name.begin(), name.end(), [&](char c) { return !is_kept(static_cast<unsigned char>(c)); }, '_');
-  return name.empty() ? "unnamed" : name;
-}
-
 std::string text_of(double number) { return fmt::format("{}", number); }
 template <class Triple>
 std::string text_of(Triple const& v) {
@@ -28,6 +17,16 @@ std::string key(char const* name, double number) { return fmt::format(" {}={}", 
 std::string key(char const* name, Rgb const& color) { return fmt::format(" {} {}", name, text_of(color)); }
 
 }  // namespace
+
+std::string word_of(std::string name) {
+  auto const is_kept = [](unsigned char c) {  // bytes of UTF-8 are letters
+    return c >= 0x80 || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+           c == '-' || c == '_';
+  };
+  std::replace_if(
+      name.begin(), name.end(), [&](char c) { return !is_kept(static_cast<unsigned char>(c)); }, '_');
+  return name.empty() ? "unnamed" : name;
+}
 
 std::string material_statement(std::string_view name, Material const& material) {
   PhongModel const model = material.phong();

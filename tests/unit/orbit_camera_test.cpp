@@ -67,6 +67,8 @@ TEST_CASE("a camera written as eSDF sees the same", "[unit][view]") {
   lens.set_lens({0.25, 7.5});
   Scene const scene = EsdfScript::from_text(camera_as_esdf(lens, size), "camera", {}).take_scene();
   CHECK(scene.cameras.front().lens() == Lens{0.25, 7.5});
+  std::string const named = camera_as_esdf(Camera("My Cam #1", 45, Transform::translation({1, 2, 3})), size);
+  CHECK(EsdfScript::from_text(named, "camera", {}).take_scene().cameras.front().name() == "My_Cam__1");
 }
 
 TEST_CASE("a camera orbits at its distance, and not over the zenith", "[unit][view]") {

@@ -2,9 +2,9 @@
 
 namespace lichtraum::view {
 
-/// What a number is after a widget, which only has floats, has shown it: as it was if that is the same float, else the
-/// decimal number of fewest digits that is. So what nobody touched stays, and what is saved reads 0.763 and not
-/// 0.7630000114440918.
+/// What a number is after a widget, which only has floats, has shown it: as it was if that is the same float, or none
+/// that is finite, else the decimal number of fewest digits that is. So what nobody touched stays, and what is saved
+/// reads 0.763 and not 0.7630000114440918.
 double edited_number(double number, float shown);
 
 }  // namespace lichtraum::view

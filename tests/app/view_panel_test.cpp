@@ -133,6 +133,22 @@ TEST_CASE("changes that are not saved are told of before they go, by whatever wa
   CHECK(difference(shot("told_of_close"), shot("changed"), message) > 5);
 }
 
+TEST_CASE("a number that is typed changes nothing but what it is of", "[app][view]") {
+  for (char const* const program : {"Xvfb", "xdotool", "ffmpeg"}) {
+    if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
+  }
+  Lichtraum const lichtraum;
+  std::string const lamp = "diffuse lamp 3 4 6  ", white = "1 1 1";
+  std::string lit = scene;
+  lit.replace(lit.find(lamp + white) + lamp.size(), white.size(), "7.2 1 1.2");
+  lichtraum.folder.write("lit.sdf", lit);
+  auto const result = run_in_xvfb("view_typing_in_xvfb.sh", lichtraum, 200);
+  INFO(result.out + result.err + lichtraum.folder.read("log.txt"));
+  REQUIRE(result.exit_code == 0);
+  // Its first key, a 0, makes blue the brightest channel for a moment.
+  CHECK_THAT(lichtraum.folder.read("out.txt"), contains_text("define light diffuse lamp  3 4 6  3.6 1 1.2\n"));
+}
+
 TEST_CASE("the panel selects objects, changes lights and shows depth, normals and objects", "[app][view]") {
   for (char const* const program : {"Xvfb", "xdotool", "ffmpeg"}) {
     if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");

@@ -1,5 +1,7 @@
 #include "view/edited_number.hpp"
 
+#include <limits>
+
 #include "support/catch.hpp"
 
 using lichtraum::view::edited_number;
@@ -10,4 +12,6 @@ TEST_CASE("a number that a widget changes has no more digits than the widget, an
   CHECK(edited_number(1, -12345.678f) == -12345.678);
   CHECK(edited_number(0.1, 0.1f) == 0.1);
   CHECK(edited_number(1.0 / 3, float(1.0 / 3)) == 1.0 / 3);
+  CHECK(edited_number(7.2, std::numeric_limits<float>::infinity()) == 7.2);
+  CHECK(edited_number(7.2, std::numeric_limits<float>::quiet_NaN()) == 7.2);
 }

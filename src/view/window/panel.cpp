@@ -23,6 +23,8 @@ constexpr float share = 0.3f, least_width = 260, greatest_width = 330;
 void Panel::set_scene(SceneView const& scene) {
   tree_ = ObjectTree(scene.objects);
   values_ = scene.values;
+  typed_light_ = {};
+  typed_material_ = {};
   development = original_development_ = scene.development;
   aperture = original_aperture_ = scene.request.camera.lens().aperture;
   loaded_ = scene.loaded;
@@ -160,7 +162,8 @@ void Panel::draw_lights(Changes& changes) {
     Light& light = values_.lights[i];
     ImGui::PushID(int(i));
     if (ImGui::TreeNode("light", "%s (%s)", light.name().c_str(), std::string(light.kind()).c_str())) {
-      changes.values |= edit_light(light, values_.original_light(i), scene_size_);
+      changes.values |= typed_light_(
+          light, [&](Light& edited) { return edit_light(edited, values_.original_light(i), scene_size_); });
       if (ImGui::SmallButton("reset")) {
         values_.reset_light(i);
         changes.values = true;
@@ -182,7 +185,7 @@ void Panel::draw_materials(Changes& changes) {
     ImGui::PushID(int(i));
     ImGuiTreeNodeFlags const flags = selected && *selected == i ? ImGuiTreeNodeFlags_Selected : 0;
     if (ImGui::TreeNodeEx("material", flags, "%s%s", material.value.name().c_str(), material.is_edited ? " *" : "")) {
-      if (edit_material(material.value)) changes.values = material.is_edited = true;
+      if (typed_material_(material.value, edit_material)) changes.values = material.is_edited = true;
       if (ImGui::SmallButton("copy material")) changes.copied = material_as_esdf(material.value);
       if (material.is_edited) {
         ImGui::SameLine();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "view/window/typed_edit.hpp"
 #include "view/worker.hpp"
 
 namespace lichtraum::view {
@@ -51,6 +52,8 @@ class Panel {
   std::shared_ptr<app::LoadedScene const> loaded_;  // keeps the tree's shapes
   ObjectTree tree_;
   SceneValues values_;
+  TypedEdit<Light> typed_light_;
+  TypedEdit<Material> typed_material_;
   Development original_development_;
   double original_aperture_ = 0;
   double scene_size_ = 1;

@@ -28,6 +28,12 @@ kill -CONT $window
 until_true changed turned.png start.png || exit 1
 press r
 until_true same straight.png start.png || exit 1
+click 65 10 # the menu of views
+until_true changed menu.png straight.png || exit 1
+click 85 119 # to the right
+until_true same turned_by_menu.png turned.png || exit 1
+press r
+until_true same straight.png start.png || exit 1
 press space
 has_moved() { shot playing.png && ! cmp -s playing.png straight.png; }
 until_true has_moved || exit 1

@@ -3,6 +3,8 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <string>
+
 namespace lichtraum::view {
 namespace {
 
@@ -11,6 +13,7 @@ struct Entry {
   char const* key_name;
   char32_t character;  // which is typed; 0: a key
   int key = 0;
+  bool needs_shift_beside_animation = false;  // whose frames the key alone goes through
 };
 
 constexpr Entry file_entries[] = {
@@ -27,8 +30,8 @@ constexpr Entry view_entries[] = {
     {"Its first camera (2 ... 9: others)", "1", '1'},
     {"Nearer", "+", '+'},
     {"Farther", "-", '-'},
-    {"Turn right", "Right", 0, GLFW_KEY_RIGHT},
-    {"Turn left", "Left", 0, GLFW_KEY_LEFT},
+    {"Turn right", "Right", 0, GLFW_KEY_RIGHT, true},
+    {"Turn left", "Left", 0, GLFW_KEY_LEFT, true},
     {"Turn up", "Up", 0, GLFW_KEY_UP},
     {"Turn down", "Down", 0, GLFW_KEY_DOWN},
     {"Picture", "P", 'p'},
@@ -49,14 +52,16 @@ constexpr Entry animation_entries[] = {
 constexpr Entry help_entries[] = {{"Keys and mouse", "?", '?'}};
 
 template <std::size_t count>
-void draw_menu(char const* name, Entry const (&entries)[count], Graphics& graphics) {
+void draw_menu(char const* name, Entry const (&entries)[count], Graphics& graphics, bool has_animation) {
   if (!ImGui::BeginMenu(name)) return;
   for (Entry const& entry : entries) {
-    if (!ImGui::MenuItem(entry.label, entry.key_name)) continue;
+    bool const with_shift = has_animation && entry.needs_shift_beside_animation;
+    std::string const keys = std::string(with_shift ? "Shift+" : "") + entry.key_name;
+    if (!ImGui::MenuItem(entry.label, keys.c_str())) continue;
     if (entry.character != 0) {
       graphics.characters.push_back(entry.character);
     } else {
-      graphics.keys.push_back({entry.key});
+      graphics.keys.push_back({entry.key, with_shift});
     }
     glfwPostEmptyEvent();  // it is done in the next turn of the window's loop, which must not wait
   }
@@ -67,10 +72,10 @@ void draw_menu(char const* name, Entry const (&entries)[count], Graphics& graphi
 
 void draw_menus(Graphics& graphics, bool has_animation) {
   if (!ImGui::BeginMenuBar()) return;
-  draw_menu("File", file_entries, graphics);
-  draw_menu("View", view_entries, graphics);
-  if (has_animation) draw_menu("Animation", animation_entries, graphics);
-  draw_menu("Help", help_entries, graphics);
+  draw_menu("File", file_entries, graphics, has_animation);
+  draw_menu("View", view_entries, graphics, has_animation);
+  if (has_animation) draw_menu("Animation", animation_entries, graphics, has_animation);
+  draw_menu("Help", help_entries, graphics, has_animation);
   ImGui::EndMenuBar();
 }
 

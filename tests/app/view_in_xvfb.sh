@@ -21,7 +21,9 @@ until_true changed turned.png opened.png || exit 1
 press c
 has_camera() { grep -q translate camera.sdf; }
 until_true has_camera || exit 1
-press s
+xdotool keydown s
+sleep 1.5 # long enough to be repeated
+xdotool keyup s
 has_picture() { [[ -s scene_view_0001.png ]]; }
 until_true has_picture || exit 1
 until_true changed told.png turned.png || exit 1 # it says so

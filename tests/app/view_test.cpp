@@ -121,6 +121,7 @@ TEST_CASE("a window is opened, turned, saved to, and closed", "[app][view]") {
   CHECK(difference(shot("turned.png"), shot("opened.png")) > 5);
   CHECK(difference(shot("turned.png"), drawn(scene_without_camera + lichtraum.folder.read("camera.sdf"))) < 0.5);
   CHECK(difference(shot("turned.png"), shot("scene_view_0001.png")) < 0.5);
+  CHECK(!std::filesystem::exists(lichtraum.folder / "scene_view_0002.png"));
   // The ball has become green, seen from where it was; the mistake is shown below, over a picture that stays.
   CHECK(shot("turned.png").at(170, 120, 0) > shot("turned.png").at(170, 120, 1));
   CHECK(shot("saved.png").at(170, 120, 1) > shot("saved.png").at(170, 120, 0));

@@ -23,6 +23,10 @@ Graphics& graphics_of(GLFWwindow* window) { return *static_cast<Graphics*>(glfwG
               "terminal)");
 }
 
+bool is_arrow(int key) {
+  return key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT || key == GLFW_KEY_UP || key == GLFW_KEY_DOWN;
+}
+
 /// GLFW 3.4 tries Wayland too, whose library prints a line of its own where it cannot have a socket.
 void leave_out_hopeless_platforms() {
 #ifdef GLFW_PLATFORM
@@ -83,11 +87,15 @@ void Graphics::open(std::string const& title, Resolution const& size, std::optio
   glfwSetWindowUserPointer(window, this);
   // Dear ImGui, below, hands on what it gets to these.
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+    if (graphics_of(w).is_key_held && !(character == '+' || character == '-')) return;
     bool const is_capital = character >= 'A' && character <= 'Z';
     graphics_of(w).characters.push_back(is_capital ? character - 'A' + 'a' : character);
   });
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
-    if (action != GLFW_RELEASE) graphics_of(w).keys.push_back({key, (modifiers & GLFW_MOD_SHIFT) != 0});
+    bool& is_held = graphics_of(w).is_key_held;
+    is_held = action == GLFW_REPEAT;  // of the character as well, which comes next
+    if (action == GLFW_RELEASE || (is_held && !is_arrow(key))) return;
+    graphics_of(w).keys.push_back({key, (modifiers & GLFW_MOD_SHIFT) != 0});
   });
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, char const** files) {
     graphics_of(w).dropped.assign(files, files + count);

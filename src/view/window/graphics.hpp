@@ -30,9 +30,11 @@ struct Graphics {
   GLFWwindow* window = nullptr;
   ShownPicture picture;
   ShownPicture marking;
-  /// Since they were handled last. Characters rather than keys, so that a keyboard's layout plays no role.
+  /// Since they were handled last. Characters rather than keys, so that a keyboard's layout plays no role. A key that
+  /// is held down comes again only where it moves something: arrows, + and -.
   std::vector<char32_t> characters;
   std::vector<PressedKey> keys;
+  bool is_key_held = false;          ///< the last that came
   std::vector<std::string> dropped;  ///< files
   bool is_close_asked = false;       ///< by its button, or however else the desktop lets users close windows
 

@@ -52,6 +52,8 @@ press Left
 until_true changed lens_before.png lens.png || exit 1
 cp smaller.glb moving.glb
 until_true changed smaller.png lens_before.png || exit 1
+press w # is told that there is nothing to be saved
+until_true changed told.png smaller.png || exit 1
 press q
 wait $window
 echo $? >exit_code

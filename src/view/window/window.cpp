@@ -340,7 +340,7 @@ void Window::draw() {
   if (frame_) add(graphics_->picture);
   if (has_marking_) add(graphics_->marking);
   if (is_panel_open_) draw_panel();
-  if (is_panel_open_) draw_time_line();
+  time_line_height_ = is_panel_open_ ? draw_time_line() : 0;
   if (is_help_open_) draw_keys();
   if (!awaited_.empty()) draw_awaited();
   if (glfwGetTime() >= notice_end_) notice_.clear();
@@ -354,9 +354,10 @@ void Window::draw() {
 void Window::draw_message(std::string const& text, Rgb const& color) const {
   ImVec2 const area = ImGui::GetIO().DisplaySize;
   float const left = panel_width(), margin = scaled(8);
-  ImGui::SetNextWindowPos({left + margin, area.y - margin}, ImGuiCond_Always, {0, 1});
+  float const bottom = area.y - margin - (time_line_height_ > 0 ? time_line_height_ + margin : 0);
+  ImGui::SetNextWindowPos({left + margin, bottom}, ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSizeConstraints(
-      {0, 0}, {area.x - left - 2 * margin, area.y - 2 * margin});  // the first of many mistakes stay in sight
+      {0, 0}, {area.x - left - 2 * margin, bottom - margin});  // the first of many mistakes stay in sight
   ImGui::Begin("message", nullptr, overlay | ImGuiWindowFlags_NoInputs);
   ImGui::PushStyleColor(ImGuiCol_Text, {float(color.r), float(color.g), float(color.b), 1});
   ImGui::PushTextWrapPos(area.x - left - 3 * margin);

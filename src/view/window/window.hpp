@@ -57,7 +57,8 @@ class Window {
   void begin_animation(SceneView const& before);
   void advance_animation();
   void handle_animation_key(int key);
-  void draw_time_line();
+  /// Its height; 0 without an animation.
+  float draw_time_line();
   void choose_animation(std::size_t number);
   void take_pose(PosedView posed);
   void choose_camera(std::size_t number);
@@ -112,6 +113,7 @@ class Window {
   Overlays overlays_;
   Panel panel_;
   Playback playback_;
+  float time_line_height_ = 0;        // in the current drawing; 0: there is none
   std::optional<double> posed_time_;  // asked for last; nothing: the model stands as its nodes do
   bool is_pose_awaited_ = false;      // the next is asked for when this one is there
   bool has_marking_ = false;          // of the current view

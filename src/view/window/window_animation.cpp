@@ -79,8 +79,8 @@ void Window::choose_animation(std::size_t number) {
   worker_->choose_animation(scene_.number, number);
 }
 
-void Window::draw_time_line() {
-  if (playback_.duration() == 0) return;
+float Window::draw_time_line() {
+  if (playback_.duration() == 0) return 0;
   ModelContents const& contents = *scene_.loaded->contents();
   ImVec2 const area = ImGui::GetIO().DisplaySize;
   float const left = panel_width(), width = area.x - left;
@@ -111,7 +111,9 @@ void Window::draw_time_line() {
       ImGui::EndCombo();
     }
   }
+  float const height = ImGui::GetWindowHeight();
   ImGui::End();
+  return height;
 }
 
 }  // namespace lichtraum::view

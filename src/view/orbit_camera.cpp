@@ -29,7 +29,7 @@ Transform about(Vec3 const& point, double degrees, Vec3 const& axis) {
 
 }  // namespace
 
-OrbitCamera::OrbitCamera(Camera camera, Vec3 const& center, Resolution const& made_for, Vec3 const& up)
+OrbitCamera::OrbitCamera(Camera camera, Vec3 const& center, Resolution const& made_for, Vec3 const& up, double radius)
     : camera_(std::move(camera)),
       fov_x_degrees_(camera_.fov_x_degrees()),
       width_(camera_.width()),
@@ -38,11 +38,14 @@ OrbitCamera::OrbitCamera(Camera camera, Vec3 const& center, Resolution const& ma
   Vec3 const eye = position_of(camera_);
   double const ahead = glm::dot(center - eye, forward_of(camera_));
   // What lies beside or behind is as far ahead as it is away.
-  double const distance = ahead > 0 ? ahead : std::max(glm::distance(center, eye), 1e-3);
+  double const wanted = ahead > 0 ? ahead : glm::distance(center, eye);
+  // So far that shares of it, by which the camera zooms and pans, are seen.
+  double const least = radius > 0 ? 0.25 * radius : 1e-3;
+  double const distance = std::max(wanted, least);
   pivot_ = eye + distance * forward_of(camera_);
   // A model in the middle of its picture has the middle of its box a few hundredths of the width beside it.
   constexpr double little = 0.1;
-  if (ahead > 0 && glm::distance(center, pivot_) <= little * width_at(distance)) pivot_ = center;
+  if (ahead >= least && glm::distance(center, pivot_) <= little * width_at(distance)) pivot_ = center;
 }
 
 double OrbitCamera::width_at(double distance) const {

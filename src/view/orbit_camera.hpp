@@ -9,8 +9,10 @@ class OrbitCamera {
  public:
   /// `center`: roughly what is looked at; the camera goes around it where it is in the middle of the picture or little
   /// beside it, else around the point on the camera's axis nearest to it. `made_for`: the picture that the camera's
-  /// opening angle is meant for. `up`: of any length but 0.
-  OrbitCamera(Camera camera, Vec3 const& center, Resolution const& made_for, Vec3 const& up = {0, 1, 0});
+  /// opening angle is meant for. `up`: of any length but 0. `radius`: how far what is looked at reaches around
+  /// `center`; 0: unknown. A camera in the midst of it, as in a room, goes around a point that is a share of that away.
+  OrbitCamera(Camera camera, Vec3 const& center, Resolution const& made_for, Vec3 const& up = {0, 1, 0},
+              double radius = 0);
 
   Camera const& camera() const { return camera_; }
   /// In front of the camera, on its axis or little beside it.

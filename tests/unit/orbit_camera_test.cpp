@@ -146,6 +146,22 @@ TEST_CASE("a camera pans, zooms and frames", "[unit][view]") {
   CHECK(glm::distance(away.pivot(), Vec3(0, 0, 20)) < 1e-9);
 }
 
+TEST_CASE("a camera in the middle of a room is moved by what is seen", "[unit][view]") {
+  constexpr double radius = 8;
+  for (double const ahead : {0.0, 1e-6, -1e-6}) {
+    Camera const start = at({0, 0, 0}, {0, 0, -1});
+    OrbitCamera camera(start, {0, 0, -ahead}, size, {0, 1, 0}, radius);
+    CHECK(difference(camera.camera(), start) == 0);
+    camera.zoom(0.85);
+    CHECK(eye_of(camera).z < -0.02 * radius);
+    camera.zoom(1 / 0.85);
+    camera.pan(0.5, 0);
+    CHECK(eye_of(camera).x > 0.05 * radius);
+  }
+  // Who stands outside goes around the middle, however little is ahead.
+  CHECK(OrbitCamera(at({0, 0, 8.5}, {0, 0, 0}), Vec3(0), size, {0, 1, 0}, radius).pivot() == Vec3(0));
+}
+
 TEST_CASE("a camera shows all that it showed in pictures of other proportions", "[unit][view]") {
   Camera const start = at({0, 0, 10}, {0, 0, 0});
   Resolution const square{100, 100};

@@ -183,7 +183,7 @@ Camera Window::camera_seen_through() const {
 }
 
 void Window::look_from(Camera const& camera, Resolution const& made_for) {
-  camera_.emplace(camera, center_of_interest(), made_for, scene_.up);
+  camera_.emplace(camera, center_of_interest(), made_for, scene_.up, radius_of_interest());
 }
 
 void Window::look_through(Camera const& camera, Resolution const& made_for) {
@@ -197,6 +197,11 @@ bool Window::has_other_lens(Camera const& camera) const {
 }
 
 Vec3 Window::center_of_interest() const { return scene_.bounds.is_empty() ? Vec3(0) : scene_.bounds.center(); }
+
+double Window::radius_of_interest() const {
+  double const radius = scene_.bounds.is_empty() ? 0 : 0.5 * glm::distance(scene_.bounds.min, scene_.bounds.max);
+  return std::isfinite(radius) ? radius : 0;
+}
 
 void Window::show() {
   shown_size_ = picture_size();
@@ -250,9 +255,8 @@ void Window::choose_camera(std::size_t number) {
 }
 
 void Window::frame_everything() {
-  Bounds const& box = scene_.bounds;
-  if (box.is_empty()) return;
-  camera_->frame(box.center(), 0.5 * glm::distance(box.min, box.max), shown_size_);
+  if (scene_.bounds.is_empty()) return;
+  camera_->frame(center_of_interest(), radius_of_interest(), shown_size_);
   is_moved_ = true;
   show();
 }

@@ -70,6 +70,8 @@ class Window {
   /// Than this one of the scene's, by the panel or a click.
   bool has_other_lens(Camera const& camera) const;
   Vec3 center_of_interest() const;
+  /// Of the ball around it; 0: unknown.
+  double radius_of_interest() const;
   void frame_everything();
   void show();
   void show(FilmPlane plane);

@@ -52,21 +52,17 @@ void Worker::open(std::filesystem::path const& file) {
   changed_.notify_all();
 }
 
-void Worker::show(RenderRequest const& view) {
+unsigned Worker::show(RenderRequest const& view) {
   std::lock_guard const lock(mutex_);
   view_ = view;
-  is_new_view_ = true;
   expect_marking();
-  restart_refinement();
-  changed_.notify_all();
+  return begin_view();
 }
 
-void Worker::overlay(Overlays const& overlays) {
+unsigned Worker::overlay(Overlays const& overlays) {
   std::lock_guard const lock(mutex_);
   overlays_ = overlays;
-  is_new_view_ = true;
-  restart_refinement();
-  changed_.notify_all();
+  return begin_view();
 }
 
 void Worker::develop(unsigned number, Development const& development) {
@@ -74,6 +70,13 @@ void Worker::develop(unsigned number, Development const& development) {
   new_development_ = {number, development};
   has_question_ = true;
   changed_.notify_all();
+}
+
+unsigned Worker::begin_view() {
+  is_new_view_ = true;
+  restart_refinement();
+  changed_.notify_all();
+  return ++view_number_;
 }
 
 void Worker::restart_refinement() {
@@ -246,6 +249,7 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
   Refinement before;
   Overlays overlays;
   FilmPlane shown_plane = FilmPlane::radiance;
+  unsigned view_number = 0;
   {
     std::lock_guard const lock(mutex_);
     if (!view_) return false;
@@ -260,6 +264,7 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
     for (FilmPlane const plane : overlays.planes().list()) request.planes.add(plane);
     if (denoising_ != Denoising::off) request.planes = with_guides(request.planes);
     is_new_view_ = false;
+    view_number = view_number_;
   }
   bool const grows = Refinement::grows(pass.sampling);
   if (!(grows && is_growing_)) film_ = {};
@@ -281,6 +286,7 @@ bool Worker::trace_next(Renderer& renderer, std::stop_token const& stop) {
   is_fine_ = pass.pixel_side == 1;
   frame_ = {};
   frame_.pass = pass;
+  frame_.view_number = view_number;
   frame_.scene = scene_statistics_;
   frame_.statistics = result.statistics;
   frame_.overlays = OverlayLayer(overlays, film_, request.camera, bounds_);

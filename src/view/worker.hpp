@@ -26,6 +26,7 @@ struct Frame {
   std::vector<unsigned char> pixels;  ///< the image's, see display_pixels, with the overlays on them
   OverlayLayer overlays;
   Refinement::Pass pass;
+  unsigned view_number = 0;  ///< of the view, see Worker::show
   RenderStatistics statistics;
   SceneStatistics scene;
 };
@@ -92,15 +93,16 @@ class Worker {
   void pose(unsigned number, double time_seconds);
   /// Reads scene `number`, a model, again with another of its animations.
   void choose_animation(unsigned number, std::size_t animation);
-  /// What is looked at from now on. Whatever is traced for an older view is given up.
-  void show(RenderRequest const& view);
+  /// What is looked at from now on. Whatever is traced for an older view is given up. Returns its number, as do edit
+  /// and overlay, with which it is another.
+  unsigned show(RenderRequest const& view);
 
   /// From now on scene `number` has other lights and materials; nothing happens when it was read again meanwhile.
-  void edit(unsigned number, SceneEdits edits);
+  unsigned edit(unsigned number, SceneEdits edits);
   /// From now on its pictures are developed in this way, also the one that is shown.
   void develop(unsigned number, Development const& development);
   /// From now on these are drawn over the pictures.
-  void overlay(Overlays const& overlays);
+  unsigned overlay(Overlays const& overlays);
   /// Finds out what is under a pixel of the view.
   void look_at(int x, int y);
   /// Outlines these objects in each view that stays; none when there are none.
@@ -167,6 +169,8 @@ class Worker {
   /// Why something was not done; what was shown before stays.
   void tell_of(std::exception const& problem);
   void restart_refinement();
+  /// For another view, whose number it returns.
+  unsigned begin_view();
   /// What is outlined has changed, or where it is seen.
   void expect_marking();
 
@@ -207,6 +211,7 @@ class Worker {
   std::optional<RenderRequest> view_;
   Overlays overlays_;
   bool is_new_view_ = false;
+  unsigned view_number_ = 0;
   bool has_question_ = false;                // what is being traced waits for the answer
   std::optional<double> seconds_per_pixel_;  // of the last passes with one sample a pixel
   Refinement refinement_;

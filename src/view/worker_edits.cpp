@@ -23,12 +23,10 @@ Scene lighting_of(Scene const& scene, SceneEdits const& edits) {
 
 }  // namespace
 
-void Worker::edit(unsigned number, SceneEdits edits) {
+unsigned Worker::edit(unsigned number, SceneEdits edits) {
   std::lock_guard const lock(mutex_);
   edits_ = {number, std::move(edits)};
-  is_new_view_ = true;
-  restart_refinement();
-  changed_.notify_all();
+  return begin_view();
 }
 
 void Worker::apply_edits(Renderer& renderer) {

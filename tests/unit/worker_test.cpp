@@ -150,3 +150,23 @@ TEST_CASE("a scene that begins to shine is drawn by paths, as it will be from a 
   work->edit(shown.number, {});
   CHECK(work.await(&Worker::News::edited).request.integrator == Integrator::whitted);
 }
+
+TEST_CASE("a picture tells which view it is of", "[unit][view]") {
+  TemporaryFolder const folder;
+  Work work(folder.write("scene.sdf", scene + camera));
+  view::SceneView const shown = work.await(&Worker::News::scene);
+  auto const number_of_next_fine_picture = [&] {
+    for (;;) {
+      view::Frame const frame = work.await(&Worker::News::frame);
+      if (frame.pass.pixel_side == 1 && frame.pass.sampling.count > 1) return frame.view_number;
+    }
+  };
+  unsigned const first = work->show(shown.request);
+  CHECK(number_of_next_fine_picture() == first);
+  unsigned const edited = work->edit(shown.number, {});
+  CHECK(edited != first);
+  view::Frame frame;
+  do frame = work.await(&Worker::News::frame);
+  while (frame.view_number == first);
+  CHECK(frame.view_number == edited);
+}

@@ -103,11 +103,11 @@ bool Window::take_news() {
   if (news.scene) {
     awaited_.clear();
     bool const is_first = !camera_;
-    if (news.scene->file != scene_.file) is_moved_ = false;
+    if (news.scene->file != scene_.file) is_moved_ = saves_when_whole_ = false;
     SceneView const before = std::exchange(scene_, std::move(*news.scene));
     if (overlays_.up != scene_.up) {
       overlays_.up = scene_.up;
-      worker_->overlay(overlays_);
+      view_number_ = worker_->overlay(overlays_);
     }
     if (is_first && !options_.render.job.size) {
       Resolution const& picture = scene_.request.resolution;
@@ -131,6 +131,7 @@ bool Window::take_news() {
   if (news.frame) {
     frame_ = std::move(*news.frame);
     graphics_->picture.upload(frame_->image.size(), frame_->pixels);
+    if (saves_when_whole_ && is_picture_whole()) save();
   }
   if (news.marking) {
     has_marking_ = true;
@@ -211,7 +212,7 @@ void Window::show() {
   view.resolution = shown_size_;
   view.planes = {panel_.plane};
   has_marking_ = false;
-  worker_->show(view);
+  view_number_ = worker_->show(view);
 }
 
 void Window::show(FilmPlane plane) {
@@ -263,9 +264,16 @@ void Window::frame_everything() {
 
 void Window::save() {
   if (!frame_) return;
+  saves_when_whole_ = !is_picture_whole();
+  if (saves_when_whole_) {
+    playback_.pause();
+    return tell("the picture is saved once all its pixels are there", std::numeric_limits<double>::infinity());
+  }
   std::string const stem = std::filesystem::path(scene_.file).stem().string();
   save_as(stem + "_view", ".png", [this] { return image_format_named("png").encode(frame_->image, {}); });
 }
+
+bool Window::is_picture_whole() const { return frame_->pass.pixel_side == 1 && frame_->view_number == view_number_; }
 
 void Window::save_edits() {
   // Beside the scene, from where it names its files.
@@ -395,7 +403,7 @@ void Window::draw_panel() {
       panel_.draw(panel_width(), [this] { draw_menus(*graphics_, playback_.duration() > 0); });
   if (!changes.copied.empty()) copy(changes.copied);
   if (changes.values) {
-    worker_->edit(scene_.number, panel_.values().edits());
+    view_number_ = worker_->edit(scene_.number, panel_.values().edits());
     has_unsaved_edits_ = panel_.values().is_edited();
     warned_way_.clear();
   }

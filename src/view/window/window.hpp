@@ -76,7 +76,9 @@ class Window {
   void show();
   void show(FilmPlane plane);
   void mark_selection();
+  /// The picture, now or once the current view has one with all pixels.
   void save();
+  bool is_picture_whole() const;
   /// The scene with what was changed of lights, materials and environment, as a new file beside it.
   void save_edits();
   /// Is shown for some seconds.
@@ -101,6 +103,8 @@ class Window {
   bool is_moved_ = false;  // by hand: then it stays where it is when the scene is read again
   Resolution shown_size_;
   std::optional<Frame> frame_;
+  unsigned view_number_ = 0;  // of the current view
+  bool saves_when_whole_ = false;
   std::string problem_;
   std::string notice_;  // what went well
   double notice_end_ = 0;

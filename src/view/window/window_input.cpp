@@ -100,7 +100,7 @@ void Window::handle_character(char32_t character) {
   if (is_overlay) {
     bool& shown = character == 'g' ? overlays_.grid : character == 'x' ? overlays_.axes : overlays_.edges;
     shown = !shown;
-    worker_->overlay(overlays_);
+    view_number_ = worker_->overlay(overlays_);
   }
   if (character == 'r') {
     look_through(scene_.request.camera, scene_.request.resolution);

@@ -107,6 +107,16 @@ TEST_CASE("a window that is resized faster than it can follow stays open", "[app
   CHECK(result.exit_code == 0);
 }
 
+TEST_CASE("a window is gone at once when it is closed, though its scene is still being read", "[app][view]") {
+  for (char const* const program : {"Xvfb", "xdotool"}) {
+    if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
+  }
+  Lichtraum const lichtraum;
+  auto const result = run_in_xvfb("view_reading_in_xvfb.sh", lichtraum, 200);
+  INFO(result.out + result.err + lichtraum.folder.read("log.txt"));
+  CHECK(result.exit_code == 0);
+}
+
 TEST_CASE("a window that was large gives the memory of its picture back", "[app][view]") {
   for (char const* const program : {"Xvfb", "xdotool"}) {
     if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");

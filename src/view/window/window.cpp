@@ -56,7 +56,10 @@ Window::Window(app::SceneSource const& source, app::ViewOptions const& options, 
   worker_ = std::make_unique<Worker>(source, options.render, options.watch, console, glfwPostEmptyEvent);
 }
 
-Window::~Window() { worker_.reset(); }
+Window::~Window() {
+  glfwHideWindow(graphics_->window);  // what is being read is read to its end
+  worker_.reset();
+}
 
 void Window::run() {
   int draws_due = 1;

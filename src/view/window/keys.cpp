@@ -1,12 +1,12 @@
 #include "view/window/keys.hpp"
 
+#include <algorithm>
+
 namespace lichtraum::view {
 
 void draw_keys() {
   ImVec2 const area = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({area.x / 2, area.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::Begin("keys", nullptr, overlay | ImGuiWindowFlags_NoInputs);
-  ImGui::TextUnformatted(
+  constexpr char const* keys =
       "left button, arrows    turn around the scene\n"
       "Space                  play an animation, or pause it;\n"
       "Left, Right, Home      its frames one by one, its start\n"
@@ -25,7 +25,13 @@ void draw_keys() {
       "W                      save the changed scene as a new file\n"
       "C                      copy the camera as eSDF\n"
       "Tab                    hide or show the panel\n"
-      "Q, Esc                 close");
+      "Q, Esc                 close";
+  ImVec2 const size = ImGui::CalcTextSize(keys), padding = ImGui::GetStyle().WindowPadding;
+  float const room = std::min((area.x - 2 * padding.x) / size.x, (area.y - 2 * padding.y) / size.y);
+  ImGui::SetNextWindowPos({area.x / 2, area.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::Begin("keys", nullptr, overlay | ImGuiWindowFlags_NoInputs);
+  ImGui::SetWindowFontScale(std::clamp(room, 0.3f, 1.0f));  // in a small window as small as it has to be
+  ImGui::TextUnformatted(keys);
   ImGui::End();
 }
 

@@ -93,11 +93,12 @@ float Window::draw_time_line() {
   std::string const shown =
       fmt::format("{} {:.2f} s", playback_.has_begun() ? "%.2f of" : "at rest,", playback_.duration());
   bool const are_several = contents.animations.size() > 1;
-  ImGui::SetNextItemWidth(std::clamp(width - scaled(are_several ? 230 : 110), scaled(60), scaled(400)));
+  bool const are_beside = are_several && width >= scaled(320);  // the time; else below it
+  ImGui::SetNextItemWidth(std::clamp(width - scaled(are_beside ? 230 : 110), scaled(60), scaled(400)));
   bool const is_moved = ImGui::SliderFloat("##time", &time, 0, float(playback_.duration()), shown.c_str());
   if (is_moved || ImGui::IsItemActivated()) playback_.go_to(double(time));
   if (are_several) {
-    ImGui::SameLine();
+    if (are_beside) ImGui::SameLine();
     ImGui::SetNextItemWidth(scaled(110));
     if (ImGui::BeginCombo("##animation",
                           label_of(contents.animations[*contents.animation], *contents.animation).c_str())) {

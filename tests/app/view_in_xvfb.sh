@@ -21,6 +21,11 @@ until_true changed turned.png opened.png || exit 1
 press c
 has_camera() { grep -q translate camera.sdf; }
 until_true has_camera || exit 1
+until_true changed copied.png turned.png || exit 1 # it says so
+press question
+until_true changed keys.png copied.png || exit 1
+press question
+until_true changed without_keys.png keys.png || exit 1
 xdotool keydown s
 sleep 1.5 # long enough to be repeated
 xdotool keyup s

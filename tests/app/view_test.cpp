@@ -127,6 +127,11 @@ TEST_CASE("a window is opened, turned, saved to, and closed", "[app][view]") {
   CHECK(shot("saved.png").at(170, 120, 1) > shot("saved.png").at(170, 120, 0));
   CHECK(difference(shot("faulty.png"), shot("saved.png"), 0, 120) < 0.5);
   CHECK(difference(shot("faulty.png"), shot("saved.png"), 180, 240) > 5);
+  CHECK(difference(shot("copied.png"), shot("turned.png"), 180, 240) > 1);
+  // The list of keys has room in a small window.
+  CHECK(difference(shot("keys.png"), shot("without_keys.png"), 60, 180) > 5);
+  CHECK(difference(shot("keys.png"), shot("without_keys.png"), 0, 2) == 0);
+  CHECK(difference(shot("keys.png"), shot("without_keys.png"), 238, 240) == 0);
   // What was read goes away.
   CHECK(difference(shot("told.png"), shot("turned.png"), 180, 240) > 1);
   CHECK(difference(shot("untold.png"), shot("turned.png")) < 0.5);

@@ -169,9 +169,10 @@ void Window::open(std::filesystem::path const& file) {
 
 void Window::open_dropped() {
   if (graphics_->dropped.empty()) return;
-  std::string const file = std::exchange(graphics_->dropped, {}).front();
+  std::vector<std::string> const dropped = std::exchange(graphics_->dropped, {});
   if (warns_of_edits("a file that is dropped again is opened without it")) return;
-  files_.open(file);
+  if (dropped.size() > 1) tell("of the files that were dropped, the first is opened", seconds_to_read);
+  files_.open(dropped.front());
   open(files_.file());
 }
 
@@ -321,12 +322,10 @@ void Window::tell(std::string text, double seconds) {
   notice_end_ = glfwGetTime() + seconds;
 }
 
-void Window::copy_camera() const {
-  std::string const text = camera_as_esdf(camera_seen_through(), shown_size_);
-  copy(text);
-}
+void Window::copy_camera() { copy(camera_as_esdf(camera_seen_through(), shown_size_)); }
 
-void Window::copy(std::string const& text) const {
+void Window::copy(std::string const& text) {
+  tell("copied to the clipboard", seconds_to_read);
   glfwSetClipboardString(graphics_->window, text.c_str());
   try {
     app::write_standard_output(text);

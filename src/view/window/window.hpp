@@ -85,9 +85,9 @@ class Window {
   void tell(std::string text, double seconds);
   /// To a new file with a number. Says where, or why not. Whether it was saved.
   bool save_as(std::string const& stem, char const* extension, std::function<std::string()> const& contents);
-  void copy_camera() const;
+  void copy_camera();
   /// To the clipboard, and to standard output for those whose clipboard ends with the window.
-  void copy(std::string const& text) const;
+  void copy(std::string const& text);
   /// 0 while it is hidden. In Dear ImGui's units.
   float panel_width() const;
   /// Beside the panel.

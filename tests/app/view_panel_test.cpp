@@ -97,6 +97,17 @@ TEST_CASE("names are shown in the letters of Latin, Greek and Cyrillic", "[app][
   CHECK(difference(shot("stroke"), shot("zhe"), rows) > 0);
 }
 
+TEST_CASE("a window is no larger than its display, and that is said", "[app][view]") {
+  for (char const* const program : {"Xvfb", "xdotool"}) {
+    if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
+  }
+  Lichtraum const lichtraum;
+  auto const result = run_in_xvfb("view_size_in_xvfb.sh", lichtraum, 200);
+  INFO(result.out + result.err + lichtraum.folder.read("log.txt"));
+  CHECK(result.exit_code == 0);
+  CHECK_THAT(lichtraum.folder.read("log.txt"), contains_text("--size: the window is 400x300"));
+}
+
 TEST_CASE("a window that is resized faster than it can follow stays open", "[app][view]") {
   for (char const* const program : {"Xvfb", "xdotool"}) {
     if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");

@@ -139,12 +139,16 @@ Resolution Graphics::framebuffer_size() const {
   return {std::max(1, width), std::max(1, height)};
 }
 
-void Graphics::resize(Resolution const& size) const {
+Resolution Graphics::fitting(Resolution const& size) {
   int x = 0, y = 0, width = 0, height = 0;
   if (GLFWmonitor* const monitor = glfwGetPrimaryMonitor()) glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
   bool const is_known = width > 0 && height > 0;
-  glfwSetWindowSize(window, is_known ? std::min(size.width, width) : size.width,
-                    is_known ? std::min(size.height, height) : size.height);
+  return is_known ? Resolution{std::min(size.width, width), std::min(size.height, height)} : size;
+}
+
+void Graphics::resize(Resolution const& size) const {
+  Resolution const fitted = fitting(size);
+  glfwSetWindowSize(window, fitted.width, fitted.height);
 }
 
 void Graphics::begin_drawing() {

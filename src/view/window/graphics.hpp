@@ -47,7 +47,8 @@ struct Graphics {
   /// `ui_scale`: the size of text and widgets; nothing: as the display asks for.
   void open(std::string const& title, Resolution const& size, std::optional<double> ui_scale);
   Resolution framebuffer_size() const;
-  /// To this size, or what of it the screen has room for.
+  /// What of a window's size the screen has room for.
+  static Resolution fitting(Resolution const& size);
   void resize(Resolution const& size) const;
   void begin_drawing();
   /// Puts what was drawn since on the screen.

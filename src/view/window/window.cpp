@@ -51,7 +51,12 @@ Vec3 focus_of(Camera const& camera, Vec3 const& center) {
 Window::Window(app::SceneSource const& source, app::ViewOptions const& options, app::Console const& console)
     : options_(options), console_(console), files_(source.name()) {
   graphics_ = std::make_unique<Graphics>();
-  graphics_->open("lichtraum - " + source.name(), options.render.job.size.value_or(default_size), options.ui_scale);
+  Resolution const wanted = options.render.job.size.value_or(default_size), size = Graphics::fitting(wanted);
+  if (options.render.job.size && size != wanted) {
+    console.warning(
+        fmt::format("--size: the window is {}x{}, all that the screen has room for", size.width, size.height));
+  }
+  graphics_->open("lichtraum - " + source.name(), size, options.ui_scale);
   // Not before the window is there: Mesa and PoCL may share one LLVM, which does not start in two threads at once.
   worker_ = std::make_unique<Worker>(source, options.render, options.watch, console, glfwPostEmptyEvent);
 }

@@ -102,8 +102,8 @@ TEST_CASE("models are drawn by paths unless asked otherwise, or by the reference
   CHECK(figures("--device reference") == std::tuple("whitted", 1, 5, true));
   CHECK(figures("--device reference --integrator path --samples 2 --depth 2") == std::tuple("path", 2, 2, false));
   if (lichtraum("devices --json").out.find("\"cpu\"") == std::string::npos) SKIP_TEST("no OpenCL device");
-  CHECK(figures("") == std::tuple("path", 16, 16, false));
-  CHECK(figures("--denoise off --samples 3") == std::tuple("path", 3, 16, true));
+  CHECK(figures("") == std::tuple("path", 16, 64, false));
+  CHECK(figures("--denoise off --samples 3") == std::tuple("path", 3, 64, true));
   CHECK(figures("--integrator whitted") == std::tuple("whitted", 1, 5, true));
 
   REQUIRE(lichtraum("render square.glb --size 16x16 --integrator path").exit_code == 0);

@@ -19,7 +19,7 @@ ExtremePixels::Counts ExtremePixels::count(Image const& pixels, Development cons
   float const white = white_limit(development);
   Counts counts;
   for (std::size_t i = 0; i + 2 < pixels.data().size(); i += 3) {
-    auto const [least, most] = std::ranges::minmax({pixels.data()[i], pixels.data()[i + 1], pixels.data()[i + 2]});
+    auto const [least, most] = std::minmax({pixels.data()[i], pixels.data()[i + 1], pixels.data()[i + 2]});
     counts.white += least > white;
     counts.black += most < black_limit;
   }

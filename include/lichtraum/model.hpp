@@ -39,7 +39,8 @@ struct ModelOptions : ModelChoice {
   std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the model's that may be read
   std::shared_ptr<Material const> material;          ///< for everything, instead of the model's own; null: these
   FileObserver on_read;                              ///< may be empty
-  /// Materials that are written as Phong's stay so, for a scene whose own are: of OBJ.
+  /// True for a part of a scene whose own materials are Phong's: those of an OBJ model stay Phong's then, too
+  /// (docs/MODELS.md).
   bool is_part_of_scene = false;
 };
 

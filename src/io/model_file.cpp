@@ -49,9 +49,11 @@ std::optional<std::string> read_model_file(std::optional<std::filesystem::path> 
 }
 
 std::string hint_for_place(std::optional<std::filesystem::path> const& folder,
-                           std::span<std::filesystem::path const> allowed, std::string const& name) {
+                           std::span<std::filesystem::path const> allowed, std::string const& name,
+                           std::string_view whose) {
   bool const is_outside = folder && resolve_sandboxed(*folder, name, allowed).is_outside;
-  return is_outside ? "--allow-path <folder> permits files outside of the model's folder" : "";
+  if (!is_outside) return {};
+  return fmt::format("--allow-path <folder> permits files outside of the {} folder", whose);
 }
 
 }  // namespace lichtraum

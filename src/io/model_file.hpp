@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "lichtraum/file_stamp.hpp"
 
@@ -25,8 +26,9 @@ std::optional<std::string> read_model_file(std::optional<std::filesystem::path> 
                                            std::span<std::filesystem::path const> allowed, FileObserver const& on_read,
                                            std::string const& name, std::string& reason);
 
-/// What helps where read_model_file refuses a file for its place; empty where nothing does.
+/// What helps where read_model_file refuses a file for its place; empty where nothing does. `whose`: the folder.
 std::string hint_for_place(std::optional<std::filesystem::path> const& folder,
-                           std::span<std::filesystem::path const> allowed, std::string const& name);
+                           std::span<std::filesystem::path const> allowed, std::string const& name,
+                           std::string_view whose = "model's");
 
 }  // namespace lichtraum

@@ -1,5 +1,3 @@
-#include <sys/stat.h>
-
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -530,21 +528,5 @@ TEST_CASE("directions, ends and axes may be as short as numbers are", "[unit][es
   // About the sine that is least: a warning, or a camera.
   for (std::string const sine : {"1e-7", "1e-8", "0.99999999999e-9", "1.00000000001e-9", "1e-9", "1e-10"}) {
     CHECK(loads("define camera c 60 0 0 0 0 0 -1 " + sine + " 0 -1\n"));
-  }
-}
-
-TEST_CASE("what is no file is not waited for", "[unit][esdf]") {
-  TemporaryFolder const folder;
-  REQUIRE(::mkfifo((folder / "silent.obj").c_str(), 0600) == 0);
-  REQUIRE(::mkfifo((folder / "silent.hdr").c_str(), 0600) == 0);
-  for (std::string const line : {"define shape mesh m silent.obj\n", "define light environment e silent.hdr\n"}) {
-    try {
-      EsdfScript::from_text(line, "s.sdf", {}, folder.path());
-      FAIL("it was read");
-    } catch (SceneError const& error) {
-      REQUIRE(count_errors(error.diagnostics()) == 1);
-      CHECK_THAT(error.diagnostics().back().message, contains_text("it is not a regular file"));
-      CHECK(error.diagnostics().back().code == DiagnosticCode::unreadable_file);
-    }
   }
 }

@@ -1,9 +1,13 @@
+#include <sys/stat.h>
+
 #include <string>
 
 #include "support/catch.hpp"
 #include "support/esdf.hpp"
+#include "support/temporary_folder.hpp"
 
-// Sizes at which anything quadratic would take hours, and anything recursive would run out of stack.
+// Sizes at which anything quadratic would take hours, and anything recursive would run out of stack; and what keeps its
+// reader waiting.
 
 using namespace lichtraum;
 using namespace lichtraum::test;
@@ -121,4 +125,20 @@ TEST_CASE("an animation of many frames", "[unit][esdf][hostile]") {
   int frames = 0;
   script.play([&](Scene const&, RenderCommand const&) { return ++frames, true; });
   CHECK(frames == 100'000);
+}
+
+TEST_CASE("what is no file is not waited for", "[unit][esdf][hostile]") {
+  TemporaryFolder const folder;
+  REQUIRE(::mkfifo((folder / "silent.obj").c_str(), 0600) == 0);
+  REQUIRE(::mkfifo((folder / "silent.hdr").c_str(), 0600) == 0);
+  for (std::string const line : {"define shape mesh m silent.obj\n", "define light environment e silent.hdr\n"}) {
+    try {
+      EsdfScript::from_text(line, "s.sdf", {}, folder.path());
+      FAIL("it was read");
+    } catch (SceneError const& error) {
+      REQUIRE(count_errors(error.diagnostics()) == 1);
+      CHECK_THAT(error.diagnostics().back().message, contains_text("it is not a regular file"));
+      CHECK(error.diagnostics().back().code == DiagnosticCode::unreadable_file);
+    }
+  }
 }

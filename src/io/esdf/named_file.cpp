@@ -1,30 +1,23 @@
 #include "io/esdf/named_file.hpp"
 
-#include <fmt/format.h>
+#include <string>
+#include <utility>
 
-#include <system_error>
-
-#include "lichtraum/sandboxed_path.hpp"
+#include "io/model_file.hpp"
 
 namespace lichtraum::esdf {
 
 std::optional<std::filesystem::path> find_named_file(Interpreter& interpreter, Token name) {
-  SandboxedPath const path =
-      resolve_sandboxed(interpreter.source.folder, std::filesystem::path(name), interpreter.options.allowed_paths);
+  std::filesystem::path const& folder = interpreter.source.folder;
+  auto const& allowed = interpreter.options.allowed_paths;
+  std::string reason;
+  auto path = find_model_file(folder, allowed, {}, std::string(name), reason);
   if (!path) {
-    interpreter.error(Code::file_outside, name, fmt::format("cannot use {}: {}", in_quotes(name), path.reason),
-                      "--allow-path <folder> permits files outside of the scene's folder");
-    return std::nullopt;
+    std::string hint = hint_for_place(folder, allowed, std::string(name), "scene's");
+    Code const code = hint.empty() ? Code::unreadable_file : Code::file_outside;
+    interpreter.error(code, name, std::move(reason), std::move(hint));
   }
-  std::error_code error;
-  auto const status = std::filesystem::status(path.path, error);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
-      !std::filesystem::is_directory(status)) {
-    interpreter.error(Code::unreadable_file, name,
-                      fmt::format("cannot read {}: it is not a regular file", in_quotes(name)));
-    return std::nullopt;
-  }
-  return path.path;
+  return path;
 }
 
 }  // namespace lichtraum::esdf

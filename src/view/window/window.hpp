@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -81,8 +82,10 @@ class Window {
   bool is_picture_whole() const;
   /// The scene with what was changed of lights, materials and environment, as a new file beside it.
   void save_edits();
-  /// Is shown for some seconds.
+  /// Is shown for so many seconds: long enough to be read, or until a key or the mouse takes it away.
   void tell(std::string text, double seconds);
+  static constexpr double seconds_to_read = 5;
+  static constexpr double until_dismissed = std::numeric_limits<double>::infinity();
   /// To a new file with a number. Says where, or why not. Whether it was saved.
   bool save_as(std::string const& stem, char const* extension, std::function<std::string()> const& contents);
   void copy_camera();

@@ -44,8 +44,8 @@ TEST_CASE("a model that is next to black is told, with what brightens it", "[app
   };
   CHECK_THAT(said("--exposure -12"), contains_text("next to no light reaches 100 % of what the camera") &&
                                          contains_text("[W0815]") && contains_text("--exposure -8 brightens it"));
-  for (std::string const lighter :
-       {"", "--exposure -4", "--exposure -12 -o a.exr", "--exposure -12 --region 1,1,9,9"}) {
+  for (std::string const lighter : {"", "--exposure -4", "--background none", "--background 0,0,0 --ground",
+                                    "--exposure -12 -o a.exr", "--exposure -12 --region 1,1,9,9"}) {
     INFO(lighter);
     CHECK_THAT(said(lighter), !contains_text("W0815"));
   }

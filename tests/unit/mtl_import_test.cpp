@@ -401,7 +401,11 @@ TEST_CASE("OBJ: a colour of 0 beside a picture that is lost says nothing", "[uni
   folder.write("m.mtl",
                "newmtl a\nKd 0 0 0\nmap_Kd lost.png\nnewmtl b\nKd 0 0 0\nnewmtl c\nKd 0 0.5 0\nmap_Kd lost.png\n");
   Model const model = import_obj(folder / "m.obj");
-  auto const kd = [&](char const* name) { return (*model.scene.materials.find(name))->pbr()->base_color; };
+  auto const kd = [&](char const* name) {
+    PbrModel const* const pbr = (*model.scene.materials.find(name))->pbr();
+    REQUIRE(pbr);
+    return pbr->base_color;
+  };
   CHECK(kd("a") == Rgb(0.8));
   CHECK(kd("b") == Rgb(0));
   CHECK(kd("c") == Rgb(0, 0.5, 0));

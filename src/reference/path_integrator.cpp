@@ -6,6 +6,7 @@
 
 #include "core/elementary.hpp"
 #include "core/largest_channel.hpp"
+#include "core/luminance.hpp"
 #include "reference/integrator.hpp"
 #include "reference/scattering_point.hpp"
 
@@ -148,6 +149,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
   Rgb thrown_share(1);           // of what it throws on the ground, that reflects no more of it than white does
   bool mirrored = false;         // in the ground's gloss
   bool sees_background = false;  // by a mirror or through glass
+  bool is_in_window = true;      // the camera sees what is here, with nothing but thin walls before it
   bool was_spread = false;       // by the last surface
   EnteredSolids entered;
   int depth = 0;
@@ -164,7 +166,12 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
       Rgb const from_afar = environment       ? environment.radiance(ray.direction)
                             : sees_background ? scene.background
                                               : scene.ambient;
-      add(throughput * (depth == 0 ? background : from_afar), depth > 1);
+      bool const is_behind_wall = is_in_window && depth > 0 && !sees_environment;
+      if (is_behind_wall && request.planes.has(FilmPlane::alpha)) {
+        sample.surface.alpha -= luminance(throughput);
+        return sample;
+      }
+      add(throughput * (depth == 0 || is_behind_wall ? background : from_afar), depth > 1);
       if (depth == 0) sample.surface.albedo = glm::min(throughput * background, Rgb(1));
       return sample;
     }
@@ -212,6 +219,9 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
     ray = point.leave(next.direction);
     entered = solids_towards(point, entered, next.direction);
     sees_background = next.is_mirror_or_glass;
+    bool const passes_wall =
+        !point.solid && point.bsdf.transmitted != Rgb(0) && glm::dot(point.geometric_normal, next.direction) < 0;
+    is_in_window = is_in_window && passes_wall;
     was_spread = !next.is_smooth;
     ++depth;
   }
@@ -233,7 +243,7 @@ PathSample trace_path(ReferenceScene const& scene, ReferenceEnvironment const& e
   }
   // Whatever is behind it, the ground covers as much of that as it is darker than in the open.
   PathSample sample;
-  sample.surface.alpha = 1 - glm::dot(path.radiance, Rgb(0.2126, 0.7152, 0.0722));
+  sample.surface.alpha = 1 - luminance(path.radiance);
   return sample;
 }
 

@@ -98,3 +98,50 @@ TEST_CASE("an environment is shown only by who draws one", "[image][background]"
     CHECK_THROWS_AS(renderer->render(request, film), Error);
   }
 }
+
+TEST_CASE("paths: the background is seen through thin walls, however rough they are", "[image][path][background]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene scene = scene_of(
+      "define material glass 0 0 0  0 0 0  0 0 0  1\n"
+      "define shape triangle wall -90 -90 -5  90 -90 -5  0 90 -5 glass\n"
+      "define light ambient sky 9 9 9\ndefine camera eye 10\n");
+  bool has_alpha = false;
+  SECTION("drawn") {}
+  SECTION("drawn before another environment") {
+    EnvironmentMap map{4, 2, std::vector<float>(24, 9)};
+    for (std::size_t i = 0; i < 6; ++i) map.radiance[i] = 90;  // which is looked for
+    scene.environment = EnvironmentLight{"made here", std::make_shared<EnvironmentMap const>(map), 0, 1};
+  }
+  SECTION("left open") { has_alpha = true; }
+  RenderRequest request = whole_picture(scene.cameras.front(), {8, 8});
+  request.integrator = Integrator::path;
+  request.sampling = {Sampling::Pattern::seeded, 256};
+  request.background = Rgb(0.5, 0.25, 1);
+  for (double const roughness : {0.0, 0.05, 0.5, 1.0}) {
+    PbrModel glass;
+    glass.base_color = {0.5, 0.5, 0.5};
+    glass.roughness = roughness;
+    glass.metallic = 0;
+    glass.transmission = 1;
+    glass.specular = 0;  // nothing but the background comes from it
+    glass.double_sided = true;
+    *(*scene.materials.find("glass")) = Material("glass", glass);
+    if (has_alpha) request.planes.add(FilmPlane::alpha);
+    for (DeviceInfo const& device : opencl_devices()) {
+      INFO(device.name << ", roughness " << roughness);
+      auto const renderer = make_renderer(device);
+      renderer->set_scene(scene);
+      Film film;
+      renderer->render(request, film);
+      auto const radiance = film.values(FilmPlane::radiance);
+      Rgb mean(0);
+      for (std::size_t i = 0; i < radiance.size(); ++i) mean[glm::length_t(i % 3)] += double(radiance[i]) / 64;
+      Rgb const expected = has_alpha ? Rgb(0) : Rgb(0.25, 0.125, 0.5);
+      CHECK(glm::distance(mean, expected) < 0.005);
+      if (!has_alpha) continue;
+      double alpha = 0;
+      for (float const value : film.values(FilmPlane::alpha)) alpha += double(value) / 64;
+      CHECK(alpha == Approx(0.5).margin(0.005));
+    }
+  }
+}

@@ -329,6 +329,36 @@ PathScene panes_in_the_open() {
   return {"panes, in the open", std::move(scene), 3, false, true};
 }
 
+/// Rough thin walls, one behind the other, before things that are lit and shine, and the background.
+Scene frosted_windows() {
+  Scene scene = scene_of(std::string(things) + R"(
+define shape sphere ball 0.7 -0.2 -0.5 0.6 floor
+define shape triangle rough -1.8 -1 1  1.8 -1 1  -1.8 1.8 1 a
+define shape triangle tinted -1.8 -0.8 0  0.6 -0.8 0  -0.6 1.8 0.3 b
+define shape triangle coated 0.2 0.4 0.6  1.8 0.4 0.6  1 1.8 0.4 c
+define shape triangle lamp -1 0 -1  -0.2 0 -1  -0.6 0.7 -1 d
+define light diffuse key -2 3 4  0.4 0.4 0.4
+define background 0.5 0.3 0.2
+)");
+  PbrModel window = pbr({0.9, 0.9, 0.9}, 0, 0.8);
+  window.transmission = 0.9;
+  window.double_sided = true;
+  set_material(scene, "a", window);
+  window.base_color = {0.6, 0.8, 0.9};
+  window.roughness = 0.9;
+  set_material(scene, "b", window);
+  window.roughness = 0;
+  window.clearcoat = 0.5;
+  window.clearcoat_roughness = 0.9;
+  set_material(scene, "c", window);
+  let_shine(scene, "d", {3, 4, 5});
+  scene.environment = window_environment();
+  return scene;
+}
+
+PathScene windows() { return {"frosted windows", frosted_windows(), 4}; }
+PathScene windows_seen_through() { return {"frosted windows, seen through", frosted_windows(), 4, true}; }
+
 PathScene panes_on_ground() {
   Scene scene = things_behind_panes();
   scene.environment = window_environment();
@@ -512,6 +542,8 @@ std::vector<PathScene> path_scenes() {
   scenes.push_back(panes());
   scenes.push_back(panes_in_the_open());
   scenes.push_back(panes_on_ground());
+  scenes.push_back(windows());
+  scenes.push_back(windows_seen_through());
   scenes.push_back(many_lamps());
   scenes.push_back(lamp_under_unlit_sky());
   scenes.push_back(round_and_square_lamps());

@@ -26,8 +26,7 @@ void FilesRead::refuse_to_overwrite(std::filesystem::path const& output) const {
   auto const identity = identity_of(output);
   if (!identity || !files_.contains(*identity)) return;
   throw Error(ErrorKind::cannot_create,
-              fmt::format("'{}' is read for this picture, which would take its place: -o FILE gives the picture "
-                          "another name",
+              fmt::format("'{}' is read for this picture, which would take its place: give the picture another name",
                           output.string()));
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/picture_bands.hpp"
+#include "app/video.hpp"
 #include "core/memory.hpp"
 
 namespace lichtraum::app {
@@ -67,6 +68,7 @@ PicturePlan plan_picture(LoadedScene const& script, RenderCommand const& command
   check_format(plan.job, plan.output);
   if (!plan.output.is_standard_output()) {
     script.files().refuse_to_overwrite(plan.output.path);
+    script.files().refuse_to_overwrite(plan.output.partial_path());
     check_writable(plan.output.path);
   }
   return plan;
@@ -77,6 +79,7 @@ PicturePlan plan_picture(LoadedScene const& script, RenderCommand const& command
 void check_format(Job const& job, Output const& output) {
   check_encoding(job, output);
   check_planes(job, output);
+  if (output.is_film) check_film(output.path, {job.region->width, job.region->height});
 }
 
 void check_memory(Region const& region, PlaneSet const& planes, int sample_count, ErrorKind kind, bool is_denoised) {

@@ -7,6 +7,9 @@ namespace lichtraum::app {
 
 namespace {
 
+/// The fingerprint of pictures that are not whole.
+constexpr std::string_view unfinished_mark = "unfinished";
+
 std::string encode(Drawn const& drawn, ImageFormat const& format, ImageEncoding const& encoding) {
   Film const* const film = std::get_if<Film>(&drawn);
   return film ? format.encode_film(*film, encoding) : format.encode(std::get<Image>(drawn), encoding);
@@ -19,9 +22,9 @@ void remove_partial(Output const& output) {
   std::error_code ignored;
   std::filesystem::path const partial = output.partial_path();
   if (!std::filesystem::is_regular_file(partial, ignored)) return;
+  // Whatever else has that name is somebody's; of formats that say nothing of where a picture comes from, all is.
   auto const read_fingerprint = output.format->read_fingerprint;
-  if (read_fingerprint && !read_fingerprint(partial).empty()) return;
-  std::filesystem::remove(partial, ignored);
+  if (read_fingerprint && read_fingerprint(partial) == unfinished_mark) std::filesystem::remove(partial, ignored);
 }
 
 void PictureWriter::write(Drawn const& drawn, PictureReport& picture) {
@@ -35,7 +38,8 @@ void PictureWriter::write(Drawn const& drawn, PictureReport& picture) {
     picture.write_ms = stopwatch.milliseconds();
     return;
   }
-  std::string const bytes = encode(drawn, *output.format, {picture.plan.job.encoding, picture.plan.fingerprint});
+  std::string const fingerprint = picture.is_complete ? picture.plan.fingerprint : std::string(unfinished_mark);
+  std::string const bytes = encode(drawn, *output.format, {picture.plan.job.encoding, fingerprint});
   if (output.is_standard_output()) {
     write_standard_output(bytes);
     picture.written_to = output.shown;

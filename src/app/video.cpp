@@ -172,14 +172,23 @@ void check_frame_rate(fs::path const& film, double frames_per_second) {
                           frames_per_second, format.extension, format.most_frames_per_second));
 }
 
+void check_film(fs::path const& film, Resolution size) {
+  FilmFormat const& format = *find_film_format(film);
+  if (format.needs_even_size && (size.width % 2 != 0 || size.height % 2 != 0)) {
+    throw Error(ErrorKind::usage, fmt::format("'{}': an {} needs an even width and height, not {}x{}", film.string(),
+                                              format.extension, size.width, size.height));
+  }
+  std::error_code ignored;
+  if (!fs::exists(film, ignored) || fs::is_regular_file(film, ignored)) return;
+  throw Error(ErrorKind::cannot_create,
+              fmt::format("cannot write '{}': films are written to files only, and this is none", film.string()));
+}
+
 Video::Video(fs::path path, Resolution size, double frames_per_second) : path_(std::move(path)), size_(size) {
   check_frame_rate(path_, frames_per_second);
   check_ffmpeg();
   FilmFormat const& format = *find_film_format(path_);
-  if (format.needs_even_size && (size.width % 2 != 0 || size.height % 2 != 0)) {
-    throw Error(ErrorKind::usage, fmt::format("'{}': an {} needs an even width and height, not {}x{}", path_.string(),
-                                              format.extension, size.width, size.height));
-  }
+  check_film(path_, size);
   check_writable(path_);
   fs::path const place = follow_links(path_).value_or(path_);  // renaming is atomic within one file system only
   unfinished_.emplace(place.parent_path(), format.extension);

@@ -30,6 +30,10 @@ FilmFormat const* find_film_format(std::filesystem::path const& path);
 /// Throws Error{usage} for more pictures a second than a film of that name is shown with.
 void check_frame_rate(std::filesystem::path const& film, double frames_per_second);
 
+/// Before the first picture. Throws Error{usage} when the format cannot have that size, and Error{cannot_create} where
+/// something is that is no file: ffmpeg goes back in what it writes.
+void check_film(std::filesystem::path const& film, Resolution size);
+
 /// A film being made by the ffmpeg program, which must be installed. It is written beside its target and renamed when
 /// it is whole.
 class Video {

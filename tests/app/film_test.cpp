@@ -1,4 +1,5 @@
 #include <signal.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -221,6 +222,7 @@ TEST_CASE("a film that is interrupted twice leaves nothing behind", "[app][film]
                                               "kill -INT $PPID\n"
                                               "cat > /dev/null\n"
                                               "echo end > at_its_end\n"
+                                              "sleep 1\n"  // what follows at once is the same request
                                               "kill -INT $PPID\n"
                                               "exec sleep 20\n"));
   CHECK(result.exit_code == 130);
@@ -259,4 +261,24 @@ TEST_CASE("a film goes where a link leads, and keeps the permissions that the ol
         (fs::perms::owner_read | fs::perms::owner_write));
   std::size_t const files = std::size_t(std::distance(fs::directory_iterator(lichtraum.folder / "disk"), {}));
   CHECK(files == 1);
+}
+
+TEST_CASE("what no film can be is refused before anything is drawn", "[app][film]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("balls.sdf", moving_balls());
+  SECTION("an odd size") {
+    for (char const* const command : {"check", "render"}) {
+      auto const result = lichtraum(std::string(command) + " balls.sdf -o film.mp4 --size 33x32");
+      CHECK(result.exit_code == 64);
+      CHECK_THAT(result.err + result.out, contains_text("an .mp4 needs an even width and height, not 33x32"));
+    }
+    CHECK(lichtraum.folder.names() == std::vector<std::string>{"balls.sdf"});
+  }
+  SECTION("something that is no file") {
+    REQUIRE(::mkfifo((lichtraum.folder / "film.gif").c_str(), 0600) == 0);
+    auto const result = lichtraum.render("balls.sdf -o film.gif");
+    CHECK(result.exit_code == 73);
+    CHECK_THAT(result.err, contains_text("films are written to files only"));
+    CHECK(std::filesystem::is_fifo(lichtraum.folder / "film.gif"));
+  }
 }

@@ -141,3 +141,15 @@ TEST_CASE("models that share a name get pictures of their own", "[app][output]")
     for (std::string const& picture : c.pictures) CHECK_THAT(check.out, contains_text("pictures/" + picture));
   }
 }
+
+TEST_CASE("a file is kept whose name is that of an unfinished picture", "[app][output]") {
+  Lichtraum const lichtraum;
+  lichtraum.folder.write("ball.partial.png", ball_scene);
+  auto const result = lichtraum.render("ball.partial.png -o ball.png");
+  CHECK(result.exit_code == 73);
+  CHECK_THAT(result.err, contains_text("'ball.partial.png' is read for this picture"));
+  CHECK(lichtraum.folder.read("ball.partial.png") == ball_scene);
+  lichtraum.folder.write("other.partial.ppm", "somebody's");
+  CHECK(lichtraum.render("ball.partial.png -o other.ppm").exit_code == 0);
+  CHECK(lichtraum.folder.read("other.partial.ppm") == "somebody's");
+}

@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
+#include <ctime>
 
 namespace lichtraum::app {
 namespace {
@@ -14,14 +16,27 @@ namespace {
 volatile sig_atomic_t graceful = 0;
 volatile sig_atomic_t signalled = 0;
 std::atomic<UnfinishedFile const*> unfinished = nullptr;
-static_assert(decltype(unfinished)::is_always_lock_free);
+std::atomic<std::int64_t> signalled_at_ns = 0;
+static_assert(decltype(unfinished)::is_always_lock_free && decltype(signalled_at_ns)::is_always_lock_free);
+
+/// Who sends a signal to a process and then to its group, as timeout does, asks once.
+constexpr std::int64_t one_request_ns = 500'000'000;
+
+std::int64_t now_ns() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
+}
 
 extern "C" void on_signal(int) {
-  if (graceful == 0 || signalled != 0) {
-    remove_unfinished_file();
-    _exit(130);
+  if (graceful != 0 && signalled == 0) {
+    signalled_at_ns = now_ns();
+    signalled = 1;
+    return;
   }
-  signalled = 1;
+  if (graceful != 0 && now_ns() - signalled_at_ns < one_request_ns) return;
+  remove_unfinished_file();
+  _exit(130);
 }
 
 }  // namespace

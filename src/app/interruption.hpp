@@ -10,7 +10,8 @@ namespace lichtraum::app {
 /// Writing to a closed pipe or past a file size limit becomes an error code instead of a signal.
 void handle_signals();
 
-/// While one exists, the first SIGINT or SIGTERM only makes `interrupted` true; a second one still ends the process.
+/// While one exists, the first SIGINT or SIGTERM only makes `interrupted` true; one that comes half a second
+/// later or more still ends the process.
 class GracefulScope {
  public:
   GracefulScope();

@@ -8,6 +8,7 @@
 #include "app/merging_renderer.hpp"
 #include "app/picture_plan.hpp"
 #include "app/planned_pictures.hpp"
+#include "app/progress_bar.hpp"
 #include "app/sequence.hpp"
 #include "app/video.hpp"
 #include "core/quoted_for_shell.hpp"
@@ -108,8 +109,8 @@ int job_merge_command(Arguments const& arguments, Console& console) {
   farm::PlanFolder const folder(options.folder);
   if (!options.allow_mixed) check_version(folder.plan());
   check_output(folder.plan(), options);
+  farm::PlannedFiles(folder.plan()).check();  // what has changed no unit mends
   check_all_there(folder);
-  farm::PlannedFiles(folder.plan()).check();
 
   std::vector<std::string> inputs;
   RenderOptions render = options_of(folder.plan(), inputs);
@@ -124,6 +125,14 @@ int job_merge_command(Arguments const& arguments, Console& console) {
   render.load.whole_animation_rate.reset();  // the plan has the pictures that it has
   MergingRenderer renderer(folder, options.allow_mixed ? "" : folder.plan().device.hash,
                            make_renderer(reference_device()));
+  {
+    ProgressBar bar(console);
+    renderer.check_units([&bar](RenderProgress const& now) {
+      bar.update("checking the units", {now.fraction, now.rays, now.elapsed_seconds, now.is_compiling});
+      return true;
+    });
+    bar.clear();
+  }
   RunReport report;
   return draw_sequence(inputs, render, names, renderer, console, report);
 }

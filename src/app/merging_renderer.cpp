@@ -40,13 +40,13 @@ MergingRenderer::MergingRenderer(farm::PlanFolder const& folder, std::string all
   device_.name = folder.plan().device.name;
 }
 
-RayCounts MergingRenderer::check(std::int64_t first_unit, ProgressFunction const& progress) const {
-  std::int64_t const count = folder_.plan().units_of_picture();
+void MergingRenderer::check_units(ProgressFunction const& progress) {
+  std::int64_t const count = folder_.plan().unit_count(), each = folder_.plan().units_of_picture();
   Stopwatch const stopwatch;
-  RayCounts rays;
+  RayCounts all;
   LackingUnits lacking;
-  for (std::int64_t i = 0; i < count; ++i) {
-    std::int64_t const number = first_unit + i;
+  rays_.assign(std::size_t(count / each), RayCounts());
+  for (std::int64_t number = 0; number < count; ++number) {
     farm::UnitCheck const unit = farm::check_unit(folder_, number, allowed_class_);
     if (unit.is_spoilt) {
       auto const aside = farm::set_aside(folder_, number);
@@ -54,11 +54,11 @@ RayCounts MergingRenderer::check(std::int64_t first_unit, ProgressFunction const
     } else if (!unit.problem.empty()) {
       lacking.add(fmt::format("unit {} {}", number, unit.problem));
     }
-    rays += unit.rays;
-    RenderProgress const now{0.5 * double(i + 1) / double(count), rays.total(), stopwatch.seconds()};
-    if (progress && !progress(now)) throw Error(ErrorKind::interrupted, "interrupted: nothing was written");
+    rays_[std::size_t(number / each)] += unit.rays;
+    all += unit.rays;
+    progress({double(number + 1) / double(count), all.total(), stopwatch.seconds()});
   }
-  if (lacking.is_empty()) return rays;
+  if (lacking.is_empty()) return;
   throw Error(ErrorKind::try_again,
               fmt::format("{}: {}: lichtraum job work {} draws what is missing", folder_.path().string(),
                           lacking.text(), quoted_for_shell(folder_.path().string())));
@@ -71,7 +71,7 @@ RenderResult MergingRenderer::render(RenderRequest const& request, Film& film, P
   picture_ += is_next;
   std::int64_t const each = plan.units_of_picture(), first = picture_ * each;
   RenderResult result;
-  if (is_next) result.statistics.rays = check(first, progress);
+  if (is_next) result.statistics.rays = rays_.at(std::size_t(picture_));
   film = Film::of_samples(wanted, request.planes, {0, plan.sample_count});
   Film part;
   for (std::int64_t number = first; number < first + each; ++number) {
@@ -87,7 +87,7 @@ RenderResult MergingRenderer::render(RenderRequest const& request, Film& film, P
       part.merge(rows);
     }
     if (part.samples().end == plan.sample_count) film.place(std::move(part));
-    RenderProgress const now{0.5 + 0.5 * double(number - first + 1) / double(each), 0, 0};
+    RenderProgress const now{double(number - first + 1) / double(each), 0, 0};
     if (progress && !progress(now)) throw Error(ErrorKind::interrupted, "interrupted: nothing was written");
   }
   return result;

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "farm/unit_file.hpp"
 #include "lichtraum/renderer.hpp"
@@ -15,6 +16,10 @@ class MergingRenderer final : public Renderer {
   /// `allowed_class`: what must have drawn the units; empty: any may have.
   MergingRenderer(farm::PlanFolder const& folder, std::string allowed_class, std::unique_ptr<Renderer> other);
 
+  /// All units of the plan; to be called before anything is rendered. Throws Error{try_again} that names those that are
+  /// missing, or that cannot be used and were set aside. `progress` cannot stop it.
+  void check_units(ProgressFunction const& progress);
+
   DeviceInfo const& device() const override { return device_; }
   std::shared_ptr<PreparedScene const> prepare(Scene const& scene, std::string_view root,
                                                std::shared_ptr<PreparedScene const> const& previous) const override {
@@ -27,7 +32,6 @@ class MergingRenderer final : public Renderer {
   SceneStatistics set_scene(std::shared_ptr<PreparedScene const> scene) override {
     return other_->set_scene(std::move(scene));
   }
-  /// Throws Error{try_again} that names units that are missing, or that cannot be used and were set aside.
   RenderResult render(RenderRequest const& request, Film& film, ProgressFunction const& progress) override;
   Image develop(Film film, Development const& development) override {
     return other_->develop(std::move(film), development);
@@ -35,13 +39,11 @@ class MergingRenderer final : public Renderer {
   std::vector<float> filter_noise(NoisyPicture const& picture) override { return other_->filter_noise(picture); }
 
  private:
-  /// All units of a picture; how many rays they took.
-  RayCounts check(std::int64_t first_unit, ProgressFunction const& progress) const;
-
   farm::PlanFolder const& folder_;
   std::string allowed_class_;
   std::unique_ptr<Renderer> other_;
   DeviceInfo device_;
+  std::vector<RayCounts> rays_;  // that each picture's units took
   int picture_ = -1;
 };
 

@@ -48,16 +48,14 @@ class Sequence {
       report_.scenes.emplace_back().file = inputs_[input];
       try {
         draw_input(input);
-        continue;
       } catch (Error const& error) {
-        bar_.clear();
-        console_.show(error);
-        note_failure(error);
+        fail(error);
       }
-      if (is_film_ || code_ == exit_code(ErrorKind::interrupted)) break;
+      if (code_ == 0) continue;
+      if (ends_with_failure() || code_ == exit_code(ErrorKind::interrupted)) break;
     }
     bar_.clear();
-    if (failed_ > 0 && inputs_.size() > 1 && !is_film_ && code_ != exit_code(ErrorKind::interrupted)) {
+    if (failed_ > 0 && inputs_.size() > 1 && !ends_with_failure() && code_ != exit_code(ErrorKind::interrupted)) {
       console_.error(fmt::format("{} of {} scenes could not be drawn", failed_, inputs_.size()));
     }
     if (is_film_) end_film();
@@ -68,7 +66,12 @@ class Sequence {
   }
 
  private:
-  void note_failure(Error const& error) {
+  /// A film is of all its pictures, and a merge takes them out of a plan one after the other.
+  bool ends_with_failure() const { return is_film_ || options_.is_merging; }
+
+  void fail(Error const& error) {
+    bar_.clear();
+    console_.show(error);
     SceneReport& scene = report_.scenes.back();
     std::ranges::move(diagnostics_of(error), std::back_inserter(scene.diagnostics));
     scene.error = error.what();
@@ -87,19 +90,31 @@ class Sequence {
     }
   }
 
+  /// Where a picture fails, the scene's later ones are left out; the loader sends them all the same.
   void draw_input(std::size_t input) {
+    bool has_failed = false;
     for (;;) {
       LoaderMessage message = wait_for_loader();
-      if (auto* const opened = std::get_if<SceneOpened>(&message)) {
-        open(std::move(*opened), input);
-      } else if (auto const* const picture = std::get_if<PictureReady>(&message)) {
-        draw(*picture);
-      } else {
-        finish_writing();
+      if (auto const* const closed = std::get_if<SceneClosed>(&message)) {
         planned_before_ += std::max<std::size_t>(1, scene_.plans.size());  // as OutputNames counts
         scene_ = {};
-        if (auto const failure = std::get<SceneClosed>(message).failure) std::rethrow_exception(failure);
+        if (has_failed) return;
+        finish_writing();
+        if (closed->failure) std::rethrow_exception(closed->failure);
         return;
+      }
+      if (has_failed) continue;
+      try {
+        if (auto* const opened = std::get_if<SceneOpened>(&message)) {
+          open(std::move(*opened), input);
+        } else {
+          draw(std::get<PictureReady>(message));
+        }
+      } catch (Error const& error) {
+        if (ends_with_failure() || error.kind() == ErrorKind::interrupted) throw;
+        has_failed = true;
+        fail(error);
+        finish_earlier_writing();
       }
     }
   }
@@ -311,6 +326,15 @@ class Sequence {
     return picture.written_to;
   }
 
+  /// After another failure of its scene.
+  void finish_earlier_writing() {
+    try {
+      finish_writing();
+    } catch (Error const& error) {
+      console_.show(error);
+    }
+  }
+
   /// That was written.
   void report(PictureReport const& picture) {
     if (picture.is_complete && !is_film_) {
@@ -335,8 +359,7 @@ class Sequence {
                                   film->frame_count / options_.frame_rate(), options_.frame_rate()));
       }
     } catch (Error const& error) {
-      console_.show(error);
-      note_failure(error);
+      fail(error);
     }
   }
 

@@ -103,12 +103,19 @@ bool read_exactly(Descriptor const& file, void* bytes, std::size_t count) {
 }
 
 /// What some file systems find out late is known before the name is there.
-void finish(TemporaryFile& file, fs::path const& path) {
+void finish(TemporaryFile& file, PlanFolder const& folder, std::int64_t number) {
+  fs::path const path = folder.unit_file(number);
   if (::fsync(file.descriptor().number()) != 0) cannot_write(path);
   if (file.descriptor().close() != 0) cannot_write(path);
-  if (file.rename_to(path) != 0) cannot_write(path);
-  Descriptor const folder(::open(path.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (folder.is_open()) ::fsync(folder.number());
+  int code = file.rename_to(path);
+  if (code == EISDIR) {
+    set_aside(folder, number);
+    code = file.rename_to(path);
+  }
+  errno = code;
+  if (code != 0) cannot_write(path);
+  Descriptor const parent(::open(path.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (parent.is_open()) ::fsync(parent.number());
 }
 
 }  // namespace
@@ -144,7 +151,7 @@ void write_unit(PlanFolder const& folder, std::int64_t number, DrawnUnit& unit) 
   for (auto const& array : unit.film.arrays()) add(array.data(), array.size());
   std::string const hash = hasher.finish().text();
   write(hash.data(), hash.size());
-  finish(file, path);
+  finish(file, folder, number);
 }
 
 UnitCheck check_unit(PlanFolder const& folder, std::int64_t number, std::string_view allowed_class) {
@@ -234,6 +241,9 @@ fs::path set_aside(PlanFolder const& folder, std::int64_t number) {
   fs::path const path = folder.unit_file(number);
   fs::path aside = path;
   aside.replace_extension(".bad");
+  if (::rename(path.c_str(), aside.c_str()) == 0) return aside;
+  // A folder takes no file's place, nor a file a folder's.
+  aside += fmt::format(".{:x}", ::getpid());
   if (::rename(path.c_str(), aside.c_str()) != 0) cannot_write(aside);
   return aside;
 }

@@ -148,6 +148,18 @@ TEST_CASE("a sequence is planned, drawn and put together", "[app][job]") {
           farm.folder.read("one-" + std::to_string(i) + ".png"));
   }
   CHECK(farm.folder.read("many-1.png") != farm.folder.read("many-2.png"));
+
+  // All units are looked at before any picture is written.
+  fs::path const fifth = farm.unit(5);
+  for (fs::path const& unit : {fifth, farm.unit(10)}) fs::resize_file(unit, 100);
+  auto const spoilt = farm.merge("-q -o again-%d.png");
+  CHECK(spoilt.exit_code == 75);
+  CHECK_THAT(spoilt.err, contains_text("unit 5 has 100 bytes") && contains_text("unit 10 has 100 bytes"));
+  CHECK(!fs::exists(farm.folder / "again-1.png"));
+  fs::create_directory(fifth);  // in the way of what is drawn again
+  CHECK(farm.work("-q").exit_code == 0);
+  CHECK(farm.merge("-q -o again-%d.png").exit_code == 0);
+  CHECK(farm.folder.read("again-6.png") == farm.folder.read("one-6.png"));
   CHECK(farm.folder.read("many-3.png") != farm.folder.read("many-5.png"));
 }
 

@@ -336,7 +336,7 @@ TEST_CASE("an interrupted sequence is resumed", "[app][sequence][resume]") {
     if (name.find(".png") != std::string::npos && name.find("partial") == std::string::npos) ++whole;
     CHECK(name.find(".tmp") == std::string::npos);
   }
-  // What is left of a picture goes when it is whole, and nothing else of such a name.
+  // What is left of an interrupted picture goes when it is whole, and nothing else of such a name.
   lichtraum.folder.write("ball_0399.partial.png", "the beginning of a picture");
   REQUIRE(lichtraum.render("ball.sdf -o ball_0398.partial.png").exit_code == 0);
   REQUIRE(whole > 0);
@@ -351,7 +351,27 @@ TEST_CASE("an interrupted sequence is resumed", "[app][sequence][resume]") {
   for (std::string const& name : lichtraum.folder.names()) {
     if (name.find("partial") != std::string::npos) beside.push_back(name);
   }
-  CHECK(beside == std::vector<std::string>{"ball_0398.partial.png"});
+  CHECK(beside == std::vector<std::string>{"ball_0398.partial.png", "ball_0399.partial.png"});
+}
+
+TEST_CASE("a picture that cannot be written keeps no other scene from being drawn", "[app][sequence]") {
+  Lichtraum const lichtraum;
+  std::string const scene = scene_with_ball_at(0);
+  lichtraum.folder.write("a.sdf", scene + "render eye a1.png 16 12\nrender eye a2.png 16 12\nrender eye a3.png 16 12\n");
+  lichtraum.folder.write("b.sdf", scene + "render eye b.png 17 12\n");
+  lichtraum.folder.write("c.sdf", scene + "render eye c.png 18 12\n");
+  std::filesystem::create_symlink("/dev/full", lichtraum.folder / "a1.png");
+  auto const result = lichtraum.render("a.sdf b.sdf c.sdf --allow-path /dev --json");
+  CHECK(result.exit_code == 74);
+  CHECK_THAT(result.err, contains_text("1 of 3 scenes could not be drawn"));
+  Json const scenes = Json::parse(result.out)["scenes"];
+  CHECK(scenes[0]["exit_status"] == 74);
+  for (auto const& [number, name, width] : {std::tuple(1, "b.png", 17), std::tuple(2, "c.png", 18)}) {
+    CHECK(scenes[std::size_t(number)]["exit_status"] == 0);
+    REQUIRE(scenes[std::size_t(number)]["pictures"].size() == 1);
+    CHECK(scenes[std::size_t(number)]["pictures"][0]["output"] == name);
+    CHECK(values(lichtraum, name).size() == std::size_t(width) * 12 * 3);
+  }
 }
 
 TEST_CASE("the two programs that write an animation write the same good scene", "[app][sequence][docs]") {

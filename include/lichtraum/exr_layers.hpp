@@ -25,9 +25,9 @@ class ExrLayers {
   std::vector<std::string> channels() const;
   bool has(std::vector<std::string_view> const& channels) const;
 
-  /// height x width x channels, whatever numbers the file has; they must be there.
+  /// height x width x channels, whatever numbers the file has. Throws std::invalid_argument for one that is not there.
   std::vector<float> values(std::vector<std::string_view> const& channels) const;
-  /// Replaces channels, which become 32-bit floats.
+  /// Replaces channels, which become 32-bit floats. Throws std::invalid_argument for another number of values.
   void set_values(std::vector<std::string_view> const& channels, std::vector<float> const& values);
 
   /// A file with all channels and attributes; not the fingerprint, as it is another picture now.

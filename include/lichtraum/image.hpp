@@ -17,6 +17,13 @@ class Image {
   /// Of these pixels: size.height x size.width x 3.
   Image(Resolution size, std::vector<float> rgb);
 
+  /// One that was moved from has no pixels.
+  Image(Image&& other) noexcept;
+  Image& operator=(Image&& other) noexcept;
+  Image(Image const&) = default;
+  Image& operator=(Image const&) = default;
+  ~Image() = default;
+
   int width() const { return size_.width; }
   int height() const { return size_.height; }
   Resolution size() const { return size_; }

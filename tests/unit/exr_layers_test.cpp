@@ -151,3 +151,10 @@ TEST_CASE("damaged OpenEXR files give an error or a picture", "[unit][image]") {
   CHECK(refused > 500);
   CHECK(refused < 2000);
 }
+
+TEST_CASE("layers take as many numbers as they have, of channels that are there", "[exr]") {
+  Film const film({0, 0, 4, 3}, PlaneSet{FilmPlane::radiance}, 0);
+  ExrLayers layers(image_format_named("exr").encode_film(film, {}), "layers.exr");
+  CHECK_THROWS_AS(layers.set_values({"R", "G"}, std::vector<float>(23)), std::invalid_argument);
+  CHECK_THROWS_AS(layers.values({"Q"}), std::invalid_argument);
+}

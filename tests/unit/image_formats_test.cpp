@@ -320,3 +320,33 @@ TEST_CASE("planes that are encoded in bands have the bytes of the whole", "[unit
     film = whole;
   }
 }
+
+TEST_CASE("what a format cannot store is the caller's mistake", "[image_io]") {
+  Image const good({4, 3});
+  Image moved = good, few = good, alpha = good;
+  Image const taken = std::move(moved);
+  CHECK(taken.width() == 4);
+  CHECK(moved.width() == 0);  // NOLINT(bugprone-use-after-move): that is what is tested
+  few.data().pop_back();
+  alpha.alpha().resize(1);
+  ImageEncoding seven, deep, poor;
+  seven.bits = 7;
+  deep.bits = 16;
+  poor.jpeg_quality = 0;
+  for (char const* const name : {"png", "ppm", "jpg"}) {
+    auto const encode = image_format_named(name).encode;
+    CHECK_NOTHROW(encode(good, {}));
+    for (Image const* const image : {&moved, &few, &alpha}) CHECK_THROWS_AS(encode(*image, {}), std::invalid_argument);
+    for (auto const& encoding : {seven, poor}) CHECK_THROWS_AS(encode(good, encoding), std::invalid_argument);
+  }
+  CHECK_THROWS_AS(image_format_named("jpg").encode(good, deep), std::invalid_argument);
+  CHECK_THROWS_AS(image_format_named("jpg").encode(Image({65501, 1}), {}), std::invalid_argument);
+
+  PlaneSet const both{FilmPlane::radiance, FilmPlane::depth};
+  auto const encode = image_format_named("exr").encode_film;
+  CHECK_NOTHROW(encode(Film({0, 0, 4, 3}, both, 0), {}));
+  CHECK_THROWS_AS(encode(Film({0, 0, 4, 3}, both, 16), {}), std::invalid_argument);
+  CHECK_THROWS_AS(encode(Film({0, 0, 4, 3}, PlaneSet{}, 0), {}), std::invalid_argument);
+  CHECK_THROWS_AS(encode(Film(), {}), std::invalid_argument);
+  CHECK_THROWS_AS(image_format_named("pfm").encode_film(Film({0, 0, 4, 3}, both, 0), {}), std::invalid_argument);
+}

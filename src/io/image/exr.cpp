@@ -131,6 +131,7 @@ std::unique_ptr<RowEncoder<Film>> begin_exr(Resolution const& size, PlaneSet con
 }
 
 std::string encode_exr(Film const& film, ImageEncoding const& encoding) {
+  check_encodable(film, "exr");
   MemorySink sink;
   ExrRows rows(film.size(), film.planes(), encoding, sink);
   rows.add(film);

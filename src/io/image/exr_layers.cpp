@@ -12,6 +12,7 @@
 
 #include <cstring>
 #include <map>
+#include <stdexcept>
 
 #include "core/memory.hpp"
 #include "io/file_signature.hpp"
@@ -52,7 +53,11 @@ struct ExrLayers::Contents {
   Resolution size;
   std::map<std::string, Channel> channels;
 
-  Channel const& channel(std::string_view name) const { return channels.at(std::string(name)); }
+  Channel const& channel(std::string_view name) const {
+    auto const found = channels.find(std::string(name));
+    if (found == channels.end()) throw std::invalid_argument(fmt::format("there is no channel '{}'", name));
+    return found->second;
+  }
 
   Imf::FrameBuffer frame() {
     Imf::FrameBuffer frame;
@@ -151,6 +156,9 @@ std::vector<float> ExrLayers::values(std::vector<std::string_view> const& channe
 
 void ExrLayers::set_values(std::vector<std::string_view> const& channels, std::vector<float> const& values) {
   std::size_t const pixels = std::size_t(size().width) * std::size_t(size().height);
+  if (values.size() != channels.size() * pixels) {
+    throw std::invalid_argument("layers need a number for each channel of each pixel");
+  }
   for (std::size_t c = 0; c < channels.size(); ++c) {
     Contents::Channel channel{Imf::FLOAT, std::vector<char>(sizeof(float) * pixels)};
     for (std::size_t i = 0; i < pixels; ++i) {

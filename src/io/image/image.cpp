@@ -1,6 +1,7 @@
 #include "lichtraum/image.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include "core/huge_pages.hpp"
 
@@ -17,6 +18,15 @@ Image::Image(Resolution size, std::vector<float> rgb) : size_(size), rgb_(std::m
   if (rgb_.size() != 3 * std::size_t(size.width) * std::size_t(size.height)) {
     throw std::invalid_argument("an image needs three numbers a pixel");
   }
+}
+
+Image::Image(Image&& other) noexcept { *this = std::move(other); }
+
+Image& Image::operator=(Image&& other) noexcept {
+  size_ = std::exchange(other.size_, {});
+  rgb_ = std::exchange(other.rgb_, {});
+  alpha_ = std::exchange(other.alpha_, {});
+  return *this;
 }
 
 }  // namespace lichtraum

@@ -10,6 +10,7 @@
 namespace lichtraum {
 
 std::string encode_jpeg(Image const& image, ImageEncoding const& encoding) {
+  check_encodable(image, encoding, "jpg");
   std::vector<unsigned char> pixels(image.data().size());
   quantize_8(image.data().data(), pixels.size(), pixels.data());
 

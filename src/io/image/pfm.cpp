@@ -54,6 +54,7 @@ std::unique_ptr<RowEncoder<Film>> begin_pfm(Resolution const& size, PlaneSet con
 }
 
 std::string encode_pfm(Film const& film, ImageEncoding const&) {
+  check_encodable(film, "pfm");
   MemorySink sink;
   PfmRows(film.size(), film.planes(), sink).add(film);
   return sink.take();

@@ -145,6 +145,7 @@ std::unique_ptr<RowEncoder<Image>> begin_png(Resolution const& size, bool has_al
 }
 
 std::string encode_png(Image const& image, ImageEncoding const& encoding) {
+  check_encodable(image, encoding, "png");
   MemorySink sink;
   PngRows rows(image.size(), !image.alpha().empty(), encoding, sink);
   rows.add(image);

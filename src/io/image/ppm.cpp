@@ -62,6 +62,7 @@ std::unique_ptr<RowEncoder<Image>> begin_ppm(Resolution const& size, bool /*has_
 }
 
 std::string encode_ppm(Image const& image, ImageEncoding const& encoding) {
+  check_encodable(image, encoding, "ppm");
   constexpr std::size_t header_size = 32;  // or less
   MemorySink sink(header_size + image.data().size() * (encoding.bits == 16 ? 2 : 1));
   PpmRows(image.size(), encoding, sink).add(image);

@@ -56,6 +56,13 @@ def _explain(error: FileError, path: str, reason: str) -> None:
         raise FileError.of(str(error), cause, path) from None
 
 
+def scene_file(path: Union[str, os.PathLike[str]]) -> Path:
+    """To write a scene to. Raises UsageError where that would take a picture's place."""
+    if _native.names_picture(os.fsencode(_without_nul(os.fspath(path)))):
+        raise UsageError(f"{os.fspath(path)!r} is named as a picture: scenes are saved as .sdf, pictures with Image.save")
+    return Path(path)
+
+
 def write_file(target: Path, content: bytes) -> None:
     """As pictures are written: whole or not at all, where a link leads to, and with the permissions of the old file."""
     name = _without_nul(str(target))

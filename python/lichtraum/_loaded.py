@@ -8,7 +8,7 @@ from pathlib import Path
 from . import _native
 from ._edited_text import EditedText
 from ._errors import FileError, SceneError, UsageError
-from ._files import draft, reading, write_file
+from ._files import draft, reading, scene_file, write_file
 from ._materials import Material, checked
 from ._native import Diagnostic
 from ._nodes import Camera, Light
@@ -104,7 +104,7 @@ class LoadedScene:
 
         Raises FileError, and UsageError for what eSDF cannot say: models' files, Pbr, spot and directional lamps; files that
         the scene reads from its own folder, if this is another one; scenes that only options make what they are."""
-        target = Path(path)
+        target = scene_file(path)
         if self._native.is_model:
             raise UsageError(f"{self._path}: a model is not saved as eSDF; lt.Scene([lt.Model(...)]) holds one")
         try:

@@ -153,10 +153,7 @@ def named_as_here() -> Iterator[None]:
     try:
         yield
     except (UsageError, FileError) as error:
-        text = str(error)
-        for how in (" (lichtraum render --help shows how)", ": -o FILE gives the picture another name"):
-            text = text.removesuffix(how)
-        error.args = (as_here(text),)
+        error.args = (as_here(str(error).removesuffix(" (lichtraum render --help shows how)")),)
         raise
 
 

@@ -11,7 +11,7 @@ from typing import Iterable, Iterator, Optional, Union
 
 from ._errors import FileError, SceneError, UsageError
 from ._esdf import Writer
-from ._files import write_file
+from ._files import scene_file, write_file
 from ._native import Diagnostic
 from ._nodes import Camera, Group, Light, Model, Shape
 from ._values import Color, expect, is_word
@@ -108,7 +108,7 @@ class Scene:
         it, and replace only those of earlier saves to the same file; models stay where they are, and outside the scene's
         folder take --allow-path. Raises FileError, and UsageError for what eSDF cannot say: Pbr, spot and directional
         lamps, files with spaces in their names."""
-        self._write(Path(path))
+        self._write(scene_file(path))
 
     def _write(self, path: Path, *, only_drawn: bool = False) -> Writer:
         if not is_word(path.name):

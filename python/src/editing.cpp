@@ -7,16 +7,6 @@
 namespace lichtraum::python {
 namespace {
 
-/// What `make` returns; what makes no sense to the library is a mistake of whoever asked.
-template <class Make>
-auto checked(Make const& make) {
-  try {
-    return make();
-  } catch (std::invalid_argument const& error) {
-    throw Error(ErrorKind::usage, error.what());
-  }
-}
-
 Error no_such(std::string_view kind, std::string const& name) {
   return {ErrorKind::usage, fmt::format("the scene has no {} '{}'", kind, name)};
 }
@@ -27,15 +17,13 @@ Vec3 triple(std::vector<double> const& numbers, std::size_t from = 0) {
 }
 
 Transform transform_of(std::string const& how, std::vector<double> const& numbers) {
-  return checked([&] {
-    if (how == "translate") return Transform::translation(triple(numbers));
-    if (how == "scale") return Transform::scaling(triple(numbers));
-    if (how == "rotate") {
-      Vec3 const axis = triple(numbers, 1);
-      return Transform::rotation(numbers.at(0), axis / glm::length(axis));  // rounded as the statement's
-    }
-    throw Error(ErrorKind::usage, fmt::format("there is no transform '{}'", how));
-  });
+  if (how == "translate") return Transform::translation(triple(numbers));
+  if (how == "scale") return Transform::scaling(triple(numbers));
+  if (how == "rotate") {
+    Vec3 const axis = triple(numbers, 1);
+    return Transform::rotation(numbers.at(0), axis / glm::length(axis));  // rounded as the statement's
+  }
+  throw Error(ErrorKind::usage, fmt::format("there is no transform '{}'", how));
 }
 
 void read_field(Rgb& field, std::vector<double> const& numbers) {
@@ -117,7 +105,7 @@ void transform(ReadScene& read, std::string const& shape, std::string const& how
   auto* const found = read.scene.shapes.find(shape);
   if (!found) throw no_such("shape", shape);
   Transform const step = transform_of(how, numbers);
-  checked([&] { (*found)->apply(step); });
+  (*found)->apply(step);
 }
 
 void set_material(ReadScene& read, std::string const& name, std::string const& model, Fields const& fields,
@@ -125,10 +113,8 @@ void set_material(ReadScene& read, std::string const& name, std::string const& m
   std::lock_guard const lock(*read.mutex);
   auto* const found = read.scene.materials.find(name);
   if (!found) throw no_such("material", name);
-  Material const made = checked([&] {
-    return model == "pbr" ? Material((*found)->name(), pbr_of(fields, textures))
-                          : Material((*found)->name(), phong_of(fields));
-  });
+  Material const made = model == "pbr" ? Material((*found)->name(), pbr_of(fields, textures))
+                                       : Material((*found)->name(), phong_of(fields));
   // The shapes hold this one. Copied, not moved: its equal name stays where it is, and the registry looks at it there.
   **found = made;
   for (auto const& [field, texture] : textures) read.files.add(texture.files);
@@ -136,7 +122,7 @@ void set_material(ReadScene& read, std::string const& name, std::string const& m
 
 void set_light(ReadScene& read, std::string const& name, std::string const& kind, Fields const& fields) {
   std::lock_guard const lock(*read.mutex);
-  read.scene.lights.insert_or_replace(checked([&] { return light_of(name, kind, fields); }));
+  read.scene.lights.insert_or_replace(light_of(name, kind, fields));
   read.scene.has_own_lights = true;
 }
 
@@ -155,11 +141,10 @@ void set_camera(ReadScene& read, std::string const& name, double fov_x_degrees, 
   std::lock_guard const lock(*read.mutex);
   Transform world_from_camera;
   for (Step const& step : steps) world_from_camera = transform_of(step.how, step.numbers) * world_from_camera;
-  read.scene.cameras.insert_or_replace(checked([&] {
-    Resolution const size{width, height};
-    return orthographic ? Camera::orthographic(name, *orthographic, world_from_camera, size)
-                        : Camera(name, fov_x_degrees, world_from_camera, size);
-  }));
+  Resolution const size{width, height};
+  read.scene.cameras.insert_or_replace(orthographic
+                                           ? Camera::orthographic(name, *orthographic, world_from_camera, size)
+                                           : Camera(name, fov_x_degrees, world_from_camera, size));
 }
 
 }  // namespace lichtraum::python

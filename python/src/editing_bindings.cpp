@@ -86,6 +86,10 @@ void bind_editing(nb::module_& module) {
         write_file_atomically(name, bytes);
       },
       nb::arg("path"), nb::arg("content"));
+  module.def(
+      "names_picture",
+      [](nb::bytes const& path) { return find_image_format(std::string(path.c_str(), path.size())) != nullptr; },
+      nb::arg("path"));
   module.def("identity_of", &identity_of, nb::arg("scene"), Release());
 }
 

@@ -3,6 +3,8 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <stdexcept>
+
 #include "bindings.hpp"
 #include "lichtraum/error.hpp"
 
@@ -51,6 +53,8 @@ void translate(std::exception_ptr const& thrown, void*) {
         nb::steal<nb::object>(PyUnicode_DecodeUTF8(error.what(), Py_ssize_t(strlen(error.what())), "backslashreplace"));
     nb::object const instance = type(text, nb::cast(std::move(diagnostics)));
     PyErr_SetObject(type.ptr(), instance.ptr());
+  } catch (std::invalid_argument const& error) {  // values that the library makes no sense of
+    PyErr_SetString(nb::module_::import_("lichtraum._errors").attr("UsageError").ptr(), error.what());
   }
 }
 

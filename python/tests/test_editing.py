@@ -335,3 +335,11 @@ def test_model_whose_path_has_spaces(renderer, tmp_path, name):
     assert theirs.max() > 0.1 and np.array_equal(mine, theirs)
     with pytest.raises(lt.UsageError, match="spaces"):
         scenes[0].save(tmp_path / "scene.sdf")
+
+
+def test_shape_that_is_scaled_beyond_numbers(tmp_path):
+    (tmp_path / "a.sdf").write_text("define material m 1 1 1 1 1 1 1 1 1 1\ndefine shape sphere a 0 0 -5 1 m\ndefine camera eye 45\n")
+    scene = lt.load(tmp_path / "a.sdf")
+    scene.shape("a").scale(1e300)
+    with pytest.raises(lt.UsageError, match="inverse"):
+        lt.render(scene, size=(4, 4))

@@ -206,12 +206,13 @@ def test_errors_go_to_other_processes(errors, copied):
 
 @pytest.mark.parametrize("use", [
     lt.load, lt.render, lt.Texture, lambda path: lt.render(HELLO, environment=path), lambda path: lt.render(lt.load(HELLO), environment=path),
-    lambda path: lt.render(lt.Scene([lt.Model(path)])), lambda path: lt.render(lt.Scene([lt.Model(path, lt.Pbr())])), lambda path: lt.render(HELLO, size=(8, 8)).save(path), lt.Scene().save, lambda path: lt.load(HELLO).save(path),
-], ids=["load", "render", "texture", "map", "map of loaded", "model", "model with Pbr", "save", "scene", "loaded"])
-@pytest.mark.parametrize("name, number, kind", [("nowhere/a.png", errno.ENOENT, FileNotFoundError), ("file/a.png", errno.ENOTDIR, OSError)])
-def test_errors_of_files_are_as_pythons(tmp_path, use, name, number, kind):
+    lambda path: lt.render(lt.Scene([lt.Model(path)])), lambda path: lt.render(lt.Scene([lt.Model(path, lt.Pbr())])), lambda path: lt.render(HELLO, size=(8, 8)).save(path), lambda path: lt.Scene().save(path), lambda path: lt.load(HELLO).save(path),
+], ids=["load", "render", "texture", "map", "map of loaded", "model", "model with Pbr", "save", "scene.sdf", "loaded.sdf"])
+@pytest.mark.parametrize("folder, number, kind", [("nowhere", errno.ENOENT, FileNotFoundError), ("file", errno.ENOTDIR, OSError)])
+def test_errors_of_files_are_as_pythons(tmp_path, request, use, folder, number, kind):
     (tmp_path / "file").touch()
-    path = str(tmp_path / name)
+    extension = ".sdf" if ".sdf" in request.node.name else ".png"
+    path = str(tmp_path / folder / "a") + extension
     with pytest.raises(lt.FileError) as caught:
         use(path)
     for error in (caught.value, pickle.loads(pickle.dumps(caught.value))):
@@ -309,7 +310,7 @@ def test_no_picture_takes_the_place_of_what_it_is_drawn_from(renderer, tmp_path,
         for name in names:
             with pytest.raises(lt.FileError) as caught:
                 image.save(f"../{name}", format="png")
-            assert str(caught.value) == f"'../{name}' is read for this picture, which would take its place"
+            assert str(caught.value) == f"'../{name}' is read for this picture, which would take its place: give the picture another name"
     assert {path: path.read_bytes() for path in tmp_path.glob("*.*")} == before
 
 

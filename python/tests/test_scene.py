@@ -254,6 +254,17 @@ def test_scene_is_not_saved_over_its_model(tmp_path):
     assert (tmp_path / "model.ply").read_text() == "dear to somebody"
 
 
+def test_scene_is_not_saved_over_a_picture(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    picture = tmp_path / "dear.png"
+    picture.write_text("dear to somebody")
+    lt.Scene([lt.Sphere((0, 0, -5), 1)]).save("ball.sdf")
+    for scene in (lt.Scene(), lt.load("ball.sdf")):
+        with pytest.raises(lt.UsageError, match="named as a picture"):
+            scene.save(picture)
+    assert picture.read_text() == "dear to somebody"
+
+
 def test_scene_that_cannot_be_saved_leaves_its_meshes(tmp_path):
     lt.Scene([mesh(1)]).save(tmp_path / "table.sdf")
     before = (tmp_path / "table_mesh_1.ply").read_bytes()

@@ -180,7 +180,7 @@ bool parse_job_work(Arguments const& arguments, JobWorkOptions& options, Console
   add_value(*parser, "--units", options.units, parse_units, "A..B",
             "Draw these, both included (default: all that are\nmissing)", group);
   add_value(*parser, "--device", options.device, parse_name, "NAME",
-            "Index, part of a name, cpu, gpu or reference\n(default: the best)", group);
+            "Index, part of a name, cpu, gpu or reference\n(default: of the plan's kind)", group);
   parser
       ->add_flag("--allow-mixed", options.allow_mixed,
                  "Draw, and take for done, what devices of other\nclasses drew: edges of the units may show")
@@ -199,6 +199,15 @@ UnitRange wanted_units(farm::Plan const& plan, std::optional<FrameRange> const& 
 }
 
 }  // namespace
+
+/// One of the plan's kind, where there is one.
+std::string usual_device(farm::Plan const& plan) {
+  if (plan.device.kind == DeviceKind::reference) return "reference";
+  if (plan.device.kind == DeviceKind::accelerator) return "";  // which no selector names
+  DeviceList const list = find_devices();
+  bool const is_there = std::ranges::any_of(list.devices, [&](auto const& one) { return one.kind == plan.device.kind; });
+  return is_there ? std::string(kind_name(plan.device.kind)) : "";
+}
 
 void check_class(farm::Plan const& plan, farm::DeviceClass const& device) {
   if (plan.device.hash == device.hash) return;
@@ -220,7 +229,8 @@ int job_work_command(Arguments const& arguments, Console& console) {
   farm::PlannedFiles files(plan);
   files.check();
   std::optional<Traversal> const traversal = plan.traversal.empty() ? std::nullopt : parse_traversal(plan.traversal);
-  auto const renderer = choose_renderer(options.device, traversal, console);
+  std::string const selector = options.device.empty() ? usual_device(plan) : options.device;
+  auto const renderer = choose_renderer(selector, traversal, console);
   auto const device = device_class_of(*renderer, plan.traversal);
   if (!options.allow_mixed) check_class(plan, device);
 

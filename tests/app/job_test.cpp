@@ -35,7 +35,7 @@ struct Farm : Lichtraum {
     return (*this)("job plan --device reference -o shared -q " + words);
   }
   ProcessResult work(std::string const& words = "") const {
-    return (*this)("job work shared --device reference " + words);
+    return (*this)("job work shared " + words);  // by the plan's device
   }
   ProcessResult merge(std::string const& words) const { return (*this)("job merge shared " + words); }
   Json status() const { return Json::parse((*this)("job status shared --json").out); }

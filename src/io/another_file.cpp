@@ -3,15 +3,23 @@
 #include <fmt/format.h>
 
 #include "io/file_signature.hpp"
+#include "io/unread_model.hpp"
 
 namespace lichtraum {
 
 bool is_another_file(std::string_view bytes, std::string_view expected, DiagnosticCode code, Diagnostics& diagnostics) {
-  auto const signature = recognise_signature(bytes);
-  if (!signature) return false;
+  std::string what, hint;
+  if (auto const signature = recognise_signature(bytes)) {
+    what = fmt::format("{}, not {}", signature->what, expected);
+    hint = signature->hint;
+  } else if (auto const model = recognise_unread_model({}, bytes)) {
+    what = model->what;
+    hint = model->hint;
+  } else {
+    return false;
+  }
   diagnostics.begin_line({});  // its lines, if any, tell nothing
-  diagnostics.add(Severity::error, code, {}, fmt::format("this is {}, not {}", signature->what, expected),
-                  std::string(signature->hint));
+  diagnostics.add(Severity::error, code, {}, fmt::format("this is {}", what), hint);
   return true;
 }
 

@@ -293,6 +293,7 @@ TEST_CASE("invalid JSON is refused with its place", "[unit][gltf]") {
   CHECK_THAT(error_of("<!doctype html>\n<html>404</html>"),
              contains_text("m.gltf:1:1: error: this is an HTML document, not a glTF model: was a web page saved"));
   CHECK_THAT(error_of("version https://git-lfs.github.com/spec/v1\noid sha256:0\n"), contains_text("git lfs pull"));
+  CHECK_THAT(error_of("Kaydara FBX Binary  \n"), contains_text("this is an FBX model") && contains_text("assimp"));
   CHECK_THAT(error_of("\x89PNG\r\n"),
              contains_text("m.gltf:1:1: error: this is a PNG picture, not a glTF model [E1001]"));
   CHECK_THAT(error_of(std::string(200000, '[')), contains_text("nests deeper than 256 levels"));

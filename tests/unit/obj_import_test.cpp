@@ -194,6 +194,17 @@ TEST_CASE("OBJ: normals that are no numbers are the triangle's own, without a wa
   CHECK(mesh_of(model.scene, "mesh").geometry()->normals.at(3) == Float3{0, 0, 0});
 }
 
+TEST_CASE("OBJ: another model is told what reads it", "[unit][obj]") {
+  try {
+    import_text("Kaydara FBX Binary  \n");
+    FAIL();
+  } catch (SceneError const& error) {
+    REQUIRE(error.diagnostics().size() == 1);
+    CHECK(error.diagnostics()[0].message == "this is an FBX model, which lichtraum does not read");
+    CHECK_THAT(error.diagnostics()[0].hint, contains_text("assimp export"));
+  }
+}
+
 TEST_CASE("OBJ: what is another file is told so, once", "[unit][obj]") {
   for (auto const& [text, message] : {
            std::pair<std::string, std::string>{"<!DOCTYPE html>\n<title>404</title>\n", "an HTML document"},

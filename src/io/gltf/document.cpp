@@ -13,6 +13,7 @@
 #include "io/gltf/nodes.hpp"
 #include "io/gltf/schema.hpp"
 #include "io/gltf/uri.hpp"
+#include "io/unread_model.hpp"
 
 namespace lichtraum::gltf {
 namespace {
@@ -94,6 +95,9 @@ json parse_json(std::string_view text, Findings& findings) {
       findings.fail_at(
           DiagnosticCode::not_gltf, text, 0,
           fmt::format("this is {}, not a glTF model{}{}", other->what, other->hint.empty() ? "" : ": ", other->hint));
+    }
+    if (auto const model = recognise_unread_model({}, text)) {
+      findings.fail_at(DiagnosticCode::not_gltf, text, 0, fmt::format("this is {}: {}", model->what, model->hint));
     }
     // "[json.exception.parse_error.101] parse error at line 1, column 8: what": the place is told separately.
     std::string const message = error.what();

@@ -7,8 +7,8 @@ constexpr Explanation option_table[] = {
     {DiagnosticCode::option_without_effect,
      R"(An option says something that does not matter here: --quality of a PNG, the time
 of a model without animation, the exposure of a picture that has no radiance. It
-is left out of account. Leave it out, or choose what it belongs to, as here a
-picture in JPEG.
+is ignored. Leave it out, or choose what it belongs to, as here a picture in
+JPEG.
 )",
      R"(define material red  1 0 0  1 0 0  0 0 0  10
 define shape sphere ball  0 0 -5  1  red

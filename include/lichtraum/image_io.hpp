@@ -60,8 +60,8 @@ struct ImageFormat {
   /// more than max_side, or without all of its values, and for an encoding that the format does not have.
   std::string (*encode)(Image const& image, ImageEncoding const& encoding);
   /// For formats that store the planes of a film as they are, at most max_planes of them: exposure, tone map and
-  /// transfer do not apply. Null for the others. Throws std::invalid_argument for a film of no pixels or without planes,
-  /// and for planes of the first sample in a film of later ones.
+  /// transfer do not apply. Null for the others. Throws std::invalid_argument for a film of no pixels or without
+  /// planes, and for planes of the first sample in a film of later ones.
   std::string (*encode_film)(Film const& film, ImageEncoding const& encoding);
   std::size_t max_planes;
   /// The same files by and by, for pictures that memory cannot hold. Null where the format or its library takes whole

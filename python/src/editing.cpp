@@ -142,9 +142,8 @@ void set_camera(ReadScene& read, std::string const& name, double fov_x_degrees, 
   Transform world_from_camera;
   for (Step const& step : steps) world_from_camera = transform_of(step.how, step.numbers) * world_from_camera;
   Resolution const size{width, height};
-  read.scene.cameras.insert_or_replace(orthographic
-                                           ? Camera::orthographic(name, *orthographic, world_from_camera, size)
-                                           : Camera(name, fov_x_degrees, world_from_camera, size));
+  read.scene.cameras.insert_or_replace(orthographic ? Camera::orthographic(name, *orthographic, world_from_camera, size)
+                                                    : Camera(name, fov_x_degrees, world_from_camera, size));
 }
 
 }  // namespace lichtraum::python

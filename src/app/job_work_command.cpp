@@ -205,7 +205,8 @@ std::string usual_device(farm::Plan const& plan) {
   if (plan.device.kind == DeviceKind::reference) return "reference";
   if (plan.device.kind == DeviceKind::accelerator) return "";  // which no selector names
   DeviceList const list = find_devices();
-  bool const is_there = std::ranges::any_of(list.devices, [&](auto const& one) { return one.kind == plan.device.kind; });
+  bool const is_there =
+      std::ranges::any_of(list.devices, [&](auto const& one) { return one.kind == plan.device.kind; });
   return is_there ? std::string(kind_name(plan.device.kind)) : "";
 }
 

@@ -357,7 +357,8 @@ TEST_CASE("an interrupted sequence is resumed", "[app][sequence][resume]") {
 TEST_CASE("a picture that cannot be written keeps no other scene from being drawn", "[app][sequence]") {
   Lichtraum const lichtraum;
   std::string const scene = scene_with_ball_at(0);
-  lichtraum.folder.write("a.sdf", scene + "render eye a1.png 16 12\nrender eye a2.png 16 12\nrender eye a3.png 16 12\n");
+  lichtraum.folder.write("a.sdf",
+                         scene + "render eye a1.png 16 12\nrender eye a2.png 16 12\nrender eye a3.png 16 12\n");
   lichtraum.folder.write("b.sdf", scene + "render eye b.png 17 12\n");
   lichtraum.folder.write("c.sdf", scene + "render eye c.png 18 12\n");
   std::filesystem::create_symlink("/dev/full", lichtraum.folder / "a1.png");

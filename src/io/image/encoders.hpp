@@ -34,8 +34,8 @@ std::unique_ptr<RowEncoder<Film>> begin_exr(Resolution const& size, PlaneSet con
 std::unique_ptr<RowEncoder<Film>> begin_pfm(Resolution const& size, PlaneSet const& planes,
                                             ImageEncoding const& encoding, ByteSink& sink);
 
-/// For the caller's mistakes. Throws std::invalid_argument for what a format cannot store: a picture of no pixels or too
-/// many, or without all of their values; such bits, such a quality; such planes.
+/// For the caller's mistakes. Throws std::invalid_argument for what a format cannot store: a picture of no pixels or
+/// too many, or without all of their values; such bits, such a quality; such planes.
 void check_encodable(Image const& image, ValueEncoding const& encoding, std::string_view format_name);
 void check_encodable(Film const& film, std::string_view format_name);
 

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "app/arguments.hpp"
@@ -10,6 +11,7 @@
 #include "app/renderer_choice.hpp"
 #include "app/stopwatch.hpp"
 #include "app/values.hpp"
+#include "core/counted.hpp"
 #include "core/read_file.hpp"
 #include "lichtraum/denoise.hpp"
 #include "lichtraum/exr_layers.hpp"
@@ -122,7 +124,14 @@ NoisyPicture picture_of(ExrLayers const& layers, std::string const& name, Consol
     console.warning(
         fmt::format("'{}' has no {}: edges and textures are harder to tell from noise. {}", name, missing, advice));
   }
-  return {layers.size(), values(FilmPlane::radiance), values(FilmPlane::albedo), values(FilmPlane::normal),
+  std::vector<float> radiance = values(FilmPlane::radiance);
+  auto const faulty = std::ranges::count_if(radiance, [](float value) { return !std::isfinite(value); });
+  if (faulty > 0) {
+    console.warning(fmt::format("'{}' has radiance that is not finite ({}): it is taken for 0", name,
+                                counted(std::uint64_t(faulty), "number")));
+    std::ranges::replace_if(radiance, [](float value) { return !std::isfinite(value); }, 0.0f);
+  }
+  return {layers.size(), std::move(radiance), values(FilmPlane::albedo), values(FilmPlane::normal),
           values(FilmPlane::depth)};
 }
 

@@ -107,6 +107,35 @@ TEST_CASE("a camera is left out for what is wrong with it, or with its node", "[
         "/cameras/1: it shows no width and height: left out\n");
 }
 
+TEST_CASE("what a node of no size holds is not there", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  writer.json["nodes"].push_back({{"mesh", 0}, {"translation", {0, 1, 0}}});
+  writer.json["nodes"][0]["translation"] = {7, 0, 0};
+  auto const drawn = [&] { return world_triangles(import_model(writer).scene).size(); };
+  CHECK(drawn() == 2);
+  SECTION("itself") {
+    writer.json["nodes"][0]["scale"] = {0, 0, 0};
+    CHECK_THAT(messages(import_model(writer)), contains_text("/nodes/0: its transform has no inverse"));
+    CHECK(drawn() == 1);
+  }
+  SECTION("and below") {
+    writer.json["nodes"].push_back({{"children", {1}}, {"scale", {1, 0, 1}}});
+    CHECK(drawn() == 1);
+  }
+  SECTION("nor its only instance") {
+    int const scales = writer.add_vec3({0, 0, 0});
+    writer.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"SCALE", scales}};
+    CHECK(drawn() == 1);
+  }
+  SECTION("all of it") {
+    for (auto& node : writer.json["nodes"]) node["scale"] = {0, 0, 0};
+    Model const model = import_model(writer);
+    CHECK(model.scene.shapes.empty());
+    CHECK(model.scene.cameras.size() == 1);
+  }
+}
+
 TEST_CASE("pictures are halved as what they are used for: colours, or data", "[unit][gltf]") {
   GltfWriter writer;
   writer.add_mesh(triangle_positions)["material"] = 0;

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
+#include <unordered_set>
 
 #include "core/elementary.hpp"
 #include "io/gltf/values.hpp"
 #include "io/points.hpp"
+#include "scene/graph_order.hpp"
 
 namespace lichtraum::gltf {
 namespace {
@@ -30,6 +32,25 @@ std::optional<Transform> transform_of(NodePose const& pose) {
   } catch (std::invalid_argument const&) {
     return std::nullopt;
   }
+}
+
+/// What no group has would be drawn where it was made.
+void keep_only_what_is_below(Composite const& root, Registry<std::shared_ptr<Shape>>& shapes) {
+  std::unordered_set<Shape const*> found;
+  std::vector<Composite const*> pending{&root};
+  while (!pending.empty()) {
+    Composite const* const parent = pending.back();
+    pending.pop_back();
+    for (auto const& child : parent->children()) {
+      if (!found.insert(child.get()).second) continue;
+      if (Composite const* const composite = as_composite(*child)) pending.push_back(composite);
+    }
+  }
+  Registry<std::shared_ptr<Shape>> kept;
+  for (auto const& shape : shapes) {
+    if (found.contains(shape.get())) kept.insert(shape);
+  }
+  shapes = std::move(kept);
 }
 
 std::string primitive_pointer(int mesh, std::size_t primitive) {
@@ -90,6 +111,7 @@ void SceneGraph::build(std::string const& name, Scene& scene) {
     if (!transform) {
       findings_.warn(DiagnosticCode::faulty_node, fmt::format("/nodes/{}", *node),
                      "its transform has no inverse (a scale of zero?): left out");
+      has_left_out_ = true;
       continue;
     }
     auto composite = std::make_shared<Composite>(node_names_[i], std::move(children));
@@ -104,7 +126,9 @@ void SceneGraph::build(std::string const& name, Scene& scene) {
     if (composites[std::size_t(root)]) roots.push_back(composites[std::size_t(root)]);
   }
   roots.insert(roots.end(), skinned.begin(), skinned.end());
-  if (!roots.empty()) scene.shapes.insert(std::make_shared<Composite>(root_name, std::move(roots)));
+  auto const root = std::make_shared<Composite>(root_name, std::move(roots));
+  if (has_left_out_) keep_only_what_is_below(*root, scene.shapes);
+  if (!root->children().empty()) scene.shapes.insert(root);
 }
 
 std::vector<bool> SceneGraph::find_what_moves_as_one() const {
@@ -264,6 +288,7 @@ SceneGraph::Children SceneGraph::instances_of(int node, Children const& shapes, 
     scene.shapes.insert(composite);
     instances.push_back(std::move(composite));
   }
+  has_left_out_ = has_left_out_ || left_out > 0;
   if (left_out > 0)
     findings_.warn(DiagnosticCode::faulty_node, pointer,
                    fmt::format("{} of {} instances have no size: left out", left_out, count));

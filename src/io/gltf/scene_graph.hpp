@@ -58,6 +58,7 @@ class SceneGraph {
   std::vector<std::string> node_names_;
   std::size_t faulty_primitives_ = 0;
   std::uint64_t drawn_ = 0;
+  bool has_left_out_ = false;
 };
 
 }  // namespace lichtraum::gltf

@@ -129,7 +129,8 @@ NoisyPicture picture_of(ExrLayers const& layers, std::string const& name, Consol
   if (faulty > 0) {
     console.warning(fmt::format("'{}' has radiance that is not finite ({}): it is taken for 0", name,
                                 counted(std::uint64_t(faulty), "number")));
-    std::ranges::replace_if(radiance, [](float value) { return !std::isfinite(value); }, 0.0f);
+    std::ranges::replace_if(
+        radiance, [](float value) { return !std::isfinite(value); }, 0.0f);
   }
   return {layers.size(), std::move(radiance), values(FilmPlane::albedo), values(FilmPlane::normal),
           values(FilmPlane::depth)};

@@ -15,6 +15,8 @@
 
 #include "io/image/exr_streams.hpp"
 #include "lichtraum/error.hpp"
+#include "lichtraum/film.hpp"
+#include "lichtraum/image_io.hpp"
 #include "support/catch.hpp"
 
 using namespace lichtraum;

@@ -7,19 +7,19 @@
 
 namespace lichtraum {
 
-bool is_another_file(std::string_view bytes, std::string_view expected, DiagnosticCode code, Diagnostics& diagnostics) {
-  std::string what, hint;
+std::optional<AnotherFile> recognise_another_file(std::string_view bytes, std::string_view expected) {
   if (auto const signature = recognise_signature(bytes)) {
-    what = fmt::format("{}, not {}", signature->what, expected);
-    hint = signature->hint;
-  } else if (auto const model = recognise_unread_model({}, bytes)) {
-    what = model->what;
-    hint = model->hint;
-  } else {
-    return false;
+    return AnotherFile{fmt::format("this is {}, not {}", signature->what, expected), std::string(signature->hint)};
   }
+  if (auto const model = recognise_unread_model({}, bytes)) return AnotherFile{"this is " + model->what, model->hint};
+  return std::nullopt;
+}
+
+bool is_another_file(std::string_view bytes, std::string_view expected, DiagnosticCode code, Diagnostics& diagnostics) {
+  auto const other = recognise_another_file(bytes, expected);
+  if (!other) return false;
   diagnostics.begin_line({});  // its lines, if any, tell nothing
-  diagnostics.add(Severity::error, code, {}, fmt::format("this is {}", what), hint);
+  diagnostics.add(Severity::error, code, {}, other->message, other->hint);
   return true;
 }
 

@@ -8,12 +8,11 @@
 
 #include "core/counted.hpp"
 #include "core/percent.hpp"
-#include "io/file_signature.hpp"
+#include "io/another_file.hpp"
 #include "io/gltf/container.hpp"
 #include "io/gltf/nodes.hpp"
 #include "io/gltf/schema.hpp"
 #include "io/gltf/uri.hpp"
-#include "io/unread_model.hpp"
 
 namespace lichtraum::gltf {
 namespace {
@@ -91,13 +90,9 @@ json parse_json(std::string_view text, Findings& findings) {
       return result;
     }
   } catch (json::parse_error const& error) {
-    if (auto const other = recognise_signature(text)) {
-      findings.fail_at(
-          DiagnosticCode::not_gltf, text, 0,
-          fmt::format("this is {}, not a glTF model{}{}", other->what, other->hint.empty() ? "" : ": ", other->hint));
-    }
-    if (auto const model = recognise_unread_model({}, text)) {
-      findings.fail_at(DiagnosticCode::not_gltf, text, 0, fmt::format("this is {}: {}", model->what, model->hint));
+    if (auto const other = recognise_another_file(text, "a glTF model")) {
+      findings.fail_at(DiagnosticCode::not_gltf, text, 0,
+                       fmt::format("{}{}{}", other->message, other->hint.empty() ? "" : ": ", other->hint));
     }
     // "[json.exception.parse_error.101] parse error at line 1, column 8: what": the place is told separately.
     std::string const message = error.what();

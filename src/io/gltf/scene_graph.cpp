@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
-#include <unordered_set>
 
 #include "core/elementary.hpp"
 #include "io/gltf/values.hpp"
@@ -35,20 +34,11 @@ std::optional<Transform> transform_of(NodePose const& pose) {
 }
 
 /// What no group has would be drawn where it was made.
-void keep_only_what_is_below(Composite const& root, Registry<std::shared_ptr<Shape>>& shapes) {
-  std::unordered_set<Shape const*> found;
-  std::vector<Composite const*> pending{&root};
-  while (!pending.empty()) {
-    Composite const* const parent = pending.back();
-    pending.pop_back();
-    for (auto const& child : parent->children()) {
-      if (!found.insert(child.get()).second) continue;
-      if (Composite const* const composite = as_composite(*child)) pending.push_back(composite);
-    }
-  }
+void keep_only_what_is_below(std::shared_ptr<Composite const> const& root, Registry<std::shared_ptr<Shape>>& shapes) {
+  GraphOrder const below = order_graph({root});
   Registry<std::shared_ptr<Shape>> kept;
   for (auto const& shape : shapes) {
-    if (found.contains(shape.get())) kept.insert(shape);
+    if (below.index.contains(shape.get())) kept.insert(shape);
   }
   shapes = std::move(kept);
 }
@@ -127,7 +117,7 @@ void SceneGraph::build(std::string const& name, Scene& scene) {
   }
   roots.insert(roots.end(), skinned.begin(), skinned.end());
   auto const root = std::make_shared<Composite>(root_name, std::move(roots));
-  if (has_left_out_) keep_only_what_is_below(*root, scene.shapes);
+  if (has_left_out_) keep_only_what_is_below(root, scene.shapes);
   if (!root->children().empty()) scene.shapes.insert(root);
 }
 

@@ -1,6 +1,7 @@
 #include "app/extreme_pixels.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace lichtraum::app {
 namespace {
@@ -18,10 +19,12 @@ constexpr float black_limit = 2.5f / 255;
 ExtremePixels::Counts ExtremePixels::count(Image const& pixels, Development const& development) {
   float const white = white_limit(development);
   Counts counts;
-  for (std::size_t i = 0; i + 2 < pixels.data().size(); i += 3) {
-    auto const [least, most] = std::minmax({pixels.data()[i], pixels.data()[i + 1], pixels.data()[i + 2]});
-    counts.white += least > white;
-    counts.black += most < black_limit;
+  std::vector<float> const& data = pixels.data();
+  for (std::size_t i = 0; i + 2 < data.size(); i += 3) {
+    float const r = data[i], g = data[i + 1], b = data[i + 2];
+    if (r >= black_limit && r <= white) continue;  // as most are: in sequences the time counts
+    counts.white += r > white && g > white && b > white;
+    counts.black += r < black_limit && g < black_limit && b < black_limit;
   }
   return counts;
 }

@@ -33,8 +33,18 @@ device::DevelopParameters develop_parameters(Development const& development, int
           development.transfer == Transfer::srgb ? TRANSFER_SRGB : TRANSFER_LINEAR};
 }
 
+bool is_mean(device::DevelopParameters const& parameters) {
+  return parameters.tone_map == TONE_MAP_NONE && parameters.transfer == TRANSFER_LINEAR;
+}
+
 void develop_sums(std::vector<float>& radiance, std::vector<float> const& alpha,
                   device::DevelopParameters const& parameters) {
+  if (is_mean(parameters) && alpha.empty()) {
+    // What develop_sum does then, as a loop that takes a tenth of the time: in sequences it counts.
+    float const count = parameters.sample_count, exposure = parameters.exposure;
+    for (float& value : radiance) value = exposure * (value / count);
+    return;
+  }
   for (std::size_t i = 0; i < radiance.size(); i += 3) {
     float const count = alpha.empty() ? parameters.sample_count : alpha[i / 3];
     auto const [r, g, b] = device::develop_sum({radiance[i], radiance[i + 1], radiance[i + 2]}, count, parameters);

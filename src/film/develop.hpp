@@ -11,6 +11,9 @@ namespace lichtraum {
 /// Throws std::invalid_argument for `automatic`.
 device::DevelopParameters develop_parameters(Development const& development, int sample_count);
 
+/// Whether developing only divides by the number of samples, and scales: no tone map, no transfer function.
+bool is_mean(device::DevelopParameters const& parameters);
+
 /// Sums of radiance become what a picture stores, where they are. `alpha`: sums as well, or nothing.
 void develop_sums(std::vector<float>& radiance, std::vector<float> const& alpha,
                   device::DevelopParameters const& parameters);

@@ -197,8 +197,7 @@ class OpenClRenderer final : public Renderer {
     return develop_film(
         std::move(film), known, [&](auto& radiance, auto const& alpha, device::DevelopParameters const& parameters) {
           // A mean alone takes the host no longer than the device's program takes to load.
-          bool const is_mean = parameters.tone_map == TONE_MAP_NONE && parameters.transfer == TRANSFER_LINEAR;
-          is_mean ? develop_sums(radiance, alpha, parameters) : tracer_.develop(radiance, alpha, parameters);
+          is_mean(parameters) ? develop_sums(radiance, alpha, parameters) : tracer_.develop(radiance, alpha, parameters);
         });
   }
 

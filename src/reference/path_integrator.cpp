@@ -89,7 +89,7 @@ Rgb light_of_lamps(ReferenceScene const& scene, ReferenceScatteringPoint const& 
     PbrModel const* const solid = solids_towards(point, entered, to_light).inner;
     double const way_in_solid = std::min(t_max, std::numeric_limits<double>::max());
     Rgb const left = solid ? attenuation(*solid, way_in_solid) : Rgb(1);
-    radiance += left * reflected * visibility(scene, point.leave_to_lamp(to_light), t_max);
+    radiance += light_share(solid) * left * reflected * visibility(scene, point.leave_to_lamp(to_light), t_max);
   }
   return radiance;
 }
@@ -204,7 +204,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
     throughput /= 1 - point.chance_to_pass;
     if (depth == 0 && !is_ground) sample.surface = {1, throughput * point.albedo(), point.normal};
     if (!entered.inner && point.solid && !point.from_outside) throughput *= attenuation(*point.solid, hit.t);
-    add(throughput * point.emission, depth > 1);
+    add(throughput * light_share(entered.inner) * point.emission, depth > 1);
     if (is_ground) thrown_share = Rgb(1) / glm::max(point.bsdf.diffuse, Rgb(1));
     auto const scattering = point.scattering();
     bool const is_gloss = mirrored && is_ground;

@@ -171,6 +171,8 @@ Rgb attenuation(PbrModel const& solid, double distance) {
   return left;
 }
 
+double light_share(PbrModel const* solid) { return solid && solid->ior > 0 ? 1 / square(solid->ior) : 1; }
+
 ReferenceScatteringPoint find_scattering_point(Ray const& ray, Hit const& hit) {
   ReferenceScatteringPoint point{find_reference_point(ray, hit), {}};
   point.normal = facing_normal(point);

@@ -194,11 +194,12 @@ class OpenClRenderer final : public Renderer {
   Image develop(Film film, Development const& development) override {
     Development known = development;
     if (known.tone_map == ToneMap::automatic) known.tone_map = scene_ ? scene_->shading.tone_map : ToneMap::none;
-    return develop_film(
-        std::move(film), known, [&](auto& radiance, auto const& alpha, device::DevelopParameters const& parameters) {
-          // A mean alone takes the host no longer than the device's program takes to load.
-          is_mean(parameters) ? develop_sums(radiance, alpha, parameters) : tracer_.develop(radiance, alpha, parameters);
-        });
+    return develop_film(std::move(film), known,
+                        [&](auto& radiance, auto const& alpha, device::DevelopParameters const& parameters) {
+                          // A mean alone takes the host no longer than the device's program takes to load.
+                          is_mean(parameters) ? develop_sums(radiance, alpha, parameters)
+                                              : tracer_.develop(radiance, alpha, parameters);
+                        });
   }
 
   std::vector<float> filter_noise(NoisyPicture const& picture) override {

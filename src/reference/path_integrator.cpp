@@ -64,9 +64,7 @@ EnteredSolids solids_towards(ReferenceScatteringPoint const& point, EnteredSolid
   bool const crosses = point.solid && glm::dot(point.geometric_normal, direction) < 0;
   if (!crosses) return entered;
   if (point.from_outside) return {point.solid, entered.inner};
-  if (entered.inner == point.solid) return {entered.outer, nullptr};
-  if (entered.outer == point.solid) return {entered.inner, nullptr};
-  return entered;
+  return {entered.outer == point.solid ? entered.inner : entered.outer, nullptr};
 }
 
 /// What the surface reflects of lights that no ray would meet, of a path that was in `entered`.
@@ -150,7 +148,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
   bool mirrored = false;         // in the ground's gloss
   bool sees_background = false;  // by a mirror or through glass
   bool is_in_window = true;      // the camera sees what is here, with nothing but thin walls before it
-  bool was_spread = false;       // by the last surface
+  bool is_spread = false;        // by a surface that is not smooth
   EnteredSolids entered;
   int depth = 0;
   for (bool is_first_ray = true;; is_first_ray = false) {
@@ -209,7 +207,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
     auto const scattering = point.scattering();
     bool const is_gloss = mirrored && is_ground;
     if (!is_gloss) {
-      auto const to_lamps = was_spread ? scattering.blurred(caustic_alpha) : scattering;
+      auto const to_lamps = is_spread ? scattering.blurred(caustic_alpha) : scattering;
       add(throughput * light_of_lamps(scene, point, to_lamps, entered, random, counts), depth > 0);
     }
     if (depth == request.max_depth) return sample;
@@ -222,7 +220,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
     bool const passes_wall =
         !point.solid && point.bsdf.transmitted != Rgb(0) && glm::dot(point.geometric_normal, next.direction) < 0;
     is_in_window = is_in_window && passes_wall;
-    was_spread = !next.is_smooth;
+    is_spread = is_spread || !next.is_smooth;
     ++depth;
   }
 }

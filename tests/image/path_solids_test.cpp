@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -25,6 +26,15 @@ PbrModel clear_body(double ior) {
   body.specular = 0;
   body.ior = ior;
   return body;
+}
+
+/// A square across z, around the z axis, that faces -z or +z.
+std::string square(std::string const& name, double z, bool faces_up, double half, std::string const& material) {
+  double const x = faces_up ? half : -half;  // the order of the corners decides
+  return fmt::format(
+      "define shape triangle {0}a {1} {2} {3}  {4} {2} {3}  {4} {5} {3} {6}\n"
+      "define shape triangle {0}b {4} {5} {3}  {1} {5} {3}  {1} {2} {3} {6}\n",
+      name, -x, -half, z, x, half, material);
 }
 
 }  // namespace
@@ -78,6 +88,51 @@ TEST_CASE("paths: bodies that overlap, or lie within another, each keep their ow
     for (float const value : film.values(FilmPlane::radiance)) sum += double(value) / (3 * 8 * 8);
     CHECK(sum == Approx(expected).epsilon(0.05));
   }
+}
+
+TEST_CASE("paths: a hollow body may have another material inside", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene scene = scene_of(
+      "define material a 0 0 0  0 0 0  0 0 0 1\ndefine material b 0 0 0  0 0 0  0 0 0 1\n"
+      "define shape box outside -5 -5 0  5 5 4 a\n" +
+      square("upper", 3, false, 4.5, "b") + square("lower", 1, true, 4.5, "b") +
+      "define camera eye 4\ntransform eye translate 0 0 20\n");
+  PbrModel body = clear_body(1);
+  body.attenuation_distance = 1;
+  body.attenuation_color = Rgb(0.5);
+  **scene.materials.find("a") = Material("a", body);
+  body.attenuation_color = Rgb(0.8);
+  **scene.materials.find("b") = Material("b", body);
+  scene.environment = EnvironmentLight{"made here", uniform_environment(1, 1, 1), 0, 1};
+  RenderRequest request = path_request(scene, {8, 8}, 16, 16);
+  request.background = Background::environment();
+  // From 4 to 3 in a, as it is entered there, and from 1 to 0 in b.
+  double const expected = 0.5 * 0.8;
+  CHECK(mean_of(trace(scene, request)).value == Approx(expected).epsilon(0.01));
+  CHECK(mean_of(render_reference(scene, request)).value == Approx(expected).epsilon(0.01));
+}
+
+TEST_CASE("paths: a light without a size shines out of hollow glass", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  std::string const floor = R"(
+define material matt 0 0 0  0.8 0.8 0.8  0 0 0 1
+define material glass 0 0 0  0 0 0  0 0 0 1
+define shape box floor -9 -9 -3  9 9 -2 matt
+define camera eye 60
+transform eye translate 0 0 -1.8
+)";
+  std::string const bulb = "define shape box outside -3 -3 -1  3 3 1 glass\n" +
+                           square("upper", 0.8, false, 2.8, "glass") + square("lower", -0.8, true, 2.8, "glass");
+  // The camera is between the glass and the floor that it lights.
+  auto const lit = [](Scene scene) {
+    scene.lights.insert(Light::falling_off("lamp", Vec3(0), Rgb(2)));
+    return mean_of(trace(scene, path_request(scene, {8, 8}, 512, 4))).value;
+  };
+  Scene behind_glass = scene_of(floor + bulb);
+  **behind_glass.materials.find("glass") = Material("glass", clear_body(1.5));
+  double const in_the_open = lit(scene_of(floor));
+  // Caustics of such lights are blurred, and some of the light goes astray.
+  CHECK(lit(std::move(behind_glass)) == Approx(in_the_open).epsilon(0.25));
 }
 
 TEST_CASE("paths: a body that lets light through to all sides absorbs it on its way", "[image][path]") {

@@ -214,6 +214,21 @@ TEST_CASE("white furnace: solids keep all light, whatever their specular factor"
   }
 }
 
+TEST_CASE("white furnace: stretched solids keep nearly all light", "[kernel][bsdf][statistics][long]") {
+  NEEDS_OPENCL_DEVICE();
+  BsdfProbe const probe(quickest_lanes());
+  for (double const ior : {1.1, 1.5, 2.4}) {
+    auto const solid = [&](double roughness, double strength) {
+      return stretched(transmitting(layered_bsdf(1, 0, roughness), 1, ior), strength);
+    };
+    for (bool const from_outside : {true, false}) {
+      INFO("ior " << ior << (from_outside ? "" : " from within"));
+      double const margin = from_outside ? 0.02 : 0.05;  // of a mean over 89 microfacets
+      check(extremes(probe, solid, from_outside), 1 - margin, 1 + margin);
+    }
+  }
+}
+
 TEST_CASE("past the critical angle a smooth solid mirrors all light, whatever its specular factor",
           "[kernel][bsdf][statistics]") {
   NEEDS_OPENCL_DEVICE();

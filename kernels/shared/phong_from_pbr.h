@@ -32,6 +32,12 @@ SHARED_FUNCTION float straight_transmittance(float alpha, float transmission, fl
   return is_unlit != 0u ? 1.0f - alpha : 1.0f - alpha * (1.0f - transmission * (1.0f - metallic));
 }
 
+/* How much of a metal is in what reflects f0 head-on. A dielectric of an infinite index (0), as
+ * KHR_materials_pbrSpecularGlossiness has it, may be one: above the 0.04 of common dielectrics it is. */
+SHARED_FUNCTION float metal_in_reflection(float ior, float f0) {
+  return ior == 0.0f ? clamp_to_unit((f0 - 0.04f) / 0.96f) : 0.0f;
+}
+
 SHARED_FUNCTION PhongMaterial phong_from_pbr(PbrPoint const* p) {
   /* GGX's alpha = roughness^2 as a Blinn exponent is 2 / alpha^2 - 2 (Walter et al. 2007); Phong's lobe about the
    * mirrored direction needs a quarter of it. (m + 8) / 8 keeps the highlight's energy; above 1 it would burn out. */
@@ -44,12 +50,20 @@ SHARED_FUNCTION PhongMaterial phong_from_pbr(PbrPoint const* p) {
   float const matt = 1.0f - 0.6f * p->metallic;
   float const transmit = straight_transmittance(p->alpha, p->transmission, p->metallic, p->is_unlit);
   float const smooth = 1.0f - p->roughness;
-  PhongMaterial out;
+  float dielectric[3];
+  float in_dielectric[3];
+  float most_in_dielectric = 0.0f;
   for (int c = 0; c < 3; ++c) {
     /* Reflectance at normal incidence (Schlick 1994). */
-    float const dielectric = clamp_to_unit(ratio * ratio * p->specular_color[c]) * p->specular;
-    float const f0 = dielectric + p->metallic * (p->color[c] - dielectric);
-    out.kd[c] = p->color[c] * matt;
+    dielectric[c] = clamp_to_unit(ratio * ratio * p->specular_color[c]) * p->specular;
+    in_dielectric[c] = (1.0f - p->metallic) * metal_in_reflection(p->ior, dielectric[c]);
+    most_in_dielectric = in_dielectric[c] > most_in_dielectric ? in_dielectric[c] : most_in_dielectric;
+  }
+  float const metal = p->metallic > most_in_dielectric ? p->metallic : most_in_dielectric;
+  PhongMaterial out;
+  for (int c = 0; c < 3; ++c) {
+    float const f0 = dielectric[c] + p->metallic * (p->color[c] - dielectric[c]);
+    out.kd[c] = p->color[c] * matt * (1.0f - most_in_dielectric) + 0.4f * in_dielectric[c];
     out.ka[c] = out.kd[c] * p->occlusion;
     out.ks[c] = p->alpha * clamp_to_unit(f0 * ((m + 8.0f) / 8.0f));
     out.emission[c] = p->alpha * p->emission[c];
@@ -59,7 +73,7 @@ SHARED_FUNCTION PhongMaterial phong_from_pbr(PbrPoint const* p) {
     }
   }
   out.m = p->is_unlit != 0u ? 1.0f : m;
-  out.reflect = p->is_unlit != 0u ? 0.0f : 0.6f * p->metallic * smooth * smooth * (1.0f - transmit);
+  out.reflect = p->is_unlit != 0u ? 0.0f : 0.6f * metal * smooth * smooth * (1.0f - transmit);
   out.transmit = transmit;
   out.ior = p->is_unlit != 0u ? 1.0f : p->refraction_ior;
   return out;

@@ -147,6 +147,33 @@ TEST_CASE("vertex colours multiply the texture", "[image]") {
   });
 }
 
+TEST_CASE("specular-glossiness looks the same by its factors and by a picture of one colour", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  Rgba const white{255, 255, 255, 255};
+  auto const picture = [&](json extension, Integrator integrator, bool has_picture) {
+    auto writer = square_model({white, white, white, white});
+    if (has_picture) extension["specularGlossinessTexture"] = {{"index", 0}};
+    writer.json["materials"][0] = {{"extensions", {{"KHR_materials_pbrSpecularGlossiness", extension}}}};
+    TemporaryFolder const folder;
+    Model const model = import_gltf(folder.write("model.glb", writer.glb()));
+    CHECK(model.diagnostics.empty());
+    RenderRequest request = whole_picture(model.scene.cameras.front(), {16, 16});
+    request.integrator = integrator;
+    return render_on(opencl_devices().front(), model.scene, request).data();
+  };
+  json const plastic = {
+      {"diffuseFactor", {0.8, 0.4, 0.2, 1}}, {"specularFactor", {0.2, 0.3, 0.4}}, {"glossinessFactor", 0.6}};
+  json const gold = {{"diffuseFactor", {0, 0, 0, 1}}, {"specularFactor", {1, 0.8, 0.3}}, {"glossinessFactor", 0.7}};
+  for (json const& material : {plastic, gold}) {
+    for (Integrator const integrator : {Integrator::whitted, Integrator::path}) {
+      INFO(material.dump() << ' ' << int(integrator));
+      auto const by_factors = picture(material, integrator, false);
+      CHECK(by_factors == picture(material, integrator, true));
+      CHECK(by_factors[3 * (16 * 8 + 8)] > 0.05f);
+    }
+  }
+}
+
 TEST_CASE("a thin film's share is in the red of its texture, its thickness in the green", "[image][path]") {
   REQUIRE_OPENCL_DEVICE();
   std::array<Rgba, 4> const texels{{{255, 255, 0, 0}, {255, 0, 0, 0}, {0, 255, 255, 255}, {102, 51, 255, 255}}};

@@ -178,7 +178,8 @@ TEST_CASE("Phong's coefficients follow the documented mapping, in either languag
     auto const number = [&] { return float(random.index(5) == 0 ? double(random.index(2)) : random.uniform()); };
     for (int c = 0; c < 3; ++c) p.color[c] = number(), p.emission[c] = 2 * number(), p.specular_color[c] = number();
     p.alpha = number(), p.metallic = number(), p.roughness = number(), p.transmission = number();
-    p.occlusion = number(), p.ior = 1 + number(), p.refraction_ior = 1 + number(), p.specular = number();
+    p.occlusion = number(), p.ior = random.index(5) == 0 ? 0 : 1 + number(), p.refraction_ior = 1 + number(),
+    p.specular = number();
     p.is_unlit = random.index(8) == 0 ? 1 : 0;
   }
   std::vector<device::PhongMaterial> found(count);
@@ -191,11 +192,15 @@ TEST_CASE("Phong's coefficients follow the documented mapping, in either languag
     double const r0 = std::pow((p.ior - 1.0) / (p.ior + 1.0), 2);
     Rgb const color(p.color[0], p.color[1], p.color[2]);
     Rgb const specular_color(p.specular_color[0], p.specular_color[1], p.specular_color[2]);
-    Rgb const f0 = metallic * color + (1 - metallic) * double(p.specular) * r0 * specular_color;
-    Rgb kd = color * (1 - 0.6 * metallic), emission(p.emission[0], p.emission[1], p.emission[2]);
+    Rgb const dielectric = double(p.specular) * r0 * specular_color;
+    Rgb const f0 = metallic * color + (1 - metallic) * dielectric;
+    Rgb const as_metal = p.ior == 0 ? (1 - metallic) * glm::max((dielectric - 0.04) / 0.96, Rgb(0)) : Rgb(0);
+    double const most_as_metal = std::max({as_metal.r, as_metal.g, as_metal.b});
+    Rgb kd = (1 - most_as_metal) * (1 - 0.6 * metallic) * color + 0.4 * as_metal,
+        emission(p.emission[0], p.emission[1], p.emission[2]);
     Rgb ks;
     for (int c = 0; c < 3; ++c) ks[c] = alpha * std::min(f0[c] * (m + 8) / 8, 1.0);
-    double reflect = 0.6 * metallic * std::pow(1 - p.roughness, 2) * (1 - transmit);
+    double reflect = 0.6 * std::max(metallic, most_as_metal) * std::pow(1 - p.roughness, 2) * (1 - transmit);
     if (p.is_unlit) {
       emission = color;
       kd = ks = Rgb(0);

@@ -234,7 +234,7 @@ TEST_CASE("a texture of specular-glossiness is the highlight's colour, and its a
       material("same", {{"glossinessFactor", 0.5}, {"specularGlossinessTexture", {{"index", 0}}}}),
       material("full", {{"specularGlossinessTexture", picture}}),
       material("even", {{"glossinessFactor", 0.5}, {"specularGlossinessTexture", {{"index", 1}}}}),
-      material("bare", {{"glossinessFactor", 0.25}, {"specularFactor", {0.04, 0.04, 0.04}}})};
+      material("bare", {{"glossinessFactor", 0.25}})};
   Model const model = import_model(writer);
   CHECK(messages(model) == "");
   auto const pbr = [&](char const* name) { return *(*model.scene.materials.find(name))->pbr(); };
@@ -264,9 +264,40 @@ TEST_CASE("a texture of specular-glossiness is the highlight's colour, and its a
   CHECK(!pbr("even").metallic_roughness_texture);
   CHECK(pbr("even").specular_color_texture);
 
-  CHECK(pbr("bare").ior == 1.5);
-  CHECK(pbr("bare").metallic == Approx(0).margin(1e-9));
+  CHECK(pbr("bare").base_color == half.base_color);
+  CHECK(pbr("bare").metallic == 0);
+  CHECK(pbr("bare").ior == 0);
+  CHECK(pbr("bare").specular_color == half.specular_color);
+  CHECK(!pbr("bare").specular_color_texture);
+  CHECK(!pbr("bare").metallic_roughness_texture);
   CHECK(pbr("bare").roughness == 0.75);
+}
+
+TEST_CASE("Whitted's integrator takes what specular-glossiness reflects for metal as far as it is strong",
+          "[unit][gltf]") {
+  PbrModel metal;
+  metal.base_color = Rgb(1, 0.5, 0.2);
+  metal.metallic = 1;
+  metal.roughness = 0.25;
+  PbrModel glossy = metal;
+  glossy.base_color = Rgb(0);
+  glossy.metallic = 0;
+  glossy.ior = 0;
+  glossy.specular_color = metal.base_color;
+  Material const expected("", metal), found("", glossy);
+  CHECK(glm::distance(found.kd(), expected.kd()) < 0.03);
+  CHECK(glm::distance(found.ks(), expected.ks()) < 1e-6);
+  CHECK(found.reflect() == Approx(expected.reflect()));
+
+  glossy.base_color = Rgb(0.75, 0.5, 0.25);
+  glossy.specular_color = Rgb(0.04);
+  Material const plastic("", glossy);
+  CHECK(glm::distance(plastic.kd(), glossy.base_color) < 1e-6);
+  CHECK(plastic.reflect() == Approx(0).margin(1e-6));
+
+  glossy.specular_color = Rgb(0.52);  // half a metal
+  Material const half("", glossy);
+  CHECK(glm::distance(half.kd(), 0.5 * glossy.base_color + Rgb(0.2)) < 1e-6);
 }
 
 TEST_CASE("a thin film's factor, index, range of thickness and textures are read", "[unit][gltf]") {

@@ -7,7 +7,6 @@
 #include <functional>
 #include <numbers>
 
-#include "core/largest_channel.hpp"
 #include "io/gltf/roughness_pictures.hpp"
 #include "io/gltf/textures.hpp"
 #include "io/gltf/values.hpp"
@@ -105,27 +104,20 @@ class Reader {
     }
     m.alpha = std::clamp(alpha, 0.0, 1.0);
     m.base_color_texture = slot(e, "diffuseTexture");
-    m.metallic_roughness_texture = {};
-    Rgb const diffuse = color(e, "diffuseFactor", Rgb(1));
-    Rgb const specular = color(e, "specularFactor", Rgb(1));
-    double const glossiness = fraction(e, "glossinessFactor", 1);
-    if (TextureSlot const picture = slot(e, "specularGlossinessTexture")) {
-      read_specular_picture(picture, diffuse, specular, glossiness, m);
-    } else {
-      m.roughness = 1 - glossiness;
-      convert_to_metallic(diffuse, specular, m);
-    }
-  }
-
-  // The extension's own model, as KHR_materials_ior and KHR_materials_specular have it: a dielectric of an infinite
-  // index, whose specular colour is what it reflects. A metal's share, as below, would need both pictures in one.
-  void read_specular_picture(TextureSlot const& picture, Rgb const& diffuse, Rgb const& specular, double glossiness,
-                             PbrModel& m) {
-    for (int c = 0; c < 3; ++c) m.base_color[c] = std::min(diffuse[c], 1.0);
+    m.base_color = glm::min(color(e, "diffuseFactor", Rgb(1)), Rgb(1));
+    // The extension's own model, as KHR_materials_ior and KHR_materials_specular have it: a dielectric of an infinite
+    // index, whose specular colour is what it reflects. A metal's share would need both pictures in one.
     m.metallic = 0;
     m.ior = 0;
-    for (int c = 0; c < 3; ++c) m.specular_color[c] = std::min(specular[c], 1.0);
-    m.specular_color_texture = picture;
+    m.specular_color = glm::min(color(e, "specularFactor", Rgb(1)), Rgb(1));
+    m.metallic_roughness_texture = {};
+    double const glossiness = fraction(e, "glossinessFactor", 1);
+    m.roughness = 1 - glossiness;
+    m.specular_color_texture = slot(e, "specularGlossinessTexture");
+    if (m.specular_color_texture) read_glossiness_picture(m.specular_color_texture, glossiness, m);
+  }
+
+  void read_glossiness_picture(TextureSlot const& picture, double glossiness, PbrModel& m) {
     auto const roughness = roughness_pictures_.roughness_from(picture.texture->image, glossiness);
     m.roughness = roughness.factor;
     if (roughness.picture) {
@@ -138,30 +130,6 @@ class Reader {
       findings_->warn(DiagnosticCode::texture_left_out, pointer_,
                       "there is no room for a picture of the glossiness: its average counts");
     }
-  }
-
-  // The conversion of the extension's own appendix, with the metal's share solved for.
-  void convert_to_metallic(Rgb const& diffuse, Rgb const& specular, PbrModel& m) {
-    constexpr double dielectric = 0.04;
-    double const strongest = largest_channel(specular);
-    double const diffuse_brightness = brightness(diffuse);
-    double const specular_brightness = brightness(specular);
-    double metallic = 0;
-    if (specular_brightness > dielectric) {
-      double const b = diffuse_brightness * (1 - strongest) / (1 - dielectric) + specular_brightness - 2 * dielectric;
-      double const c = dielectric - specular_brightness;
-      metallic = std::clamp((-b + std::sqrt(std::max(b * b - 4 * dielectric * c, 0.0))) / (2 * dielectric), 0.0, 1.0);
-    }
-    Rgb const from_diffuse = diffuse * ((1 - strongest) / (1 - dielectric) / std::max(1 - metallic, 1e-6));
-    Rgb const from_specular = (specular - Rgb(dielectric) * (1 - metallic)) / std::max(metallic, 1e-6);
-    Rgb const base = from_diffuse * (1 - metallic * metallic) + from_specular * (metallic * metallic);
-    for (int c = 0; c < 3; ++c) m.base_color[c] = std::clamp(base[c], 0.0, 1.0);
-    m.metallic = metallic;
-  }
-
-  // ITU-R BT.601 over squares, as the appendix has it: how bright a colour is perceived.
-  static double brightness(Rgb const& c) {
-    return std::sqrt(0.299 * c.r * c.r + 0.587 * c.g * c.g + 0.114 * c.b * c.b);
   }
 
   /// The extension that a field's word is in; null for a field of the core.

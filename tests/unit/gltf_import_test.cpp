@@ -405,6 +405,43 @@ TEST_CASE("morph targets are added by their weights", "[unit][gltf]") {
   CHECK(world_triangles(import_model(writer).scene).at(0)[0] == Vec3(5, 0, 3));
 }
 
+TEST_CASE("morph targets move texture coordinates and colours, too", "[unit][gltf]") {
+  GltfWriter writer;
+  auto& attributes = writer.add_mesh(triangle_positions)["attributes"];
+  attributes["TEXCOORD_0"] = writer.add_accessor("VEC2", 2, std::vector<float>{0, 0, 1, 0, 0, 1});
+  attributes["TEXCOORD_1"] = writer.add_accessor("VEC2", 2, std::vector<float>{0, 0, 1, 0, 0, 1});
+  attributes["COLOR_0"] = writer.add_accessor("VEC4", 4, std::vector<float>{0, 0, 0, 1, 1, 1, 1, 1, 0, 0, 1, 0.5f});
+  nlohmann::json first, second;
+  first["TEXCOORD_1"] = writer.add_accessor("VEC2", 2, std::vector<float>{0, 0, 2, 4, 0, 0});
+  first["COLOR_0"] = writer.add_vec3({0.5f, 0, -1, 1, 0, 0, 0, 0, -0.5f});
+  second["COLOR_0"] =
+      writer.add_accessor("VEC4", 4, std::vector<std::int8_t>{127, 0, 0, -127, 0, 0, 0, 0, 0, 0, 0, 0}, true);
+  second["TEXCOORD_2"] = first["TEXCOORD_1"];  // of no set that there is
+  writer.json["meshes"][0]["primitives"][0]["targets"] = {first, second};
+  int const times = writer.add_accessor("SCALAR", 1, std::vector<float>{0, 2});
+  int const weights = writer.add_accessor("SCALAR", 1, std::vector<float>{0, 0, 1, 0.5f});
+  nlohmann::json channel = {{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}};
+  writer.json["animations"] = {{{"samplers", {{{"input", times}, {"output", weights}}}}, {"channels", {channel}}}};
+
+  Model const at_rest = import_model(writer);
+  CHECK(messages(at_rest) == "");
+  CHECK(geometry_of(at_rest.scene).colors[2] == Float4{0, 0, 1, 0.5f});
+  ModelOptions options;
+  options.time_seconds = 1;  // half of the way: weights of 0.5 and 0.25
+  Model const model = import_model(writer, options);
+  CHECK(messages(model) == "");
+  MeshGeometry const& geometry = geometry_of(model.scene);
+  CHECK(geometry.texcoords == std::vector<std::vector<Float2>>{{{0, 0}, {1, 0}, {0, 1}}, {{0, 0}, {2, 2}, {0, 1}}});
+  CHECK(geometry.colors == std::vector<Float4>{{0.5f, 0, 0, 0.75f}, {1, 1, 1, 1}, {0, 0, 0.75f, 0.5f}});
+
+  writer.json["meshes"][0]["primitives"][0]["targets"][0]["COLOR_0"] = times;
+  writer.json["meshes"][0]["primitives"][0]["targets"][1]["COLOR_0"] = attributes["TEXCOORD_0"];
+  Model const faulty = import_model(writer, options);
+  CHECK(messages(faulty).find("/targets/0/COLOR_0: 2 elements for 3 positions") != std::string::npos);
+  CHECK(messages(faulty).find("/targets/1/COLOR_0: 2 components where 3 or 4 are expected") != std::string::npos);
+  CHECK(geometry_of(faulty.scene).colors[1] == Float4{1, 1, 1, 1});
+}
+
 TEST_CASE("tangents turn with what is morphed, and with joints", "[unit][gltf]") {
   GltfWriter morphed = triangle_with_tangents();
   CHECK(are_near(tangents_of(import_model(morphed).scene), {1, 0, 0, -1}));

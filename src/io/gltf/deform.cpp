@@ -20,11 +20,19 @@ Float3 to_unit_float3(Vec3 const& v) {
 }
 
 /// Of tangents, the sign of the bitangent stays.
-template <class Vector>
-void add(std::vector<Vector>& values, std::vector<Float3> const& deltas, double weight) {
+template <class Vector, class Delta>
+void add(std::vector<Vector>& values, std::vector<Delta> const& deltas, double weight) {
   if (deltas.size() != values.size()) return;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) values[i][axis] += float(weight * double(deltas[i][axis]));
+    for (std::size_t axis = 0; axis < Delta().size(); ++axis)
+      values[i][axis] += float(weight * double(deltas[i][axis]));
+  }
+}
+
+/// As glTF 2.0 has it for morphed colours (3.7.2.2). What is not a number becomes 0.
+void clamp_to_unit(std::vector<Float4>& colors) {
+  for (Float4& color : colors) {
+    for (float& channel : color) channel = channel > 0 ? std::min(channel, 1.0f) : 0;
   }
 }
 
@@ -61,14 +69,22 @@ std::shared_ptr<MeshGeometry const> morph(Primitive const& primitive, std::vecto
   if (!is_morphed(primitive, weights)) return primitive.geometry;
   std::size_t const count = std::min(weights.size(), primitive.targets.size());
   auto morphed = std::make_shared<MeshGeometry>(*primitive.geometry);
+  bool recolors = false;
   for (std::size_t i = 0; i < count; ++i) {
     if (weights[i] == 0 || !std::isfinite(weights[i])) continue;
-    add(morphed->positions, primitive.targets[i].positions, weights[i]);
-    add(morphed->normals, primitive.targets[i].normals, weights[i]);
-    add(morphed->tangents, primitive.targets[i].tangents, weights[i]);
+    MorphTarget const& target = primitive.targets[i];
+    add(morphed->positions, target.positions, weights[i]);
+    add(morphed->normals, target.normals, weights[i]);
+    add(morphed->tangents, target.tangents, weights[i]);
+    for (std::size_t set = 0; set < target.texcoords.size(); ++set) {
+      add(morphed->texcoords[set], target.texcoords[set], weights[i]);
+    }
+    add(morphed->colors, target.colors, weights[i]);
+    recolors = recolors || !target.colors.empty();
   }
   for (Float3& normal : morphed->normals) normal = to_unit_float3(to_vec3(normal));
   for (Float4& tangent : morphed->tangents) turn(tangent, along(tangent));
+  if (recolors) clamp_to_unit(morphed->colors);
   return morphed;
 }
 

@@ -60,6 +60,16 @@ void remove_non_finite(std::vector<std::array<float, N>>& vectors) {
   }
 }
 
+/// Of three components or four; `alpha` where there is none.
+std::vector<Float4> to_colors(FloatElements const& elements, float alpha) {
+  std::vector<Float4> colors(elements.count(), Float4{0, 0, 0, alpha});
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    std::copy_n(elements.values.data() + i * elements.components, elements.components, colors[i].begin());
+  }
+  remove_non_finite(colors);
+  return colors;
+}
+
 }  // namespace
 
 /// A primitive while it is read.
@@ -108,7 +118,7 @@ std::optional<Primitive> Primitives::read(int mesh, std::size_t number) {
     known_.emplace(key, Known{result.geometry, source.vertex_count, source.kept});
   }
   if (!result.geometry) return std::nullopt;
-  result.targets = read_targets(source);
+  result.targets = read_targets(source, *result.geometry);
   if (source.accessor("JOINTS_0") >= 0) {
     if (!source.draco) decompress(source);  // the geometry was known
     result.joint_sets = read_joint_sets(source);
@@ -197,11 +207,8 @@ std::vector<Float4> Primitives::read_colors(Source const& source) {
         fmt::format("{} elements of {} components for {} positions", found, elements->components, source.vertex_count));
     return {};
   }
-  std::vector<Float4> colors(source.count(), Float4{0, 0, 0, 1});
-  for (std::size_t i = 0; i < colors.size(); ++i) {
-    std::copy_n(elements->values.data() + i * elements->components, elements->components, colors[i].begin());
-  }
-  remove_non_finite(colors);
+  std::vector<Float4> colors = to_colors(*elements, 1);
+  colors.resize(source.count());
   return colors;
 }
 
@@ -311,26 +318,51 @@ std::shared_ptr<MeshGeometry const> Primitives::read_lines(Source& source, std::
   return remove_faulty_parts(source, geometry->lines, 2, "line", geometry->positions) ? geometry : nullptr;
 }
 
-std::vector<MorphTarget> Primitives::read_targets(Source const& source) {
+template <std::size_t N>
+std::vector<std::array<float, N>> Primitives::read_deltas(Source const& source, TargetAttribute const& attribute) {
+  if (attribute.accessor < 0) return {};
+  auto deltas = read_vectors<N>(source, attribute.accessor, attribute.place);
+  if (!deltas || !has_delta_for_each(source, attribute)) return {};
+  remove_non_finite(*deltas);
+  return std::move(*deltas);
+}
+
+std::vector<Float4> Primitives::read_color_deltas(Source const& source, TargetAttribute const& attribute) {
+  if (attribute.accessor < 0) return {};
+  auto const deltas = accessors_.floats(attribute.accessor, 0, attribute.place, kept_in(source, attribute.accessor));
+  if (!deltas || !has_delta_for_each(source, attribute)) return {};
+  if (deltas->components != 3 && deltas->components != 4) {
+    findings_.warn(DiagnosticCode::unreadable_accessor, attribute.place,
+                   fmt::format("{} components where 3 or 4 are expected", deltas->components));
+    return {};
+  }
+  return to_colors(*deltas, 0);
+}
+
+bool Primitives::has_delta_for_each(Source const& source, TargetAttribute const& attribute) {
+  std::size_t const count = accessors_.count(attribute.accessor);
+  if (count == source.vertex_count) return true;
+  findings_.warn(DiagnosticCode::unreadable_accessor, attribute.place,
+                 fmt::format("{} elements for {} positions", count, source.vertex_count));
+  return false;
+}
+
+std::vector<MorphTarget> Primitives::read_targets(Source const& source, MeshGeometry const& geometry) {
   std::vector<MorphTarget> targets;
   for (std::size_t i = 0; i < source.primitive.targets.size(); ++i) {
     auto const& attributes = source.primitive.targets[i];
-    auto const read = [&](char const* name) -> std::vector<Float3> {
+    auto const attribute = [&](std::string const& name) -> TargetAttribute {
       auto const found = attributes.find(name);
-      if (found == attributes.end()) return {};
-      std::string const place = fmt::format("{}/targets/{}/{}", source.pointer, i, name);
-      auto vectors = read_vectors<3>(source, found->second, place);
-      if (!vectors) return {};
-      std::size_t const count = accessors_.count(found->second);
-      if (count != source.vertex_count) {
-        findings_.warn(DiagnosticCode::unreadable_accessor, place,
-                       fmt::format("{} elements for {} positions", count, source.vertex_count));
-        return {};
-      }
-      remove_non_finite(*vectors);
-      return std::move(*vectors);
+      return {found == attributes.end() ? -1 : found->second, fmt::format("{}/targets/{}/{}", source.pointer, i, name)};
     };
-    targets.push_back({read("POSITION"), read("NORMAL"), read("TANGENT")});
+    MorphTarget& target = targets.emplace_back();
+    target.positions = read_deltas<3>(source, attribute("POSITION"));
+    target.normals = read_deltas<3>(source, attribute("NORMAL"));
+    target.tangents = read_deltas<3>(source, attribute("TANGENT"));
+    for (std::size_t set = 0; set < geometry.texcoords.size(); ++set) {
+      target.texcoords.push_back(read_deltas<2>(source, attribute(fmt::format("TEXCOORD_{}", set))));
+    }
+    if (!geometry.colors.empty()) target.colors = read_color_deltas(source, attribute("COLOR_0"));
   }
   return targets;
 }

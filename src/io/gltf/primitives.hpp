@@ -18,6 +18,8 @@ struct MorphTarget {
   std::vector<Float3> positions;
   std::vector<Float3> normals;
   std::vector<Float3> tangents;
+  std::vector<std::vector<Float2>> texcoords;  ///< of the geometry's sets
+  std::vector<Float4> colors;
 };
 
 /// Up to four joints that move a vertex. A model may have several such sets for each vertex.
@@ -81,7 +83,17 @@ class Primitives {
   template <std::size_t N>
   std::vector<std::array<float, N>> read_attribute(Source const& source, std::string const& name);
   std::vector<Float4> read_colors(Source const& source);
-  std::vector<MorphTarget> read_targets(Source const& source);
+  /// Of what `geometry` has.
+  std::vector<MorphTarget> read_targets(Source const& source, MeshGeometry const& geometry);
+  struct TargetAttribute {
+    int accessor = -1;  ///< -1: the target leaves it alone
+    std::string place;
+  };
+  template <std::size_t N>
+  std::vector<std::array<float, N>> read_deltas(Source const& source, TargetAttribute const& attribute);
+  std::vector<Float4> read_color_deltas(Source const& source, TargetAttribute const& attribute);
+  /// False, with a finding, where there are more or fewer than positions.
+  bool has_delta_for_each(Source const& source, TargetAttribute const& attribute);
   std::vector<JointSet> read_joint_sets(Source const& source);
 
   Document const& document_;

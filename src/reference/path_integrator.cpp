@@ -203,6 +203,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
     if (depth == 0 && !is_ground) sample.surface = {1, throughput * point.albedo(), point.normal};
     if (!entered.inner && point.solid && !point.from_outside) throughput *= attenuation(*point.solid, hit.t);
     add(throughput * light_share(entered.inner) * point.emission, depth > 1);
+    if (depth == request.max_depth) return sample;
     if (is_ground) thrown_share = Rgb(1) / glm::max(point.bsdf.diffuse, Rgb(1));
     auto const scattering = point.scattering();
     bool const is_gloss = mirrored && is_ground;
@@ -210,7 +211,6 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
       auto const to_lamps = is_spread ? scattering.blurred(caustic_alpha) : scattering;
       add(throughput * light_of_lamps(scene, point, to_lamps, entered, random, counts), depth > 0);
     }
-    if (depth == request.max_depth) return sample;
     auto const next = choose_continuation(scattering, point, random);
     throughput *= next.weight;
     if (throughput == Rgb(0) || !(next.is_smooth || point.is_consistent(next.direction))) return sample;

@@ -76,7 +76,7 @@ double brightness_of(std::shared_ptr<Shape> const& shape, Vec3 const& to_lamp, I
                            "transform eye translate 0 0 5\n",
                            1e4 * to_lamp.x, 1e4 * to_lamp.y, 1e4 * to_lamp.z));
   scene.shapes.insert(shape);
-  RenderRequest request = path_request(scene, {4, 4}, 4, 0);
+  RenderRequest request = path_request(scene, {4, 4}, 4, 1);
   request.integrator = integrator;
   Image const picture = by_reference ? render_reference(scene, request) : trace(scene, request);
   return double(picture.pixel(1, 1)[0]);
@@ -108,7 +108,7 @@ TEST_CASE("a smooth ball of few triangles is lit by lamps as a round one", "[ima
     scene.shapes.insert(root);
     return by_reference ? render_reference(scene, request) : trace(scene, request);
   };
-  RenderRequest request = path_request(scene_of(empty), size, 16, 0);
+  RenderRequest request = path_request(scene_of(empty), size, 16, 1);
   request.integrator = integrator;
   Image const round = draw(std::make_shared<Sphere>("ball", Vec3(0), 1, material), request, false);
   CHECK(round.pixel(80, 48)[0] > 0.3f);
@@ -207,7 +207,7 @@ transform eye rotate -90 1 0 0
     model.alpha = alpha;
     model.alpha_mode = AlphaMode::blend;
     **scene.materials.find("m") = Material("m", model);
-    Image const picture = trace(scene, path_request(scene, {8, 8}, 1, 0));
+    Image const picture = trace(scene, path_request(scene, {8, 8}, 1, 1));
     CHECK(picture.pixel(4, 4)[0] == Approx(0.5 * 0.8 * share).epsilon(1e-4).margin(1e-6));
   }
 }

@@ -94,7 +94,7 @@ TEST_CASE("reference paths: lights without a size light matt surfaces as Whitted
   Scene scene = ball(PhongModel{.kd = {0.8, 0.4, 0.2}});
   scene.lights.insert(Light::point("left", {-5, 5, 0}, Rgb(0.7)));
   scene.lights.insert(Light::directional("sun", {-1, -1, -1}, Rgb(0.5)));
-  RenderRequest request = path_request(4, 0);
+  RenderRequest request = path_request(4, 1);
   Film const paths = traced(scene, request);
   request.integrator = Integrator::whitted;
   Film const whitted = traced(scene, request);
@@ -105,7 +105,7 @@ TEST_CASE("reference paths: lights without a size light matt surfaces as Whitted
 TEST_CASE("reference paths: of a lamp with a radius, a floor sees what an edge leaves of a disc", "[reference][path]") {
   auto const matt = std::make_shared<Material>("matt", PhongModel{.kd = Rgb(1)});
   auto const black = std::make_shared<Material>("black", PhongModel{.kd = Rgb(0)});
-  RenderRequest request = path_request(400, 0);
+  RenderRequest request = path_request(400, 1);
   request.camera =
       Camera("eye", 0.001, Transform::look_along({-1, 2, 0}, glm::normalize(Vec3(1, -2, 0)), Vec3(0, 0, 1)));
   auto const lit_share = [&](double edge) {

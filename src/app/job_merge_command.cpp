@@ -114,7 +114,7 @@ int job_merge_command(Arguments const& arguments, Console& console) {
 
   std::vector<std::string> inputs;
   RenderOptions render = options_of(folder.plan(), inputs);
-  render.tile.reset();
+  render.unit.reset();
   render.is_merging = true;
   auto const allowed_paths = render.output.allowed_paths;
   render.output = options.output;

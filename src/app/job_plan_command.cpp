@@ -30,7 +30,6 @@ struct JobPlanOptions {
   RenderOptions render;
   std::string folder;
   std::string traversal;
-  int unit_samples = 0;
 };
 
 int parse_unit_samples(std::string_view text) {
@@ -42,12 +41,12 @@ int parse_unit_samples(std::string_view text) {
 bool parse_job_plan(Arguments const& arguments, JobPlanOptions& options, Console& console) {
   RenderOptions& render = options.render;
   auto const parser = make_parser("job plan", job_plan_description, job_plan_examples);
-  render.tile = Resolution{1024, 1024};
+  UnitSize& unit = render.unit.emplace(UnitSize{{1024, 1024}});
   add_inputs(*parser, render.scenes, "SCENE...");
   std::string const group = "Units";
   add_value(*parser, "-o,--output", options.folder, parse_name, "DIR", "Folder of the plan and of its units", group);
-  add_value(*parser, "--tile", render.tile, parse_size, "WxH", "Pixels of a unit (default: 1024x1024)", group);
-  add_value(*parser, "--samples-per-unit", options.unit_samples, parse_unit_samples, "N",
+  add_value(*parser, "--tile", unit.tile, parse_size, "WxH", "Pixels of a unit (default: 1024x1024)", group);
+  add_value(*parser, "--samples-per-unit", unit.samples, parse_unit_samples, "N",
             "Samples of a unit, a multiple of 16 (default: all)", group);
   add_picture_options(*parser, render);
   add_encoding_options(*parser, render, "Picture");
@@ -82,8 +81,8 @@ int job_plan_command(Arguments const& arguments, Console& console) {
   if (!parse_job_plan(arguments, options, console)) return 0;
   std::vector<std::string> const inputs = expand_patterns(options.render.scenes);
   auto const renderer = choose_renderer(options.render.device, options.render.traversal, console);
-  farm::Plan plan = make_plan(options.render, inputs, device_class_of(*renderer, options.traversal), options.traversal,
-                              options.unit_samples, console);
+  farm::Plan plan =
+      make_plan(options.render, inputs, device_class_of(*renderer, options.traversal), options.traversal, console);
   farm::PlanFolder const folder(options.folder, std::move(plan));
   std::int64_t const units = folder.plan().unit_count();
   console.info(fmt::format("{}: {}; lichtraum job work {} draws {}", options.folder, unit_text(units),

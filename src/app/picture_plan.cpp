@@ -6,6 +6,7 @@
 
 #include "app/picture_bands.hpp"
 #include "app/video.hpp"
+#include "core/counted.hpp"
 #include "core/memory.hpp"
 
 namespace lichtraum::app {
@@ -42,29 +43,62 @@ void check_encoding(Job const& job, Output const& output) {
   }
 }
 
+/// How often a film of these samples has each value of a plane, as Film::of_samples does.
+int copies_in_film(PlaneRule rule, SampleRange const& samples) {
+  if (rule != PlaneRule::mean) return 1;
+  int const blocks = (samples.count() - 1) / Film::block_size + 1;
+  return samples.first == 0 ? std::min(blocks, 2) : blocks;
+}
+
+/// Of a film, and of one more copy of its values, which are encoded or come from the device.
+double drawing_bytes(Region const& region, PlaneSet const& planes, SampleRange const& samples) {
+  double pixel_bytes = 0;
+  for (FilmPlane const plane : planes.list()) {
+    PlaneInfo const& info = info_of(plane);
+    pixel_bytes += 4.0 * double(info.channels.size()) * (copies_in_film(info.rule, samples) + 1);
+  }
+  return pixel_bytes * region.width * region.height;
+}
+
+/// Of the units of a picture, some may have later samples than the first.
+void check_unit_memory(Region const& picture, PlaneSet const& planes, int sample_count, UnitSize const& unit) {
+  Region const region{0, 0, std::min(picture.width, unit.tile.width), std::min(picture.height, unit.tile.height)};
+  int const samples = unit.samples > 0 ? std::min(unit.samples, sample_count) : sample_count;
+  SampleRange const first{0, samples}, later{samples, std::min(2 * samples, sample_count)};
+  double needed = drawing_bytes(region, planes, first);
+  if (later.count() > 0) needed = std::max(needed, drawing_bytes(region, planes, later));
+  double const available = double(usable_memory_bytes());
+  if (needed <= available) return;
+  throw Error(ErrorKind::usage,
+              fmt::format("a unit of {}x{} pixels and {} needs {} of memory; {} can be used: a smaller --tile "
+                          "needs less{}",
+                          region.width, region.height, counted(std::uint64_t(samples), "sample"), bytes_text(needed),
+                          bytes_text(available),
+                          later.count() > Film::block_size ? ", and so do fewer --samples-per-unit" : ""));
+}
+
 /// `command`: what the scene says about the picture.
-PicturePlan plan_picture(LoadedScene const& script, RenderCommand const& command, Job job, DeviceKind device,
-                         OutputNames& names, bool is_one_of_many, std::optional<Resolution> const& tile) {
+PicturePlan plan_picture(LoadedScene const& script, RenderCommand const& command, Job job, OutputNames& names,
+                         bool is_one_of_many, RenderOptions const& options) {
   Scene const& scene = script.scene();
   PicturePlan plan;
-  IntegratorChoice const choice = chosen_integrator(job, scene, device);
+  IntegratorChoice const choice = chosen_integrator(job, scene, options.load.device);
   bool const is_size_asked = job.size.has_value();
   job.integrator = choice.integrator;
   plan.integrator_reason = choice.reason;
   plan.job = resolved(std::move(job), scene);
   plan.output = names.next(command, is_one_of_many);
   // What stores planes stores them as they were traced; other planes have no noise.
-  bool const may_be_developed = plan.output.format->encode || tile;
+  bool const may_be_developed = plan.output.format->encode || options.unit;
   bool const is_developed = may_be_developed && plan.job.planes.has(FilmPlane::radiance);
   if (!is_developed) plan.job.denoising = Denoising::off;
-  Region drawn_at_once = tile ? *plan.job.region : bands_of(plan, plan.job.denoising != Denoising::off).front();
-  if (tile) {
-    drawn_at_once.width = std::min(drawn_at_once.width, tile->width);
-    drawn_at_once.height = std::min(drawn_at_once.height, tile->height);
+  if (options.unit) {
+    check_unit_memory(*plan.job.region, traced_planes(plan.job), plan.job.sampling->count, *options.unit);
+    return plan;
   }
-  check_memory(drawn_at_once, traced_planes(plan.job), plan.job.sampling->count,
-               is_size_asked ? ErrorKind::usage : ErrorKind::scene, plan.job.denoising != Denoising::off);
-  if (tile) return plan;
+  bool const is_denoised = plan.job.denoising != Denoising::off;
+  check_memory(bands_of(plan, is_denoised).front(), traced_planes(plan.job), plan.job.sampling->count,
+               is_size_asked ? ErrorKind::usage : ErrorKind::scene, is_denoised);
   check_format(plan.job, plan.output);
   if (!plan.output.is_standard_output()) {
     script.files().refuse_to_overwrite(plan.output.path);
@@ -83,14 +117,9 @@ void check_format(Job const& job, Output const& output) {
 }
 
 void check_memory(Region const& region, PlaneSet const& planes, int sample_count, ErrorKind kind, bool is_denoised) {
-  constexpr double denoising_bytes = 120;  // what it is given, and the built-in filter's planes
-  double pixel_bytes = is_denoised ? denoising_bytes : 0;
-  for (FilmPlane const plane : planes.list()) {
-    bool const has_blocks = info_of(plane).rule == PlaneRule::mean && sample_count > Film::block_size;
-    // As much again while it is encoded.
-    pixel_bytes += 4.0 * double(info_of(plane).channels.size()) * (has_blocks ? 3 : 2);
-  }
-  double const needed = pixel_bytes * region.width * region.height;
+  constexpr double denoising_bytes = 120;  // of a pixel: what it is given, and the built-in filter's planes
+  double needed = drawing_bytes(region, planes, {0, sample_count});
+  if (is_denoised) needed += denoising_bytes * region.width * region.height;
   double const available = double(usable_memory_bytes());
   if (needed <= available) return;
   throw Error(kind, fmt::format("a picture of {}x{} pixels needs {} of memory; {} can be used: a "
@@ -131,7 +160,7 @@ std::vector<PicturePlan> plan_pictures(LoadedScene const& script, SceneSource co
     for (int turn = 0; turn < turns; ++turn) {
       if (options.turntable > 0) job.turn_degrees = 360.0 * turn / turns;
       bool const is_one_of_many = options.turntable > 0 || options.frames || times.size() > 1;
-      plans.push_back(plan_picture(script, command, job, options.load.device, names, is_one_of_many, options.tile));
+      plans.push_back(plan_picture(script, command, job, names, is_one_of_many, options));
       plans.back().scene_number = scene_number;
       plans.back().location = command.location;
     }

@@ -34,7 +34,7 @@ struct Cut {
 }  // namespace
 
 farm::Plan make_plan(RenderOptions& options, std::vector<std::string> const& given, farm::DeviceClass const& device,
-                     std::string const& traversal, int unit_samples, Console const& console) {
+                     std::string const& traversal, Console const& console) {
   std::vector<std::string> inputs = given;
   if (std::find(inputs.begin(), inputs.end(), "-") != inputs.end()) {
     throw Error(ErrorKind::usage, "other machines cannot read this one's standard input: give the scene as a file");
@@ -77,10 +77,11 @@ farm::Plan make_plan(RenderOptions& options, std::vector<std::string> const& giv
   plan.region = cut->region;
   plan.planes = cut->planes;
   plan.sample_count = cut->samples;
-  plan.tile = {std::min(options.tile->width, plan.region.width), std::min(options.tile->height, plan.region.height)};
+  UnitSize const& unit = *options.unit;
+  plan.tile = {std::min(unit.tile.width, plan.region.width), std::min(unit.tile.height, plan.region.height)};
   // Planes without means are of the pixels' middles, which are in the first block.
-  bool const is_in_blocks = unit_samples > 0 && plan.planes.has(PlaneRule::mean);
-  plan.unit_samples = is_in_blocks ? std::min(unit_samples, plan.sample_count) : plan.sample_count;
+  bool const is_in_blocks = unit.samples > 0 && plan.planes.has(PlaneRule::mean);
+  plan.unit_samples = is_in_blocks ? std::min(unit.samples, plan.sample_count) : plan.sample_count;
   for (std::string const& file : files) plan.files.push_back({file, farm::hash_of_file(file)});
   return plan;
 }
@@ -91,7 +92,7 @@ RenderOptions options_of(farm::Plan const& plan, std::vector<std::string>& input
   if (plan.frames) options.frames = FrameRange{plan.frames->first, plan.frames->last};
   options.frames_per_second = plan.frames_per_second;
   options.turntable = plan.turntable;
-  options.tile = plan.tile;
+  options.unit = UnitSize{plan.tile, plan.unit_samples};
   options.load.set_drawing(options.job, plan.device.kind);
   options.output.file = any_picture;
   for (farm::PlannedScene const& scene : plan.scenes) inputs.push_back(scene.file);

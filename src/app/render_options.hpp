@@ -12,6 +12,12 @@
 
 namespace lichtraum::app {
 
+/// The largest part of a picture that one machine draws at once.
+struct UnitSize {
+  Resolution tile;
+  int samples = 0;  ///< of a pixel; 0: all
+};
+
 /// What `lichtraum render` is asked for: what its pictures have in common, and what concerns the program alone.
 struct RenderOptions {
   std::vector<std::string> scenes;
@@ -30,9 +36,9 @@ struct RenderOptions {
   std::optional<double> frames_per_second;
   int turntable = 0;  // pictures around the scene; 0: as the camera stands
   bool resume = false;
-  /// Of plans for several machines: the largest part of a picture that is drawn at once. What format the pictures will
-  /// have is not known then. Nothing: each is drawn whole.
-  std::optional<Resolution> tile;
+  /// Of plans for several machines: what is drawn at once. What format the pictures will have is not known then.
+  /// Nothing: each is drawn whole.
+  std::optional<UnitSize> unit;
   bool is_merging = false;  // the pictures come from units: nothing else can be traced
 
   bool show = false;  // in a window, afterwards

@@ -414,6 +414,14 @@ TEST_CASE("what cannot be planned or drawn is refused in a sentence", "[app][job
   refused("plan nowhere.sdf -o shared", 66, "nowhere.sdf");
   refused("plan ball.sdf lamp.sdf -o shared --device reference", 64, "one size");
   refused("plan ball.sdf -o shared --samples-per-unit 17", 64, "a multiple of 16");
+  // Later samples are kept block by block: 12 bytes for every 16.
+  std::string const many_samples =
+      "plan ball.sdf -o shared --device reference --size 9000x9000 --tile 8192x8192 --samples 1024x1024 ";
+  refused(many_samples + "--samples-per-unit 524288", 64,
+          "a unit of 8192x8192 pixels and 524288 samples needs 26.4 TB of memory");
+  refused(many_samples + "--samples-per-unit 524288", 64, "and so do fewer --samples-per-unit");
+  refused("plan ball.sdf -o shared --size 400000x400000 --tile 400000x400000 --samples 1 --device reference", 64,
+          "a unit of 400000x400000 pixels and 1 sample needs 3.84 TB of memory");
   refused("plan ball.sdf -o shared --tile 0x0", 64, "--tile: expected at least 1x1 pixels, not '0x0'");
   refused("plan ball.sdf -o shared --size 100000x100000 --tile 1x1 --device reference", 64, "units");
   CHECK(!fs::exists(farm.folder / "shared"));

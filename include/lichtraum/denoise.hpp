@@ -19,6 +19,9 @@ enum class Denoising {
   builtin,  ///< by lichtraum's own filter: the same bytes on every machine
 };
 
+/// Filters compute with light up to this: its square is a float.
+inline constexpr float largest_filtered_light = 1e18f;
+
 /// What is known of a picture with noise: the means of its samples. All planes are height x width x channels, first row
 /// at the top. Values that are not finite count as 0.
 struct NoisyPicture {

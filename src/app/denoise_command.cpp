@@ -125,12 +125,12 @@ NoisyPicture picture_of(ExrLayers const& layers, std::string const& name, Consol
         fmt::format("'{}' has no {}: edges and textures are harder to tell from noise. {}", name, missing, advice));
   }
   std::vector<float> radiance = values(FilmPlane::radiance);
-  auto const faulty = std::ranges::count_if(radiance, [](float value) { return !std::isfinite(value); });
-  if (faulty > 0) {
-    console.warning(fmt::format("'{}' has radiance that is not finite ({}): it is taken for 0", name,
-                                counted(std::uint64_t(faulty), "number")));
-    std::ranges::replace_if(
-        radiance, [](float value) { return !std::isfinite(value); }, 0.0f);
+  // A filter would spread it over all that is near.
+  auto const is_faulty = [](float value) { return !(std::abs(value) <= largest_filtered_light); };
+  if (auto const faulty = std::ranges::count_if(radiance, is_faulty); faulty > 0) {
+    console.warning(fmt::format("'{}' has radiance that is not finite or beyond {:g} ({}): it is taken for 0", name,
+                                largest_filtered_light, counted(std::uint64_t(faulty), "number")));
+    std::ranges::replace_if(radiance, is_faulty, 0.0f);
   }
   return {layers.size(), std::move(radiance), values(FilmPlane::albedo), values(FilmPlane::normal),
           values(FilmPlane::depth)};

@@ -11,14 +11,12 @@ namespace lichtraum {
 namespace {
 
 constexpr std::size_t rows_per_thread = 64;
-/// Its square is a float.
-constexpr float largest_light = 1e18f;
 /// What divides radiance where a surface reflects less, and where nothing is.
 constexpr float least_albedo = 0.1f;
 
 float least_albedo_or(float albedo) { return std::max(finite(albedo), least_albedo); }
 
-float inverse(float depth) { return depth > 0 ? std::min(1 / depth, largest_light) : 0; }
+float inverse(float depth) { return depth > 0 ? std::min(1 / depth, largest_filtered_light) : 0; }
 
 device::NoiseFilterLayout layout_of(Resolution const& size) {
   constexpr device::uint lanes = NOISE_FILTER_MARGIN;
@@ -57,7 +55,8 @@ NoisePlanes noise_planes(NoisyPicture const& picture) {
       planes.guides[(GUIDE_ALBEDO + c) * plane + place] = finite(albedo);
       planes.guides[(GUIDE_NORMAL + c) * plane + place] = finite(normal);
       planes.light[(LIGHT_COLOR + c) * plane + place] =
-          std::clamp(finite(picture.radiance[3 * i + c]) / least_albedo_or(albedo), -largest_light, largest_light);
+          std::clamp(finite(picture.radiance[3 * i + c]) / least_albedo_or(albedo), -largest_filtered_light,
+                     largest_filtered_light);
     }
     planes.guides[GUIDE_INVERSE_DEPTH * plane + place] = picture.depth.empty() ? 0.0f : inverse(picture.depth[i]);
   });

@@ -179,7 +179,7 @@ TEST_CASE("a stored film gives the picture that is drawn at once", "[app][denois
   CHECK(run("denoise film.exr -q -o stored.jpg").exit_code == 0);
 }
 
-TEST_CASE("what is not finite in a stored film is no light, and is told", "[app][denoise]") {
+TEST_CASE("what is not finite or beyond all measure in a stored film is no light, and is told", "[app][denoise]") {
   Lichtraum const lichtraum;
   Run const run{lichtraum};
   REQUIRE(run("render - -q --device reference --planes radiance,albedo,normal -o film.exr", scene).exit_code == 0);
@@ -187,15 +187,16 @@ TEST_CASE("what is not finite in a stored film is no light, and is told", "[app]
   auto values = layers.values({"R", "G", "B"});
   values[3000] = INFINITY;
   values[3001] = NAN;
+  values[6000] = 1e38f;
   layers.set_values({"R", "G", "B"}, values);
   lichtraum.folder.write("faulty.exr", layers.encode());
-  values[3000] = values[3001] = 0;
+  values[3000] = values[3001] = values[6000] = 0;
   layers.set_values({"R", "G", "B"}, values);
   lichtraum.folder.write("repaired.exr", layers.encode());
   auto const result = run("denoise faulty.exr --device reference --denoise builtin -o faulty.pfm");
   CHECK(result.exit_code == 0);
-  CHECK_THAT(result.err, contains_text("warning: 'faulty.exr' has radiance that is not finite (2 numbers): it is taken "
-                                       "for 0"));
+  CHECK_THAT(result.err, contains_text("warning: 'faulty.exr' has radiance that is not finite or beyond 1e+18 (3 "
+                                       "numbers): it is taken for 0"));
   CHECK(run("denoise repaired.exr -q --device reference --denoise builtin -o repaired.pfm").exit_code == 0);
   CHECK(lichtraum.folder.read("faulty.pfm") == lichtraum.folder.read("repaired.pfm"));
 }

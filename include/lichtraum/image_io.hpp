@@ -70,8 +70,8 @@ struct ImageFormat {
                                               ByteSink& sink);
   std::unique_ptr<RowEncoder<Film>> (*begin_film)(Resolution const& size, PlaneSet const& planes,
                                                   ImageEncoding const& encoding, ByteSink& sink);
-  /// The fingerprint in a whole picture; empty when there is none, or the file is of another format, or
-  /// truncated. Null for formats without.
+  /// The fingerprint in a whole picture; empty when there is none, or the file is of another format, or truncated, or
+  /// (PNG) has other bytes than were written to it. Null for formats without.
   std::string (*read_fingerprint)(std::filesystem::path const& path);
 };
 

@@ -296,6 +296,12 @@ TEST_CASE("resume leaves what is there and draws what has changed", "[app][seque
   lichtraum.folder.write("3.png", lichtraum.folder.read("2.png"));
   CHECK(resume("") == 2);
   CHECK(lichtraum.folder.read("1.png") == whole);
+  // One with a pixel that is not as it was written: before the last chunk's twelve bytes and a checksum.
+  std::string damaged = whole;
+  damaged[damaged.size() - 20] ^= 1;
+  lichtraum.folder.write("1.png", damaged);
+  CHECK(resume("") == 1);
+  CHECK(lichtraum.folder.read("1.png") == whole);
   // Settings.
   for (std::string const words :
        {"--size 23x16", "--samples 2x2", "--depth 2", "--bits 16", "--transfer srgb", "--integrator path",

@@ -1,6 +1,7 @@
 #include <png.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <string_view>
@@ -74,12 +75,28 @@ struct PngReader {
   ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
-/// Whether the file ends with the chunk that ends a PNG.
-bool ends_well(std::istream& file) {
-  constexpr std::string_view end_chunk("\0\0\0\0IEND\xae\x42\x60\x82", 12);
-  std::string tail(end_chunk.size(), '\0');
-  file.seekg(-std::streamoff(tail.size()), std::ios::end);
-  return file.read(tail.data(), std::streamsize(tail.size())) && tail == end_chunk;
+/// Whether each chunk has the checksum that it was written with (PNG, 5.3), and the file ends with the one that ends a
+/// PNG. Takes less time than decoding it. `chunks`: begin here.
+bool is_undamaged(std::istream& chunks) {
+  std::vector<unsigned char> bytes(std::size_t(1) << 16);
+  auto const read = [&](std::size_t count) {
+    return bool(chunks.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(count)));
+  };
+  constexpr std::size_t length_size = 4, type_size = 4, checksum_size = 4;
+  while (read(length_size + type_size)) {
+    std::size_t left = png_get_uint_32(bytes.data());
+    bool const is_last = std::string_view(reinterpret_cast<char*>(bytes.data()) + length_size, type_size) == "IEND";
+    uLong checksum = crc32(0, bytes.data() + length_size, type_size);
+    while (left > 0) {
+      std::size_t const count = std::min(left, bytes.size());
+      if (!read(count)) return false;
+      checksum = crc32(checksum, bytes.data(), uInt(count));
+      left -= count;
+    }
+    if (!read(checksum_size) || png_get_uint_32(bytes.data()) != checksum) return false;
+    if (is_last) return chunks.peek() == std::istream::traits_type::eof();
+  }
+  return false;
 }
 
 class PngRows final : public RowEncoder<Image> {
@@ -123,8 +140,7 @@ class PngRows final : public RowEncoder<Image> {
 
 std::string read_png_fingerprint(std::filesystem::path const& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file || !ends_well(file)) return {};
-  file.seekg(0);
+  if (!file) return {};
   try {
     PngReader reader(file);
     png_set_user_limits(reader.png, 0x7fffffff, 0x7fffffff);
@@ -132,7 +148,10 @@ std::string read_png_fingerprint(std::filesystem::path const& path) {
     png_textp texts = nullptr;
     int const count = png_get_text(reader.png, reader.info, &texts, nullptr);
     for (int i = 0; i < count; ++i) {
-      if (texts[i].key == std::string_view(fingerprint_key)) return std::string(texts[i].text, texts[i].text_length);
+      if (texts[i].key != std::string_view(fingerprint_key)) continue;
+      constexpr std::streamoff signature_size = 8;
+      file.seekg(signature_size);
+      return is_undamaged(file) ? std::string(texts[i].text, texts[i].text_length) : "";
     }
   } catch (Error const&) {  // no PNG
   }

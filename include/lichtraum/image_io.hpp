@@ -112,6 +112,9 @@ class NewFile final : public ByteSink {
   void finish() { finish_as(path_); }
   void finish_as(std::filesystem::path const& path);
 
+  /// What it is called until then.
+  std::filesystem::path const& unfinished_path() const;
+
  private:
   void note(int code);
 

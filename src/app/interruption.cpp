@@ -60,7 +60,8 @@ GracefulScope::~GracefulScope() { graceful = 0; }
 
 bool interrupted() { return signalled != 0; }
 
-UnfinishedFile::UnfinishedFile(pid_t writer, std::filesystem::path path) : writer_(writer), path_(std::move(path)) {
+UnfinishedFile::UnfinishedFile(std::optional<pid_t> writer, std::filesystem::path path)
+    : writer_(writer), path_(std::move(path)) {
   unfinished = this;
 }
 UnfinishedFile::~UnfinishedFile() { unfinished = nullptr; }
@@ -72,9 +73,9 @@ void remove_unfinished_file() {
 // Calls only what is async-signal-safe (POSIX, 2.4.3).
 void UnfinishedFile::remove() const {
   // One that has been waited for already is no longer a child: its number may be another process's.
-  if (::waitpid(writer_, nullptr, WNOHANG) == 0) {
-    ::kill(writer_, SIGKILL);
-    while (::waitpid(writer_, nullptr, 0) < 0 && errno == EINTR) {
+  if (writer_ && ::waitpid(*writer_, nullptr, WNOHANG) == 0) {
+    ::kill(*writer_, SIGKILL);
+    while (::waitpid(*writer_, nullptr, 0) < 0 && errno == EINTR) {
     }
   }
   ::unlink(path_.c_str());

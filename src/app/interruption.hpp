@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <optional>
 
 namespace lichtraum::app {
 
@@ -22,11 +23,11 @@ class GracefulScope {
 
 bool interrupted();
 
-/// While one exists, a signal that ends this process first ends its child `writer` and removes the file `path`, which
-/// that is writing. One at a time.
+/// While one exists, a signal that ends this process first removes the file `path`, and before that ends the child
+/// `writer` that is writing it, if there is one. One at a time.
 class UnfinishedFile {
  public:
-  UnfinishedFile(pid_t writer, std::filesystem::path path);
+  UnfinishedFile(std::optional<pid_t> writer, std::filesystem::path path);
   ~UnfinishedFile();
   UnfinishedFile(UnfinishedFile const&) = delete;
   UnfinishedFile& operator=(UnfinishedFile const&) = delete;
@@ -35,7 +36,7 @@ class UnfinishedFile {
   void remove() const;
 
  private:
-  pid_t writer_;
+  std::optional<pid_t> writer_;
   std::filesystem::path path_;
 };
 

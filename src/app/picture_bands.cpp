@@ -38,6 +38,7 @@ std::vector<Region> bands_of(PicturePlan const& plan, bool is_denoised) {
 }
 
 BandWriter::BandWriter(PicturePlan const& plan, PlaneSet const& planes) : file_(plan.output.path) {
+  removed_on_signal_.emplace(std::nullopt, file_.unfinished_path());
   ImageFormat const& format = *plan.output.format;
   ImageEncoding const encoding{plan.job.encoding, plan.fingerprint};
   Resolution const size{plan.job.region->width, plan.job.region->height};

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "app/interruption.hpp"
 #include "app/picture_plan.hpp"
 #include "app/picture_writer.hpp"
 
@@ -26,6 +28,7 @@ class BandWriter {
   void finish();
 
  private:
+  std::optional<UnfinishedFile> removed_on_signal_;
   NewFile file_;
   std::variant<std::unique_ptr<RowEncoder<Film>>, std::unique_ptr<RowEncoder<Image>>> encoder_;
 };

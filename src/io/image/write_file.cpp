@@ -115,6 +115,8 @@ NewFile::NewFile(fs::path path) : path_(std::move(path)) {
 
 NewFile::~NewFile() = default;
 
+fs::path const& NewFile::unfinished_path() const { return temporary_->path(); }
+
 /// Remembered, as some encoders write from destructors, which cannot throw.
 void NewFile::note(int code) {
   if (code_ == 0) code_ = code;

@@ -35,7 +35,6 @@ class Writer:
         self._lines: list[str] = []
         self._materials: dict[Material, str] = {}
         self._shapes: dict[int, str] = {}
-        self._open: set[int] = set()
         self._names: set[str] = set()
         self._meshes: dict[int, tuple[Mesh, str]] = {}
         self._mesh_count = 0
@@ -73,21 +72,19 @@ class Writer:
             self._line("define", "material", name, *words)
         return self._materials[material]
 
-    def shape(self, shape: Shape) -> str:
-        """Defines it, unless it is, and returns its name."""
-        if id(shape) in self._open:
-            raise UsageError("a group cannot hold itself")
-        if id(shape) not in self._shapes:
-            self._open.add(id(shape))
-            words = shape.words(self)
-            self._open.remove(id(shape))
-            if isinstance(shape.material, Pbr) and shape.material.has_textures() and not shape.has_texcoords:
-                raise UsageError(f"a texture needs texture coordinates, and this {shape.kind} has none: take a Mesh with texcoords")
-            material = [] if shape.material is None else [self._material(shape.material)]
-            name = self._shapes[id(shape)] = self._name(shape.name, shape.kind)
-            self._line("define", "shape", shape.kind, name, *words, *material)
-            for transform in shape.transforms:
-                self._line("transform", name, *transform)
+    def shape(self, shape: Shape) -> None:
+        """Defines it, after its children."""
+        words = shape.words(self)
+        if isinstance(shape.material, Pbr) and shape.material.has_textures() and not shape.has_texcoords:
+            raise UsageError(f"a texture needs texture coordinates, and this {shape.kind} has none: take a Mesh with texcoords")
+        material = [] if shape.material is None else [self._material(shape.material)]
+        name = self._shapes[id(shape)] = self._name(shape.name, shape.kind)
+        self._line("define", "shape", shape.kind, name, *words, *material)
+        for transform in shape.transforms:
+            self._line("transform", name, *transform)
+
+    def name_of(self, shape: Shape) -> str:
+        """Of one that is defined."""
         return self._shapes[id(shape)]
 
     def light(self, light: Light) -> None:

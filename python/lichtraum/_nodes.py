@@ -274,7 +274,7 @@ class Group(Shape):
     def words(self, writer: Writer) -> list[Any]:
         if not self.children:
             raise UsageError("a group has at least one shape")
-        return [writer.shape(child) for child in self.children]
+        return [writer.name_of(child) for child in self.children]
 
 
 @dataclass(frozen=True)

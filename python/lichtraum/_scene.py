@@ -7,16 +7,15 @@ import tempfile
 import threading
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Iterable, Iterator, Optional, Union
+from typing import Any, Iterable, Iterator, Optional
 
 from ._errors import FileError, SceneError, UsageError
 from ._esdf import Writer
 from ._files import scene_file, write_file
 from ._native import Diagnostic
-from ._nodes import Camera, Group, Light, Model, Shape
+from ._nodes import Camera, Light, Model, Shape
+from ._parts import Item, parts_of
 from ._values import Color, expect, is_word
-
-Item = Union[Shape, Light]
 
 
 class _Workplace:
@@ -113,16 +112,16 @@ class Scene:
     def _write(self, path: Path, *, only_drawn: bool = False) -> Writer:
         if not is_word(path.name):
             raise UsageError(f"{path.name!r}: eSDF cannot name files with spaces or a #, such as the meshes beside it")
-        parts = self._parts()
+        parts = parts_of(self.items)
         if any(isinstance(part, Model) and os.path.realpath(part.path) == os.path.realpath(path) for part in parts):
             raise UsageError(f"{str(path)!r} is a model of this scene, and would be lost: save the scene under another name")
         writer = Writer(path, parts, only_drawn=only_drawn)
         try:
-            for item in self.items:
-                if isinstance(item, Light):
-                    writer.light(item)
+            for part in parts:
+                if isinstance(part, Light):
+                    writer.light(part)
                 else:
-                    writer.shape(item)
+                    writer.shape(part)
             if self.background is not None:
                 writer.background(self.background)
             writer.camera(self.camera, path.stem + ".png")
@@ -139,19 +138,15 @@ class Scene:
         path = self._workplace.file()
         writer = self._write(path, only_drawn=True)
         self._workplace.models = writer.files
-        folders = {os.path.dirname(os.path.realpath(model.path)) for model in self._parts() if isinstance(model, Model)}
+        folders = {os.path.dirname(os.path.realpath(model.path)) for model in parts_of(self.items) if isinstance(model, Model)}
         return str(path), sorted(folders), writer
 
-    def _parts(self) -> list[Item]:
-        """All that is in it and in its groups, once."""
-        found: dict[int, Item] = {}
-        waiting = list(self.items)
-        while waiting:
-            item = waiting.pop()
-            if id(item) not in found and isinstance(item, Group):
-                waiting += item.children
-            found[id(item)] = item
-        return list(found.values())
+    def __getstate__(self) -> dict[str, Any]:
+        """Parts first: of what they are copied or pickled with, groups then find their children done, however deep."""
+        return {"parts": parts_of(self.items), **self.__dict__}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update((name, value) for name, value in state.items() if name != "parts")
 
     def __repr__(self) -> str:
         return f"<lichtraum.Scene of {len(self.items)} things>"

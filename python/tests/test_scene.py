@@ -143,7 +143,7 @@ def test_what_is_of_another_kind_is_refused(use, message):
 
 def test_faulty_scenes(renderer, tmp_path):
     group = lt.Group([CUBE])
-    group.add(group)
+    group.add(lt.Group([lt.Group([CUBE, group])]))
     twice = [lt.Sphere((0, 0, 0), 1, name="a"), lt.Sphere((0, 0, 0), 1, name="a")]
     for items, message in (([group], "itself"), ([lt.Group()], "at least one"), (twice, "called 'a'"), ([lt.Sphere((0, 0, 0), 1, name="a b")], "name")):
         with pytest.raises(lt.UsageError, match=message):
@@ -310,6 +310,30 @@ def test_scene_can_be_copied_after_it_was_drawn(renderer, copied):
     other = copied(scene)
     del scene
     assert renderer.render(other, **SIZE).encoded() == wanted
+
+
+def test_groups_are_as_deep_as_they_are(renderer, tmp_path):
+    """Python's recursion ends at a thousand calls, the library's loops do not."""
+    ball = lt.Sphere((0, 0, -5), 1)
+    group = lt.Group([ball])
+    for _ in range(3000):
+        group = lt.Group([group])
+        group.translate((1e-4, 0, 0))
+    scene = lt.Scene([group, lt.Light.ambient(1)])
+    wanted = renderer.render(scene, **SIZE).encoded()
+    scene.save(tmp_path / "deep.sdf")
+    assert renderer.render(tmp_path / "deep.sdf", integrator="whitted", **SIZE).encoded() == wanted
+    copies = [copy.deepcopy((ball, scene)), pickle.loads(pickle.dumps((ball, scene)))]
+    for copied_ball, copied in copies:
+        assert renderer.render(copied, **SIZE).encoded() == wanted
+        copied_ball.translate((0, 1, 0))  # is the scene's
+        assert renderer.render(copied, **SIZE).encoded() != wanted
+
+
+def test_lights_that_are_twice_in_a_scene_shine_twice(renderer):
+    lamp, ball = lt.Light.ambient(0.25), lt.Sphere((0, 0, -5), 1)
+    twice, bright = (lt.Scene([ball, *lamps]) for lamps in ([lamp, lamp], [lt.Light.ambient(0.5)]))
+    assert np.array_equal(renderer.render(twice, **SIZE), renderer.render(bright, **SIZE))
 
 
 def test_failed_save_leaves_nothing(tmp_path):

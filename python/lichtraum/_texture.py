@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Union
+from typing import Any, Union
 
 import numpy
 from numpy.typing import ArrayLike
@@ -43,3 +43,9 @@ class Texture:
             opaque = numpy.full((*texels.shape[:2], 1), 255, dtype=numpy.uint8)
             texels = numpy.concatenate((texels, opaque), axis=2)
         self._native = _native.make_texture(numpy.ascontiguousarray(texels), wrap, filter)
+
+    def __copy__(self) -> Texture:
+        return self  # nothing of it ever changes
+
+    def __deepcopy__(self, _: Any) -> Texture:
+        return self

@@ -2,6 +2,7 @@
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include "bindings.hpp"
@@ -36,6 +37,28 @@ char const* kind_name(EsdfStatement const& statement) {
 
 using Texels = nb::ndarray<std::uint8_t const, nb::shape<-1, -1, 4>, nb::c_contig, nb::device::cpu>;
 
+/// What pickle stores of a texture: its picture (name, width, height, numbers), how it goes on beyond its edges and
+/// between its texels, whether it has alpha, and the files that it was read from.
+using TextureState = std::tuple<std::string, int, int, nb::bytes, int, int, bool, std::vector<nb::bytes>>;
+
+TextureState state_of(MadeTexture const& made) {
+  Texture const& texture = *made.texture;
+  TextureImage const& image = *texture.image;
+  std::vector<nb::bytes> files;
+  for (auto const& name : made.files.names()) files.emplace_back(name.c_str(), name.native().size());
+  return {image.name,          image.width,         image.height,   nb::bytes(image.rgba.data(), image.rgba.size()),
+          int(texture.wrap_s), int(texture.filter), made.has_alpha, files};
+}
+
+void set_state(MadeTexture& made, TextureState const& state) {
+  auto const& [name, width, height, texels, wrap, filter, has_alpha, files] = state;
+  auto const* const rgba = static_cast<std::uint8_t const*>(texels.data());
+  auto image = std::make_shared<TextureImage const>(TextureImage{name, width, height, {rgba, rgba + texels.size()}});
+  Texture const texture{std::move(image), TextureWrap(wrap), TextureWrap(wrap), TextureFilter(filter)};
+  new (&made) MadeTexture{std::make_shared<Texture const>(texture), has_alpha, {}};
+  for (nb::bytes const& file : files) made.files.add(std::string(file.c_str(), file.size()));
+}
+
 }  // namespace
 
 void bind_editing(nb::module_& module) {
@@ -49,7 +72,10 @@ void bind_editing(nb::module_& module) {
   using Release = nb::call_guard<nb::gil_scoped_release>;  // whoever draws the scene may take long
   module.def("transform", &transform, nb::arg("scene"), nb::arg("shape"), nb::arg("how"), nb::arg("numbers"),
              Release());
-  nb::class_<MadeTexture>(module, "Texture", "A picture for materials.").def_ro("has_alpha", &MadeTexture::has_alpha);
+  nb::class_<MadeTexture>(module, "Texture", "A picture for materials.")
+      .def_ro("has_alpha", &MadeTexture::has_alpha)
+      .def("__getstate__", &state_of)
+      .def("__setstate__", &set_state);
   module.def(
       "make_texture",
       [](Texels const& texels, std::string const& wrap, std::string const& filter) {

@@ -13,6 +13,8 @@ class SourceFiles {
   void add(std::filesystem::path const& file);
   void add(SourceFiles const& others) { names_.insert(others.names_.begin(), others.names_.end()); }
 
+  std::set<std::filesystem::path> const& names() const { return names_; }
+
   /// Throws as app::FilesRead does.
   void refuse_to_overwrite(std::filesystem::path const& output) const;
 

@@ -1,5 +1,8 @@
 """Textures of materials that are made in Python."""
 
+import copy
+import pickle
+
 import numpy as np
 import pytest
 
@@ -67,6 +70,21 @@ def test_a_file_is_read_as_a_picture(renderer, tmp_path):
     lt.render(lt.Scene(background=(0.2, 0.5, 0.8)), size=(4, 4), progress=False).save(tmp_path / "plain.png")
     picture = drawn(renderer, square(unlit(tmp_path / "plain.png"), texcoords=TEXCOORDS))
     assert np.allclose(shown(picture), (0.0331, 0.214, 0.604), atol=0.005)
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda thing: pickle.loads(pickle.dumps(thing))])
+def test_textures_and_what_has_them_can_be_copied(renderer, tmp_path, copied):
+    alpha = np.dstack((FOUR, [[255, 0], [0, 255]])).astype(np.uint8)
+    lt.render(lt.Scene(background=(0.2, 0.5, 0.8)), size=(3, 2), progress=False).save(tmp_path / "plain.png")
+    for texture in (lt.Texture(alpha, wrap="mirror", filter="nearest"), lt.Texture(FOUR), lt.Texture(tmp_path / "plain.png", wrap="clamp")):
+        materials = [lt.Pbr(base_color_texture=each, metallic=0, unlit=True) for each in (texture, copied(texture))]
+        moved = [(u - 0.8, v) for u, v in TEXCOORDS]
+        assert np.array_equal(*(drawn(renderer, square(material, texcoords=moved)) for material in materials))
+    both = copied((lt.Pbr(base_color_texture=texture), lt.Pbr(base_color_texture=texture)))
+    assert both[0] == both[1]  # one texture, still
+    image = renderer.render(lt.Scene([square(both[0], texcoords=TEXCOORDS)]), size=(4, 4))
+    with pytest.raises(lt.FileError, match="is read for this picture"):
+        image.save(tmp_path / "plain.png")
 
 
 def test_other_factors_take_textures(renderer):

@@ -97,7 +97,7 @@ class Writer:
             self.lights[name] = light
 
     def background(self, value: Color) -> None:
-        self._line("define", "background", *color(value))
+        self._line("define", "background", *color("background", value))
 
     def camera(self, camera: Camera, picture: str) -> None:
         name = self._name(None, "camera")

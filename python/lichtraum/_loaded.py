@@ -12,7 +12,7 @@ from ._files import draft, reading, scene_file, write_file
 from ._materials import Material, checked
 from ._native import Diagnostic
 from ._nodes import Camera, Light
-from ._values import Color, Vector, Words, expect, number, rotation, scaling, translation
+from ._values import Color, Vector, Words, expect, number, rotation, scaling, size_in_pixels, translation
 from ._waiting import wait_for
 
 
@@ -88,9 +88,9 @@ class LoadedScene:
         UsageError."""
         expect("camera", camera, Camera, "a lichtraum.Camera")
         steps = [_native.Step(step[0], step[1:]) for step in camera.transforms()]
-        width = None if camera.orthographic is None else number(camera.orthographic)
-        sides = [int(number(side)) for side in camera.size]
-        _native.set_camera(self._native, name, number(camera.fov_x_degrees), width, steps, *sides)
+        width = None if camera.orthographic is None else number("orthographic", camera.orthographic)
+        fov, sides = number("fov_x_degrees", camera.fov_x_degrees), size_in_pixels("size", camera.size)
+        _native.set_camera(self._native, name, fov, width, steps, *sides)
         self._cameras[name] = camera
 
     def _move(self, name: str, step: Words) -> None:

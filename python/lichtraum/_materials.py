@@ -6,7 +6,6 @@ import math
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, Iterable, Optional, Union
 
-from ._errors import UsageError
 from ._texture import Texture
 from ._values import Color, color, expect, number, unchanging
 
@@ -33,22 +32,24 @@ class Phong:
 
     def __post_init__(self) -> None:
         _settle(self, ("ambient", "diffuse", "specular", "emission"))
+        self.native()
 
     def words(self) -> list[Any]:
         """Of eSDF, after the name."""
-        words: list[Any] = [*color(self.ambient), *color(self.diffuse), *color(self.specular), number(self.exponent)]
+        _, fields, _ = self.native()
+        words: list[Any] = [*fields["ka"], *fields["kd"], *fields["ks"], *fields["m"]]
         for name, usual in (("reflect", 0), ("transmit", 0), ("ior", 1)):
-            value = number(getattr(self, name))
+            value = fields[name][0]
             if value != usual:
                 words.append(f"{name}={value!r}")
-        return words + (["emission", *color(self.emission)] if any(color(self.emission)) else [])
+        return words + (["emission", *fields["emission"]] if any(fields["emission"]) else [])
 
     def native(self) -> tuple[str, Fields, Textures]:
         """The model, and its fields and textures as the library calls them."""
-        colors = {"ka": self.ambient, "kd": self.diffuse, "ks": self.specular, "emission": self.emission}
-        numbers = {"m": self.exponent, "reflect": self.reflect, "transmit": self.transmit, "ior": self.ior}
-        made: Fields = {name: [*color(value)] for name, value in colors.items()}
-        return "phong", made | {name: [number(value)] for name, value in numbers.items()}, {}
+        colors = {"ka": "ambient", "kd": "diffuse", "ks": "specular", "emission": "emission"}
+        numbers = {"m": "exponent", "reflect": "reflect", "transmit": "transmit", "ior": "ior"}
+        made: Fields = {key: [*color(name, getattr(self, name))] for key, name in colors.items()}
+        return "phong", made | {key: [number(name, getattr(self, name))] for key, name in numbers.items()}, {}
 
 
 @dataclass(frozen=True)
@@ -109,6 +110,7 @@ class Pbr:
 
     def __post_init__(self) -> None:
         _settle(self, _COLORS)
+        self.native()
 
     def has_textures(self) -> bool:
         return any(getattr(self, field.name) is not None for field in fields(self) if field.name in _TEXTURES)
@@ -118,17 +120,17 @@ class Pbr:
         made: Fields = {}
         textures: Textures = {}
         for field in fields(self):
-            value = getattr(self, field.name)
-            if field.name in _TEXTURES:
+            name, value = field.name, getattr(self, field.name)
+            if name in _TEXTURES:
                 if value is not None:
-                    textures[field.name] = _texture(field.name, value)
-            elif field.name in _COLORS:
-                made[field.name] = [*color(value, least=0)]
-            elif field.name in _LEAST:
-                value = math.inf if value == math.inf else number(value)
-                made[field.name] = [number(value, least=_LEAST[field.name]) if value != math.inf else value]
+                    expect(name, value, Texture, "a lichtraum.Texture")
+                    textures[name] = value._native
+            elif name in _COLORS:
+                made[name] = [*color(name, value, least=0)]
+            elif name in _LEAST:
+                made[name] = [number(name, value, least=_LEAST[name], endless=name == "attenuation_distance")]
             else:
-                made[field.name] = [number(value, least=0, most=1)]
+                made[name] = [number(name, value, least=0, most=1)]
         base = textures.get("base_color_texture")
         if made["alpha"][0] < 1 or (base is not None and base.has_alpha):
             made["alpha_mode"] = [2]  # AlphaMode::blend
@@ -138,13 +140,7 @@ class Pbr:
 def _settle(material: Material, colors: Iterable[str]) -> None:
     """Lists and arrays become tuples, as scenes look materials up."""
     for name in colors:
-        object.__setattr__(material, name, unchanging(getattr(material, name)))
-
-
-def _texture(name: str, value: Any) -> _native.Texture:
-    if not isinstance(value, Texture):
-        raise UsageError(f"{name}: expected a lichtraum.Texture, not {type(value).__name__}")
-    return value._native
+        object.__setattr__(material, name, unchanging(name, getattr(material, name)))
 
 
 _TEXTURES = tuple(field.name for field in fields(Pbr) if field.name.endswith("_texture"))

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._errors import UsageError
 from ._files import file_name
 from ._materials import WHITE, Fields, Material, checked
-from ._values import Color, Vector, color, expect, length, number, rotation, scaling, translation, vector
+from ._values import Color, Vector, color, direction_of, expect, length, number, rotation, scaling, size_in_pixels, translation, vector
 
 if TYPE_CHECKING:
     from ._esdf import Writer
@@ -64,7 +64,7 @@ class Sphere(Shape):
 
     def __init__(self, center: Vector, radius: float, material: Material = WHITE, *, name: Optional[str] = None) -> None:
         super().__init__(material, name)
-        self._words = [*vector(center), length(radius)]
+        self._words = [*vector("center", center), length("radius", radius)]
 
     kind = "sphere"
 
@@ -77,7 +77,7 @@ class Box(Shape):
 
     def __init__(self, p1: Vector, p2: Vector, material: Material = WHITE, *, name: Optional[str] = None) -> None:
         super().__init__(material, name)
-        self._words = [*vector(p1), *vector(p2)]
+        self._words = [*vector("p1", p1), *vector("p2", p2)]
 
     kind = "box"
 
@@ -92,7 +92,7 @@ class Cylinder(Shape):
         self, p1: Vector, p2: Vector, radius: float, material: Material = WHITE, *, name: Optional[str] = None
     ) -> None:
         super().__init__(material, name)
-        self._words = [*vector(p1), *vector(p2), length(radius)]
+        self._words = [*vector("p1", p1), *vector("p2", p2), length("radius", radius)]
 
     kind = "cylinder"
 
@@ -107,7 +107,7 @@ class Cone(Shape):
         self, base: Vector, tip: Vector, radius: float, material: Material = WHITE, *, name: Optional[str] = None
     ) -> None:
         super().__init__(material, name)
-        self._words = [*vector(base), *vector(tip), length(radius)]
+        self._words = [*vector("base", base), *vector("tip", tip), length("radius", radius)]
 
     kind = "cone"
 
@@ -120,7 +120,7 @@ class Plane(Shape):
 
     def __init__(self, point: Vector, normal: Vector, material: Material = WHITE, *, name: Optional[str] = None) -> None:
         super().__init__(material, name)
-        self._words = [*vector(point), *vector(normal)]
+        self._words = [*vector("point", point), *direction_of("normal", normal)]
 
     kind = "plane"
 
@@ -158,7 +158,7 @@ class Mesh(Shape):
 
     @vertices.setter
     def vertices(self, vertices: ArrayLike) -> None:
-        self._vertices = _floats(vertices)
+        self._vertices = _floats("vertices", vertices)
 
     @property
     def faces(self) -> NDArray[numpy.int64]:
@@ -167,7 +167,7 @@ class Mesh(Shape):
 
     @faces.setter
     def faces(self, faces: ArrayLike) -> None:
-        corners = _array(faces)
+        corners = _array("faces", faces)
         if not numpy.issubdtype(corners.dtype, numpy.integer):
             raise UsageError(f"faces: expected whole numbers, not {corners.dtype}")
         self._faces = corners.astype(numpy.int64)
@@ -179,7 +179,7 @@ class Mesh(Shape):
 
     @normals.setter
     def normals(self, normals: Optional[ArrayLike]) -> None:
-        self._normals = None if normals is None else _floats(normals)
+        self._normals = None if normals is None else _floats("normals", normals)
 
     @property
     def texcoords(self) -> Optional[NDArray[numpy.float32]]:
@@ -188,7 +188,7 @@ class Mesh(Shape):
 
     @texcoords.setter
     def texcoords(self, texcoords: Optional[ArrayLike]) -> None:
-        self._texcoords = None if texcoords is None else _floats(texcoords)
+        self._texcoords = None if texcoords is None else _floats("texcoords", texcoords)
         self.has_texcoords = texcoords is not None
 
     def _check(self) -> None:
@@ -222,17 +222,19 @@ class Mesh(Shape):
         return [writer.file_of(self)]
 
 
-def _array(given: ArrayLike, dtype: Optional[str] = None) -> NDArray[Any]:
+def _array(what: str, given: ArrayLike, dtype: Optional[str] = None) -> NDArray[Any]:
     """A copy."""
     try:
         return numpy.array(given, dtype=dtype)
     except ValueError as error:
-        raise UsageError(f"expected an array of numbers: {error}") from None
+        raise UsageError(f"{what}: expected an array of numbers: {error}") from None
+    except TypeError:
+        raise TypeError(f"{what}: expected an array of numbers, not {given!r}") from None
 
 
-def _floats(given: ArrayLike) -> NDArray[numpy.float32]:
+def _floats(what: str, given: ArrayLike) -> NDArray[numpy.float32]:
     """As files of meshes store numbers."""
-    return _array(given, "<f4")
+    return _array(what, given, "<f4")
 
 
 def _shape_of(array: NDArray[Any]) -> str:
@@ -288,20 +290,18 @@ class Light:
     @classmethod
     def point(cls, position: Vector, brightness: Color = 1.0, *, radius: float = 0.0, name: Optional[str] = None) -> Light:
         """As bright at any distance. Only paths show a radius."""
-        fields = {"position": [*vector(position)], "radius": [number(radius, least=0)]}
-        return cls("point", {**fields, "brightness": [*color(brightness)]}, name)
+        fields = {"position": [*vector("position", position)], "radius": [number("radius", radius, least=0)]}
+        return cls("point", {**fields, "brightness": [*color("brightness", brightness)]}, name)
 
     @classmethod
     def ambient(cls, brightness: Color = 0.2, *, name: Optional[str] = None) -> Light:
         """Light that reaches every surface equally."""
-        return cls("ambient", {"brightness": [*color(brightness)]}, name)
+        return cls("ambient", {"brightness": [*color("brightness", brightness)]}, name)
 
     @classmethod
     def directional(cls, direction: Vector, brightness: Color = 1.0, *, name: Optional[str] = None) -> Light:
         """From infinitely far away, in that direction, as the sun. eSDF does not have it."""
-        if not any(vector(direction)):
-            raise UsageError("the direction must not be zero")
-        return cls("directional", {"direction": [*vector(direction)], "brightness": [*color(brightness)]}, name)
+        return cls("directional", {"direction": [*direction_of("direction", direction)], "brightness": [*color("brightness", brightness)]}, name)
 
     @classmethod
     def spot(
@@ -318,17 +318,16 @@ class Light:
         """A cone: full brightness within the inner angle from its middle, none beyond the outer one, 0 <= inner < outer <=
         90. It falls off with the square of the distance (`brightness` is that at distance 1), and ends at `range`. eSDF
         does not have it."""
-        if not any(vector(direction)):
-            raise UsageError("the direction must not be zero")
-        if not 0 <= number(inner_degrees) < number(outer_degrees) <= 90:
-            raise UsageError(f"expected 0 <= inner < outer <= 90 degrees, not {inner_degrees} and {outer_degrees}")
+        inner, outer = number("inner_degrees", inner_degrees), number("outer_degrees", outer_degrees)
+        if not 0 <= inner < outer <= 90:
+            raise UsageError(f"inner_degrees, outer_degrees: expected 0 <= inner < outer <= 90, not {inner} and {outer}")
         fields = {
-            "position": [*vector(position)],
-            "direction": [*vector(direction)],
-            "brightness": [*color(brightness)],
-            "inner": [number(inner_degrees)],
-            "outer": [number(outer_degrees)],
-            "range": [math.inf if range == math.inf else length(range, "range")],
+            "position": [*vector("position", position)],
+            "direction": [*direction_of("direction", direction)],
+            "brightness": [*color("brightness", brightness)],
+            "inner": [inner],
+            "outer": [outer],
+            "range": [length("range", range, endless=True)],
         }
         return cls("spot", fields, name)
 
@@ -355,25 +354,29 @@ class Camera:
     size: tuple[int, int] = (640, 480)
     orthographic: Optional[float] = None
 
+    def __post_init__(self) -> None:
+        self.words("")
+        self.transforms()
+
     def words(self, name: str) -> list[Any]:
         """Of eSDF."""
-        keys = [] if self.orthographic is None else [f"orthographic={number(self.orthographic)!r}"]
-        width, height = (str(int(number(side))) for side in self.size)
-        return ["define", "camera", name, number(self.fov_x_degrees), width, height, *keys]
+        keys = [] if self.orthographic is None else [f"orthographic={length('orthographic', self.orthographic)!r}"]
+        sides = map(str, size_in_pixels("size", self.size))
+        return ["define", "camera", name, number("fov_x_degrees", self.fov_x_degrees), *sides, *keys]
 
     def transforms(self) -> list[list[Any]]:
         """From the origin, where it looks along -z: it rolls, nods, turns, and goes to its place."""
-        eye, target, up = (numpy.array(vector(v)) for v in (self.eye, self.target, self.up))
+        eye, target, up = (numpy.array(vector(name, getattr(self, name))) for name in ("eye", "target", "up"))
         x, y, z = target - eye
         across = math.hypot(x, z)
         if math.hypot(across, y) == 0:
-            raise UsageError("a camera does not look at the place where it stands")
+            raise UsageError("target: a camera does not look at the place where it stands")
         yaw, pitch = math.atan2(-x, -z) if across else 0.0, math.atan2(y, across)
         right = numpy.array([math.cos(yaw), 0.0, -math.sin(yaw)])
         above = numpy.cross(right, (target - eye) / math.hypot(across, y))
         sideways, upwards = float(up @ right), float(up @ above)
         if math.hypot(sideways, upwards) < 1e-9 * math.hypot(*up) or not any(up):
-            raise UsageError("a camera does not look along what is up")
+            raise UsageError("up: a camera does not look along what is up")
         steps: list[list[Any]] = []
         for angle, axis in ((math.atan2(-sideways, upwards), (0, 0, 1)), (pitch, (1, 0, 0)), (yaw, (0, 1, 0))):
             if angle:

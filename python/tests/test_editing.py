@@ -215,17 +215,17 @@ def test_another_camera(renderer, loaded):
 
 @pytest.mark.parametrize("change, message", [
     (lambda s: s.shape("nobody"), "no shape 'nobody'"),
-    (lambda s: s.shape("ball").scale(0), "factors must not be 0"),
+    (lambda s: s.shape("ball").scale(0), "^factor: a scale factor must not be 0"),
     (lambda s: s.set_material("nobody", GREEN), "no material 'nobody'"),
     (lambda s: s.set_material("red", lt.Phong(reflect=0.9, transmit=0.9)), "transmit"),
     (lambda s: s.set_material("red", lt.Pbr(metallic=2)), "from 0 to 1"),
     (lambda s: s.set_material("red", lt.Pbr(ior=0.5)), "at least 1"),
     (lambda s: s.remove_light("nobody"), "no light 'nobody'"),
     (lambda s: s.set_camera("eye", lt.Camera(190)), "angle"),
-    (lambda s: s.set_camera("eye", lt.Camera(orthographic=0)), "width must be above 0"),
-    (lambda s: lt.Light.spot((0, 0, 0), (0, 0, 0)), "direction must not be zero"),
+    (lambda s: s.set_camera("eye", lt.Camera(orthographic=0)), "^orthographic: expected a number above 0"),
+    (lambda s: lt.Light.spot((0, 0, 0), (0, 0, 0)), "^direction: expected a direction, not zero"),
     (lambda s: lt.Light.spot((0, 0, 0), (0, 0, 1), inner_degrees=50), "inner"),
-    (lambda s: lt.Light.directional((0, 0, 0)), "direction must not be zero"),
+    (lambda s: lt.Light.directional((0, 0, 0)), "^direction: expected a direction, not zero"),
 ])
 def test_what_makes_no_sense_is_refused(renderer, loaded, change, message):
     before = pixels(renderer, loaded)

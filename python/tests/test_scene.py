@@ -1,6 +1,7 @@
 """Scenes that are made in Python."""
 
 import copy
+import math
 import os
 import pickle
 import subprocess
@@ -104,19 +105,29 @@ def test_model_from_another_folder(renderer, tmp_path):
 
 
 @pytest.mark.parametrize("make, message", [
-    (lambda: lt.Sphere((0, 0), 1), "three numbers"),
-    (lambda: lt.Sphere((0, 0, float("nan")), 1), "finite"),
-    (lambda: lt.Sphere((0, 0, 0), -1), "above 0"),
+    (lambda: lt.Sphere((0, 0), 1), "^center: expected three numbers, not 2"),
+    (lambda: lt.Sphere((0, 0, float("nan")), 1), "^center: expected a finite number"),
+    (lambda: lt.Sphere((0, 0, 0), -1), "^radius: expected a number above 0, not -1.0"),
     (lambda: lt.Mesh([(0, 0, 0)], [(0, 0, 1)]), "from 0 to 0"),
     (lambda: lt.Mesh([(0, 0, 0)], [(0.0, 0.0, 0.0)]), "whole numbers"),
     (lambda: lt.Mesh([0, 0, 0], [(0, 0, 0)]), "N x 3"),
-    (lambda: lt.Mesh([("a", 0, 0)], [(0, 0, 0)]), "an array of numbers: "),
-    (lambda: lt.Mesh([(0, 0, 0)], [(0, 0, 0), (0, 0)]), "an array of numbers: "),
-    (lambda: CUBE.rotate(3, (0, 0, 0)), "axis must not be zero"),
-    (lambda: CUBE.scale(0), "factors must not be 0"),
-    (lambda: lt.Light.spot((0, 0, 0), (0, 0, 1), range=-2), "a range above 0"),
-    (lambda: lt.Camera(eye=(1, 1, 1), target=(1, 1, 1)).transforms(), "stands"),
-    (lambda: lt.Camera(eye=(0, 1, 0), target=(0, 0, 0)).transforms(), "up"),
+    (lambda: lt.Mesh([("a", 0, 0)], [(0, 0, 0)]), "^vertices: expected an array of numbers: "),
+    (lambda: lt.Mesh([(0, 0, 0)], [(0, 0, 0), (0, 0)]), "^faces: expected an array of numbers: "),
+    (lambda: CUBE.rotate(3, (0, 0, 0)), "^axis: expected a direction, not zero"),
+    (lambda: CUBE.scale(0), "^factor: a scale factor must not be 0"),
+    (lambda: lt.Light.spot((0, 0, 0), (0, 0, 1), range=-2), "^range: expected a number above 0"),
+    (lambda: lt.Camera(eye=(1, 1, 1), target=(1, 1, 1)), "^target: .*stands"),
+    (lambda: lt.Camera(eye=(0, 1, 0), target=(0, 0, 0)), "^up: "),
+    (lambda: lt.Camera(size=(640, 480, 1)), "^size: expected width and height in pixels, at least 1 x 1, not 640 x 480 x 1"),
+    (lambda: lt.Camera(size=(0, 480)), "^size: .*not 0 x 480"),
+    (lambda: lt.Camera(orthographic=0), "^orthographic: expected a number above 0"),
+    (lambda: lt.Plane((0, 0, 0), (0, 0, 0)), "^normal: expected a direction"),
+    (lambda: lt.Phong(specular=(1, 2)), "^specular: expected three numbers, not 2"),
+    (lambda: lt.Phong(reflect=float("nan")), "^reflect: expected a finite number"),
+    (lambda: lt.Pbr(roughness=2), "^roughness: expected a number from 0 to 1, not 2.0"),
+    (lambda: lt.Pbr(sheen_color=(1, -1, 1)), "^sheen_color: expected a number that is at least 0"),
+    (lambda: lt.Pbr(ior=math.inf), "^ior: expected a finite number"),
+    (lambda: lt.Pbr(attenuation_distance=0), "^attenuation_distance: "),
 ])
 def test_what_makes_no_sense_is_refused(make, message):
     with pytest.raises(lt.UsageError, match=message):

@@ -137,5 +137,3 @@ def test_what_is_no_texture_is_refused(renderer, tmp_path):
     refused(lt.UsageError, "4 x 2, not of 3 x 2", square, lt.Phong(), texcoords=TEXCOORDS[:3])
     refused(lt.UsageError, "this sphere has none", drawn, renderer, lt.Sphere((0, 0, -5), 1, unlit(FOUR)))
     refused(lt.UsageError, "this mesh has none", drawn, renderer, square(unlit(FOUR)))
-    faulty = lt.Pbr(base_color_texture="file.png")  # type: ignore[arg-type]
-    refused(lt.UsageError, "base_color_texture: expected", drawn, renderer, square(faulty, texcoords=TEXCOORDS))

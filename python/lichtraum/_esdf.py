@@ -13,7 +13,7 @@ from ._errors import FileError, UsageError
 from ._files import write_file
 from ._materials import WHITE, Material, Pbr, Phong
 from ._nodes import Camera, Light, Mesh, Model, Shape
-from ._values import Color, color, is_word, text_of
+from ._values import Color, color, is_word, named, text_of
 
 
 class Writer:
@@ -45,8 +45,8 @@ class Writer:
     def _name(self, wanted: str | None, kind: str) -> str:
         """Of a shape or a light."""
         if wanted is not None:
-            if not is_word(wanted):
-                raise UsageError(f"{wanted!r} cannot be a name: it has spaces or a #")
+            if not is_word(named(wanted)):
+                raise UsageError(f"{wanted!r} cannot be a name: it is empty, or has spaces or a #")
             if wanted in self._names:
                 raise UsageError(f"there are two things that are called {wanted!r}")
         count = 1

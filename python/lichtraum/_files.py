@@ -12,9 +12,9 @@ from . import _native
 from ._errors import FileError, UsageError
 
 
-def file_name(path: Union[str, os.PathLike[str]]) -> str:
+def file_name(path: Union[str, bytes, os.PathLike[str]]) -> str:
     """As the library takes it. Raises UsageError for what it would cut off or not understand."""
-    name = _without_nul(os.fspath(path))
+    name = _as_text(path)
     try:
         name.encode()
     except UnicodeEncodeError:
@@ -22,7 +22,11 @@ def file_name(path: Union[str, os.PathLike[str]]) -> str:
     return name
 
 
-def _without_nul(name: str) -> str:
+def _as_text(path: Union[str, bytes, os.PathLike[str]]) -> str:
+    try:
+        name = os.fsdecode(path)
+    except TypeError:
+        raise TypeError(f"expected the name of a file, not {path!r}") from None
     if "\0" in name:
         raise UsageError(f"{name!r}: no file has a name with a NUL character")
     return name
@@ -58,14 +62,15 @@ def _explain(error: FileError, path: str, reason: str) -> None:
 
 def scene_file(path: Union[str, os.PathLike[str]]) -> Path:
     """To write a scene to. Raises UsageError where that would take a picture's place."""
-    if _native.names_picture(os.fsencode(_without_nul(os.fspath(path)))):
-        raise UsageError(f"{os.fspath(path)!r} is named as a picture: scenes are saved as .sdf, pictures with Image.save")
-    return Path(path)
+    name = _as_text(path)
+    if _native.names_picture(os.fsencode(name)):
+        raise UsageError(f"{name!r} is named as a picture: scenes are saved as .sdf, pictures with Image.save")
+    return Path(name)
 
 
 def write_file(target: Path, content: bytes) -> None:
     """As pictures are written: whole or not at all, where a link leads to, and with the permissions of the old file."""
-    name = _without_nul(str(target))
+    name = _as_text(target)
     with writing(name):
         _native.write_file(os.fsencode(name), content)
 

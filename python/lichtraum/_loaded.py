@@ -12,7 +12,7 @@ from ._files import draft, reading, scene_file, write_file
 from ._materials import Material, checked
 from ._native import Diagnostic
 from ._nodes import Camera, Light
-from ._values import Color, Vector, Words, expect, number, rotation, scaling, size_in_pixels, translation
+from ._values import Color, Vector, Words, expect, named, number, rotation, scaling, size_in_pixels, translation
 from ._waiting import wait_for
 
 
@@ -62,24 +62,24 @@ class LoadedScene:
 
     def shape(self, name: str) -> LoadedShape:
         """To move it. Raises UsageError for a name that is not in `shapes`."""
-        if name not in self.shapes:
+        if named(name) not in self.shapes:
             raise UsageError(f"the scene has no shape {name!r}")
         return LoadedShape(self, name)
 
     def set_material(self, name: str, material: Material) -> None:
         """Gives all that has the material of this name another one, with no textures but its own. Raises UsageError."""
-        _native.set_material(self._native, name, *checked(material).native())
+        _native.set_material(self._native, named(name), *checked(material).native())
         self._materials[name] = material
 
     def set_light(self, name: str, light: Light) -> None:
         """Puts a lamp in the place of the one of this name, or beside the others. Raises UsageError."""
         expect("light", light, Light, "a lichtraum.Light")
-        _native.set_light(self._native, name, light.kind, light.fields)
+        _native.set_light(self._native, named(name), light.kind, light.fields)
         self._lights[name] = light
 
     def remove_light(self, name: str) -> None:
         """Raises UsageError for a name that is not in `lights`."""
-        _native.remove_light(self._native, name)
+        _native.remove_light(self._native, named(name))
         self._lights.pop(name, None)
         self._removed_lights.add(name)
 
@@ -90,7 +90,7 @@ class LoadedScene:
         steps = [_native.Step(step[0], step[1:]) for step in camera.transforms()]
         width = None if camera.orthographic is None else number("orthographic", camera.orthographic)
         fov, sides = number("fov_x_degrees", camera.fov_x_degrees), size_in_pixels("size", camera.size)
-        _native.set_camera(self._native, name, fov, width, steps, *sides)
+        _native.set_camera(self._native, named(name), fov, width, steps, *sides)
         self._cameras[name] = camera
 
     def _move(self, name: str, step: Words) -> None:

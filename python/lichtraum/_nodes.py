@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from abc import ABC, abstractmethod
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Iterable, Optional
 
 import numpy
@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._errors import UsageError
 from ._files import file_name
 from ._materials import WHITE, Fields, Material, checked
-from ._values import Color, Vector, color, direction_of, expect, length, number, rotation, scaling, size_in_pixels, translation, vector
+from ._values import Color, Vector, color, direction_of, expect, items_of, length, number, rotation, scaling, size_in_pixels, translation, vector
 
 if TYPE_CHECKING:
     from ._esdf import Writer
@@ -263,7 +263,7 @@ class Group(Shape):
     def __init__(self, children: Iterable[Shape] = (), *, name: Optional[str] = None) -> None:
         super().__init__(None, name)
         self.children: list[Shape] = []
-        for child in children:
+        for child in items_of("children", children, "a list of shapes and groups"):
             self.add(child)
 
     def add(self, child: Shape) -> None:
@@ -284,7 +284,7 @@ class Light:
     """A lamp: see `point`, `spot`, `directional`, `ambient`."""
 
     kind: str
-    fields: Fields = field(default_factory=dict)
+    fields: Fields
     name: Optional[str] = None
 
     @classmethod

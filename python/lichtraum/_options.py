@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from . import _native
 from ._errors import FileError, UsageError
-from ._values import expect
+from ._values import expect, items_of
 
 Path = Union[str, "os.PathLike[str]"]
 Numbers = Union[Sequence[float], NDArray[Any]]
@@ -82,15 +82,15 @@ def _plain(value: Any) -> Any:
 
 def _flat(values: Iterable[Any]) -> list[Any]:
     flat: list[Any] = []
-    for each in map(_plain, values):
-        if isinstance(each, (str, os.PathLike)) or not hasattr(each, "__iter__"):
-            flat.append(each)
+    for value in map(_plain, values):
+        if isinstance(value, (str, bytes, os.PathLike)) or not hasattr(value, "__iter__"):
+            flat.append(value)
         else:
-            flat.extend(_flat(each))
+            flat.extend(_flat(value))
     return flat
 
 
-def _word(value: Any) -> str:
+def _word(name: str, value: Any) -> str:
     if isinstance(value, os.PathLike):
         return str(os.fspath(value))
     if isinstance(value, (str, int)):
@@ -98,7 +98,7 @@ def _word(value: Any) -> str:
     if hasattr(value, "__float__"):
         number = float(value)
         return str(int(number)) if hasattr(value, "__index__") else repr(number)
-    raise TypeError(f"expected a number or a text, not {value!r}")
+    raise TypeError(f"{name}: expected a number or a text, not {value!r}")
 
 
 def _option(name: str) -> str:
@@ -119,18 +119,18 @@ def _words(name: str, value: Any) -> list[str]:
         expect(name, value, bool, "True or False")
         return [option] if value else []
     if name == "allow_path":
-        folders = [value] if isinstance(value, (str, os.PathLike)) else list(value)
-        return [_with_value(name, _word(folder), value) for folder in folders or [""]]
+        folders = [value] if isinstance(value, (str, os.PathLike)) else [*items_of(name, value, "a folder, or a list of them")]
+        return [_with_value(name, _word(name, folder), value) for folder in folders or [""]]
     if isinstance(value, bool):
         if name == "ground":
             return [option] if value else []
         if name == "denoise":
             return [option + ("=on" if value else "=off")]
         raise TypeError(f"{name} cannot be True or False")
-    if isinstance(value, (str, os.PathLike)) or not hasattr(value, "__iter__"):
-        return [_with_value(name, _word(value), value)]
+    if isinstance(value, (str, bytes, os.PathLike)) or not hasattr(value, "__iter__"):
+        return [_with_value(name, _word(name, value), value)]
     between = "x" if name in ("size", "samples") else ","
-    return [_with_value(name, between.join(_word(each) for each in _flat(value)), value)]
+    return [_with_value(name, between.join(_word(name, part) for part in _flat(value)), value)]
 
 
 def parsed(options: dict[str, Any]) -> _native.Options:

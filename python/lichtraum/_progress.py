@@ -5,6 +5,8 @@ from __future__ import annotations
 import sys
 from typing import Any, Callable, Optional
 
+from ._values import expect
+
 Show = Callable[[float], Any]
 
 
@@ -20,6 +22,8 @@ class Bar:
     def __init__(self, progress: Optional[bool | Show]) -> None:
         self._show: Optional[Show] = None
         self._close: Callable[[], Any] = lambda: None
+        if not callable(progress):
+            expect("progress", progress, (bool, type(None)), "True, False or a function")
         if callable(progress):
             self._show = progress
         elif progress is None or progress:

@@ -18,7 +18,7 @@ from ._native import Diagnostic
 from ._options import READING, Path, RenderOptions, as_here, named_as_here, parsed
 from ._progress import Bar
 from ._scene import Scene
-from ._values import whole
+from ._values import expect, whole
 from ._waiting import wait_for
 
 if sys.version_info >= (3, 11):
@@ -123,7 +123,9 @@ class Renderer:
 
 
 def _check(scene: Drawable, picture: int, given: dict[str, Any]) -> None:
-    """Raises UsageError for what has no effect on a scene that is no file, and as `parsed` and `whole` do."""
+    """Raises TypeError for what cannot be drawn, UsageError for what has no effect on a scene that is no file, and as `parsed`
+    and `whole` do."""
+    expect("scene", scene, (str, bytes, os.PathLike, LoadedScene, Scene), "a file's name, a LoadedScene or a Scene")
     parsed(given)
     whole("picture", picture)
     if isinstance(scene, Scene) and picture:

@@ -15,7 +15,7 @@ from ._files import scene_file, write_file
 from ._native import Diagnostic
 from ._nodes import Camera, Light, Model, Shape
 from ._parts import Item, parts_of
-from ._values import Color, expect, is_word
+from ._values import Color, expect, is_word, items_of
 
 
 class _Workplace:
@@ -83,7 +83,7 @@ class Scene:
         self.camera = Camera() if camera is None else camera
         self.background = background
         self._workplace = _Workplace()
-        for item in items:
+        for item in items_of("items", items, "a list of shapes and lights"):
             self.add(item)
 
     @property

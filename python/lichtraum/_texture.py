@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from . import _native
 from ._errors import UsageError
 from ._files import file_name, reading
+from ._values import expect
 
 _LARGEST = 16384  # texels a side
 
@@ -26,7 +27,9 @@ class Texture:
     def __init__(
         self, picture: Union[str, os.PathLike[str], ArrayLike], *, wrap: str = "repeat", filter: str = "linear"
     ) -> None:
-        if isinstance(picture, (str, os.PathLike)):
+        for what, value in (("wrap", wrap), ("filter", filter)):
+            expect(what, value, str, "a text")
+        if isinstance(picture, (str, bytes, os.PathLike)):
             name = file_name(picture)
             with reading(name):
                 self._native = _native.read_texture(name, wrap, filter)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
-from typing import Any, Sequence, Union
+from typing import Any, Iterable, Iterator, Sequence, TypeVar, Union
 
 from numpy.typing import NDArray
 
@@ -12,6 +12,7 @@ from ._errors import UsageError
 
 Vector = Union[Sequence[float], NDArray[Any]]
 Color = Union[float, Vector]
+Item = TypeVar("Item")
 #: Of an eSDF statement: texts and numbers.
 Words = list[Any]
 
@@ -26,12 +27,29 @@ def expect(what: str, value: Any, kind: type | tuple[type, ...], wanted: str) ->
         raise TypeError(f"{what}: expected {wanted}, not {value!r}")
 
 
-def whole(what: str, value: Any) -> int:
-    """Raises TypeError for what is no whole number, Python's or NumPy's."""
+def named(name: Any) -> str:
+    """Raises TypeError for what is no text."""
+    expect("name", name, str, "a text")
+    return name  # type: ignore[no-any-return]
+
+
+def items_of(what: str, values: Iterable[Item], wanted: str) -> Iterator[Item]:
+    """Raises TypeError for what has no items."""
     try:
-        return operator.index(value)
+        return iter(values)
+    except TypeError:
+        raise TypeError(f"{what}: expected {wanted}, not {values!r}") from None
+
+
+def whole(what: str, value: Any) -> int:
+    """Raises TypeError for what is no whole number, Python's or NumPy's, UsageError for what has more than 32 bits."""
+    try:
+        result = operator.index(value)
     except TypeError:
         raise TypeError(f"{what}: expected a whole number, not {value!r}") from None
+    if not -(2**31) <= result < 2**31:
+        raise UsageError(f"{what}: expected a whole number below {2**31}, not {result}")
+    return result
 
 
 def size_in_pixels(what: str, value: Sequence[int]) -> tuple[int, int]:
@@ -39,7 +57,7 @@ def size_in_pixels(what: str, value: Sequence[int]) -> tuple[int, int]:
     if isinstance(value, (str, bytes)) or not hasattr(value, "__iter__"):
         raise TypeError(f"{what}: expected width and height in pixels, not {value!r}")
     sides = [whole(what, side) for side in value]
-    if len(sides) != 2 or not all(0 < side < 2**31 for side in sides):
+    if len(sides) != 2 or not all(side > 0 for side in sides):
         raise UsageError(f"{what}: expected width and height in pixels, at least 1 x 1, not {' x '.join(map(str, sides))}")
     return sides[0], sides[1]
 

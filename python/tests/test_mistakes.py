@@ -346,12 +346,48 @@ def test_models_of_scenes_are_named_as_they_were_given(renderer, tmp_path, folde
         (lambda: lt.render(HELLO, size=(8, 8)).encoded(quality="9"), "quality: expected a whole number, not '9'"),
         (lambda: lt.render(HELLO, size=(8, 8)).encoded(3), "format: expected a text, not 3"),
         (lambda: lt.render(HELLO, size=(8, 8)).encoded("ppm", ppm_ascii=1), "ppm_ascii: expected True or False, not 1"),
+        (lambda: lt.render(HELLO, size=(8, 8)).save(3), "expected the name of a file, not 3"),
+        (lambda: lt.load(None), "expected the name of a file, not None"),
+        (lambda: lt.Scene().save(3), "expected the name of a file, not 3"),
+        (lambda: lt.Model(3), "expected the name of a file, not 3"),
+        (lambda: lt.render(3), "scene: expected a file's name, a LoadedScene or a Scene, not 3"),
+        (lambda: lt.render(HELLO, progress="no"), "progress: expected True, False or a function, not 'no'"),
+        (lambda: lt.render(HELLO, eye=b"abc"), "eye: expected a number or a text, not b'abc'"),
+        (lambda: lt.render(HELLO, size=(8, None)), "size: expected a number or a text, not None"),
+        (lambda: lt.render(HELLO, allow_path=3), "allow_path: expected a folder, or a list of them, not 3"),
+        (lambda: lt.Scene(3), "items: expected a list of shapes and lights, not 3"),
+        (lambda: lt.Group(3), "children: expected a list of shapes and groups, not 3"),
+        (lambda: lt.Scene([lt.Light.ambient(name=3)]).save("a.sdf"), "name: expected a text, not 3"),
+        (lambda: lt.Mesh(len, [(0, 1, 2)]), f"vertices: expected an array of numbers, not {len!r}"),
+        (lambda: lt.Texture(np.zeros((1, 1), dtype=np.uint8), wrap=3), "wrap: expected a text, not 3"),
+        (lambda: lt.Texture("a.png", filter=None), "filter: expected a text, not None"),
+        (lambda: lt.load(HELLO).shape(3), "name: expected a text, not 3"),
+        (lambda: lt.load(HELLO).set_material(3, lt.Phong()), "name: expected a text, not 3"),
+        (lambda: lt.load(HELLO).set_light(3, lt.Light.ambient()), "name: expected a text, not 3"),
+        (lambda: lt.load(HELLO).remove_light(3), "name: expected a text, not 3"),
+        (lambda: lt.load(HELLO).set_camera(3, lt.Camera()), "name: expected a text, not 3"),
     ],
 )
 def test_values_of_another_kind_are_type_errors(use, message):
     with pytest.raises(TypeError) as caught:
         use()
     assert str(caught.value) == message
+
+
+def test_names_of_files_may_be_bytes(renderer, tmp_path):
+    for thing, name in ((renderer.render(os.fsencode(HELLO), size=(8, 8)), b"a.png"), (lt.Scene(), b"a.sdf"), (lt.load(HELLO), b"b.sdf")):
+        thing.save(os.fsencode(tmp_path) + b"/" + name)
+    assert sorted(os.listdir(tmp_path)) == ["a.png", "a.sdf", "b.sdf"]
+
+
+def test_numbers_that_are_too_large_are_told(renderer):
+    for use, name in (
+        (lambda: renderer.render(HELLO, picture=2**31), "picture"),
+        (lambda: renderer.render(HELLO, size=(8, 8)).encoded(quality=2**40), "quality"),
+        (lambda: lt.Camera(size=(2**31, 1)), "size"),
+    ):
+        with pytest.raises(lt.UsageError, match=f"^{name}: expected a whole number below 2147483648, not "):
+            use()
 
 
 def test_numbers_may_be_numpys(renderer):

@@ -47,7 +47,11 @@ class Shape(ABC):
 
     @material.setter
     def material(self, material: Optional[Material]) -> None:
-        self._material = None if material is None else checked(material)
+        self._material = self._accepted(material)
+
+    def _accepted(self, material: Optional[Material]) -> Optional[Material]:
+        """Raises TypeError for what is no material, UsageError for one that it cannot have."""
+        return checked(material)
 
     @property
     @abstractmethod
@@ -251,6 +255,9 @@ class Model(Shape):
         self.path = os.path.abspath(file_name(path))
         self.has_texcoords = True  # for all we know
 
+    def _accepted(self, material: Optional[Material]) -> Optional[Material]:
+        return None if material is None else checked(material)
+
     kind = "mesh"
 
     def words(self, writer: Writer) -> list[Any]:
@@ -270,6 +277,10 @@ class Group(Shape):
         """A shape or a group; the same one may be in several groups."""
         expect("a group's child", child, Shape, "a shape or a group")
         self.children.append(child)
+
+    def _accepted(self, material: Optional[Material]) -> None:
+        if material is not None:
+            raise UsageError("material: a group has none: set those of the shapes in it")
 
     kind = "composite"
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import shutil
 import tempfile
 import threading
+import weakref
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Iterable, Iterator, Optional
@@ -25,12 +27,14 @@ class _Workplace:
     def __init__(self) -> None:
         self.models: dict[str, str] = {}  #: their files, by what the scene's file calls them
         self._turn = threading.RLock()  # again by one thread: `progress` may draw
-        self._folder: Optional[tempfile.TemporaryDirectory[str]] = None
+        self._folder: Optional[Path] = None
 
     def folder(self) -> Path:
+        """Goes with the scene, without the warning of a TemporaryDirectory that its user has to clean up."""
         if self._folder is None:
-            self._folder = tempfile.TemporaryDirectory(prefix="lichtraum-")
-        return Path(self._folder.name)
+            self._folder = Path(tempfile.mkdtemp(prefix="lichtraum-"))
+            weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
+        return self._folder
 
     def file(self) -> Path:
         return self.folder() / "scene.sdf"

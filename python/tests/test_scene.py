@@ -349,6 +349,14 @@ def test_lights_that_are_twice_in_a_scene_shine_twice(renderer):
     assert np.array_equal(renderer.render(twice, **SIZE), renderer.render(bright, **SIZE))
 
 
+def test_scenes_leave_no_folder(child, tmp_path):
+    """Neither when one is forgotten, nor at Python's end; and nobody is warned of it."""
+    draw = "scene = lt.Scene([lt.Sphere((0, 0, -5), 1), lt.Light.ambient(1)]); lt.render(scene, size=(4, 4), progress=False)"
+    code = f"import os, lichtraum as lt\n{draw}\nassert os.listdir({str(tmp_path)!r})\ndel scene\nassert not os.listdir({str(tmp_path)!r})\n{draw}"
+    run = child(code, TMPDIR=str(tmp_path))
+    assert (run.returncode, run.stderr) == (0, "") and list(tmp_path.iterdir()) == []
+
+
 def test_failed_save_leaves_nothing(tmp_path):
     for name in ("\ud800.sdf", "scene.sdf"):
         group = lt.Group([CUBE], name="\ud800")

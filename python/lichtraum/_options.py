@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import inspect
 import os
 import re
 from contextlib import contextmanager
-from typing import Any, Iterable, Iterator, Sequence, TypedDict, Union
+from typing import Annotated, Any, Callable, Iterable, Iterator, Sequence, TypedDict, TypeVar, Union, get_type_hints
 
 from numpy.typing import NDArray
 
@@ -21,51 +22,58 @@ class RenderOptions(TypedDict, total=False):
     """What a picture is asked for. What is left out, or None, is as the scene has it; `lichtraum render --help` says
     more of each: its options have the same names, with dashes. A text is taken as on its command line."""
 
-    size: Sequence[int] | str | None  #: width and height in pixels
-    region: Sequence[int] | str | None  #: x, y, width, height: only this part
-    planes: Sequence[str] | str | None  #: "radiance", "depth", "normal", ...: see Image.planes
-    camera: str | int | None  #: name or number
-    eye: Numbers | str | None  #: x, y, z: put the camera there
-    look_at: Numbers | str | None
-    up: Numbers | str | None
-    orbit: Numbers | str | None  #: azimuth, elevation in degrees, and a distance or none
-    fov_x: float | str | None  #: degrees
-    fov_y: float | str | None
-    orthographic: bool | None  #: rays are parallel
-    aperture: float | str | None  #: diameter of the lens
-    focus: float | Numbers | str | None  #: distance, or a point
-    root: str | None  #: only this shape and what is below it
-    environment: Path | None  #: a map's file, "studio" or "none"
-    environment_rotation: float | str | None  #: degrees
-    environment_brightness: float | str | None
-    integrator: str | None  #: "whitted" or "path"
-    samples: int | Sequence[int] | str | None  #: a pixel: 16 random ones, or (4, 4), a grid
-    depth: int | str | None  #: of reflections
-    clamp: float | str | None
-    seed: int | str | None
-    background: Numbers | Sequence[Numbers] | str | None  #: r, g, b; two of these; "environment" or "none"
-    ground: bool | str | None  #: True, "matt", "glossy" or "none"
-    exposure: float | str | None  #: stops
-    tonemap: str | None
-    transfer: str | None  #: "linear" or "srgb"
-    device: str | int | None  #: only of lichtraum.render
-    traversal: str | None  #: only of lichtraum.render
-    noise: float | str | None
-    denoise: str | bool | None  #: "auto", "on", "off" or "builtin"
-    strict: bool | None
-    keep_going: bool | None
-    transform_order: str | None  #: "parent" or "local"
-    rotation: str | None  #: "right" or "left"
-    material_extras: Sequence[str] | str | None
-    allow_path: Path | Sequence[Path] | None  #: folders that a scene may read besides its own
-    scene: str | int | None  #: of a model's file
-    variant: str | int | None
-    time: float | str | None  #: seconds
-    animation: str | int | None
-    both_sides: bool | None
-    max_texture: int | str | None
-    point_size: float | str | None
+    size: Annotated[Sequence[int] | str | None, "width and height in pixels"]
+    region: Annotated[Sequence[int] | str | None, "x, y, width, height: only this part"]
+    planes: Annotated[Sequence[str] | str | None, '"radiance", "depth", "normal", ...: see Image.planes']
+    camera: Annotated[str | int | None, "name or number"]
+    eye: Annotated[Numbers | str | None, "x, y, z: put the camera there"]
+    look_at: Annotated[Numbers | str | None, "x, y, z: point the camera there"]
+    up: Annotated[Numbers | str | None, "x, y, z: which way is up"]
+    orbit: Annotated[Numbers | str | None, "azimuth, elevation in degrees, and a distance or none"]
+    fov_x: Annotated[float | str | None, "degrees from the left edge to the right one"]
+    fov_y: Annotated[float | str | None, "degrees from the upper edge to the lower one"]
+    orthographic: Annotated[bool | None, "rays are parallel"]
+    aperture: Annotated[float | str | None, "diameter of the lens; 0: all is sharp"]
+    focus: Annotated[float | Numbers | str | None, "distance of what is sharp, or a point there"]
+    root: Annotated[str | None, "only this shape and what is below it"]
+    environment: Annotated[Path | None, 'a map\'s file, "studio" or "none"']
+    environment_rotation: Annotated[float | str | None, "degrees, counter-clockwise seen from above"]
+    environment_brightness: Annotated[float | str | None, "factor for its light"]
+    integrator: Annotated[str | None, '"whitted" or "path"']
+    samples: Annotated[int | Sequence[int] | str | None, "a pixel: 16 random ones, or (4, 4), a grid"]
+    depth: Annotated[int | str | None, "the most reflections and refractions of a ray"]
+    clamp: Annotated[float | str | None, "the most radiance that scattered light may add at each bounce"]
+    seed: Annotated[int | str | None, "number that decides the random samples"]
+    background: Annotated[Numbers | Sequence[Numbers] | str | None, 'r, g, b; two of these; "environment" or "none"']
+    ground: Annotated[bool | str | None, 'True, "matt", "glossy" or "none"']
+    exposure: Annotated[float | str | None, "stops brighter, or darker"]
+    tonemap: Annotated[str | None, '"auto", "neutral", "agx", "aces", "reinhard" or "none"']
+    transfer: Annotated[str | None, '"linear" or "srgb"']
+    device: Annotated[str | int | None, "see Renderer; only of lichtraum.render"]
+    traversal: Annotated[str | None, '"auto", "scalar", "wide" or "packet"; only of lichtraum.render']
+    noise: Annotated[float | str | None, "stop once it is below this share of the brightness"]
+    denoise: Annotated[str | bool | None, '"auto", "on", "off" or "builtin"']
+    strict: Annotated[bool | None, "accept standard eSDF only, no dialects"]
+    keep_going: Annotated[bool | None, "leave faulty statements out and go on"]
+    transform_order: Annotated[str | None, '"parent" or "local": the frame that eSDF transforms in']
+    rotation: Annotated[str | None, '"right" or "left": the hand by which eSDF rotates']
+    material_extras: Annotated[Sequence[str] | str | None, 'what numbers after a material\'s m mean: "opacity", "ior", ...']
+    allow_path: Annotated[Path | Sequence[Path] | None, "folders that a scene may read besides its own"]
+    scene: Annotated[str | int | None, "of a model's file: name or number"]
+    variant: Annotated[str | int | None, "of a model's materials: name or number"]
+    time: Annotated[float | str | None, "seconds from the start of the animation"]
+    animation: Annotated[str | int | None, "name or number"]
+    both_sides: Annotated[bool | None, "show the backs of single-sided surfaces"]
+    max_texture: Annotated[int | str | None, "pixels: textures with a longer side are shrunk"]
+    point_size: Annotated[float | str | None, "diameter of points and lines, in thousandths of the model's diagonal"]
 
+
+def _described() -> Iterator[str]:
+    for name, hint in get_type_hints(RenderOptions, include_extras=True).items():
+        yield f"{name}: {hint.__metadata__[0]}"
+
+
+RenderOptions.__doc__ = "\n".join([inspect.cleandoc(RenderOptions.__doc__ or ""), "", *_described()])
 
 FLAGS = frozenset({"strict", "keep_going", "both_sides", "orthographic"})
 #: Those that say how a file is read.
@@ -73,6 +81,22 @@ READING = (
     "time", "animation", "scene", "variant", "max_texture", "point_size", "both_sides", "strict",
     "keep_going", "transform_order", "rotation", "material_extras", "allow_path",
 )  # fmt: skip
+
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+def taking(names: Iterable[str]) -> Callable[[Function], Function]:
+    """Tells help() and editors which options a function takes, which is written with `**options`."""
+
+    def told(function: Function) -> Function:
+        signature = inspect.signature(function)
+        own = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
+        options = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in names]
+        setattr(function, "__signature__", signature.replace(parameters=[*own, *options]))
+        return function
+
+    return told
 
 
 def _plain(value: Any) -> Any:

@@ -15,7 +15,7 @@ from ._forks import OPENCL
 from ._image import Image
 from ._loaded import LoadedScene
 from ._native import Diagnostic
-from ._options import READING, Path, RenderOptions, as_here, named_as_here, parsed
+from ._options import READING, Path, RenderOptions, as_here, named_as_here, parsed, taking
 from ._progress import Bar
 from ._scene import Scene
 from ._values import expect, whole
@@ -56,6 +56,9 @@ def _folders(value: Any) -> list[Any]:
 
 Drawable = Union[Path, LoadedScene, Scene]
 
+#: Options that a Renderer is made with.
+_DEVICE = ("device", "traversal")
+
 
 class Renderer:
     """Draws on one device, and keeps programs, models and hierarchies from one picture to the next.
@@ -80,16 +83,17 @@ class Renderer:
         """The name of the device."""
         return self._session.device
 
+    @taking(name for name in RenderOptions.__annotations__ if name not in _DEVICE)
     def render(
-        self, scene: Drawable, /, *, picture: int = 0, progress: Progress = None, **options: Unpack[RenderOptions]
+        self, source: Drawable, /, *, picture: int = 0, progress: Progress = None, **options: Unpack[RenderOptions]
     ) -> Image:
         """As `lichtraum.render`, on this device."""
         given = dict(options)
-        for name in ("device", "traversal"):
+        for name in _DEVICE:
             if name in given:
                 raise TypeError(f"{name} is chosen when the Renderer is made")
-        _check(scene, picture, given)
-        return self._draw(scene, picture, progress, given)
+        _check(source, picture, given)
+        return self._draw(source, picture, progress, given)
 
     def _draw(self, scene: Drawable, picture: int, progress: Progress, given: dict[str, Any]) -> Image:
         if not self._session.is_reference:
@@ -159,14 +163,15 @@ def _as_drawn(scene: Scene, given: dict[str, Any]) -> tuple[str | LoadedScene, d
     return loaded, given
 
 
+@taking(RenderOptions.__annotations__)
 def render(
-    scene: Drawable, /, *, picture: int = 0, progress: Progress = None, **options: Unpack[RenderOptions]
+    source: Drawable, /, *, picture: int = 0, progress: Progress = None, **options: Unpack[RenderOptions]
 ) -> Image:
     """Draws a scene or a model: a file's name, what `load` read, or a Scene.
 
     `picture`: which of the file's `render` statements, counted from 0. `progress`: False for no bar, or a function that is called
-    with a number from 0 to 1, at last with 1. The others are in RenderOptions, and mean what they mean to `lichtraum render`. Other
-    threads run meanwhile, and Ctrl-C stops it.
+    with a number from 0 to 1, at last with 1. The others mean what they mean to `lichtraum render`: help(lichtraum.RenderOptions)
+    says what each is. Other threads run meanwhile, and Ctrl-C stops it.
 
     Raises SceneError, UsageError, FileError, DeviceError.
 
@@ -176,16 +181,16 @@ def render(
     """
     given: dict[str, Any] = dict(options)
     device, traversal = given.pop("device", None), given.pop("traversal", None)
-    _check(scene, picture, given)  # mistakes are told before a device is looked for
-    return Renderer(device, traversal=traversal)._draw(scene, picture, progress, given)
+    _check(source, picture, given)  # mistakes are told before a device is looked for
+    return Renderer(device, traversal=traversal)._draw(source, picture, progress, given)
 
 
+@taking(READING)
 def load(path: Path, /, **options: Unpack[RenderOptions]) -> LoadedScene:
     """Reads a scene or a model, as it is at the end of its file; with `time`, at that second of its animation.
 
-    The options are those that say how files are read: `time`, `animation`, `scene`, `variant`, `max_texture`,
-    `point_size`, `both_sides`, `strict`, `keep_going`, `transform_order`, `rotation`, `material_extras`, `allow_path`.
-    Raises SceneError, UsageError, FileError.
+    The options are those that say how files are read: help(lichtraum.RenderOptions) says what each is. Raises SceneError,
+    UsageError, FileError.
 
     >>> load("scenes/hello.sdf").cameras
     ['eye']

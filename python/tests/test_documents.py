@@ -2,13 +2,16 @@
 
 import doctest
 import importlib
+import inspect
 import os
 import pkgutil
+import re
 from pathlib import Path
 
 import pytest
 
 import lichtraum
+from lichtraum._options import READING
 
 ROOT = Path(__file__).parents[2]
 FLAGS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
@@ -36,3 +39,14 @@ def test_examples_in_docstrings_are_found():
     finder = doctest.DocTestFinder()
     modules = [lichtraum, importlib.import_module("lichtraum._render")]
     assert sum(len(test.examples) for module in modules for test in finder.find(module)) >= 4
+
+
+def test_help_names_the_options():
+    """Which the functions take as `**options`."""
+    every = set(lichtraum.RenderOptions.__annotations__)
+    of_renderers = {"device", "traversal"}
+    for function, options in ((lichtraum.render, every), (lichtraum.Renderer.render, every - of_renderers), (lichtraum.load, set(READING))):
+        keywords = {each.name for each in inspect.signature(function).parameters.values() if each.kind is each.KEYWORD_ONLY}
+        assert keywords - {"picture", "progress"} == options
+    described = dict(re.findall(r"^(\w+): (.+)$", inspect.getdoc(lichtraum.RenderOptions), re.MULTILINE))
+    assert set(described) == every and "width" in described["size"]

@@ -126,7 +126,7 @@ class Light {
   /// A white point light at the origin without a name.
   Light() = default;
   /// Brings directions to unit length. Throws std::invalid_argument for a direction that is zero, a range that is not
-  /// positive, angles that make no cone, or a radius that is negative or infinite.
+  /// positive, angles that make no cone, a radius that is negative, and numbers that are not finite, but for a range.
   Light(std::string name, Model model);
 
   static Light ambient(std::string name, Rgb const& la);

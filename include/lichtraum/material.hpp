@@ -18,7 +18,8 @@ class Material {
   /// A light grey, matt material without a name.
   Material() = default;
   Material(std::string name, Rgb const& ka, Rgb const& kd, Rgb const& ks, double m);
-  /// Throws std::invalid_argument unless reflect, transmit and their sum lie in 0..1 and ior is positive.
+  /// Throws std::invalid_argument unless all numbers are finite (PbrModel::attenuation_distance may be infinite), and
+  /// of Phong's model reflect, transmit and their sum lie in 0..1 and ior is positive.
   Material(std::string name, Model model);
 
   std::string const& name() const { return name_; }

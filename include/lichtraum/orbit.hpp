@@ -16,7 +16,7 @@ inline constexpr Orbit three_quarter_view{35, 20};
 
 /// A camera's rotation: it looks from there at the origin, with `up` (of any length but 0) upwards. Where up is +y, the
 /// front is at +z; the least rotation leads from there to other ups, so where up is +z, the front is at -y.
-/// Throws std::invalid_argument for an `up` of length 0.
+/// Throws std::invalid_argument for an `up` of length 0, and for numbers that are not finite.
 Transform orbit_rotation(Orbit const& orbit, Vec3 const& up = {0, 1, 0});
 
 }  // namespace lichtraum

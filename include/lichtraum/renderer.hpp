@@ -156,7 +156,7 @@ class Renderer {
   /// changed and no longer needed afterwards. What is the same in `previous` (a scene that this renderer prepared, or
   /// null) is taken from there. May be called from any thread, also while a picture is traced.
   /// Throws Error{usage} for an unknown root, std::invalid_argument for an environment without a map, or with one that
-  /// is not as large as it says.
+  /// is not as large as it says, and for numbers of it and an `up` that are not finite.
   virtual std::shared_ptr<PreparedScene const> prepare(
       Scene const& scene, std::string_view root = {},
       std::shared_ptr<PreparedScene const> const& previous = {}) const = 0;

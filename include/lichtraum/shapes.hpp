@@ -14,7 +14,7 @@ namespace LICHTRAUM_API lichtraum {
 
 class Sphere final : public Shape {
  public:
-  /// `radius` > 0, else throws std::invalid_argument.
+  /// `radius` > 0, all finite; else throws std::invalid_argument.
   Sphere(std::string name, Vec3 const& center, double radius, std::shared_ptr<Material const> material);
   Vec3 const& center() const { return center_; }
   double radius() const { return radius_; }
@@ -36,7 +36,7 @@ class Sphere final : public Shape {
 /// Axis-parallel in its own frame. May be flat (min == max on an axis).
 class Box final : public Shape {
  public:
-  /// Two opposite corners in any order.
+  /// Two opposite corners in any order. Throws std::invalid_argument unless they are finite.
   Box(std::string name, Vec3 const& p1, Vec3 const& p2, std::shared_ptr<Material const> material);
   Vec3 const& min() const { return min_; }
   Vec3 const& max() const { return max_; }
@@ -58,6 +58,7 @@ class Box final : public Shape {
 /// Hit from both sides. A degenerate one (no area) is never hit.
 class Triangle final : public Shape {
  public:
+  /// Throws std::invalid_argument unless all corners are finite.
   Triangle(std::string name, Vec3 const& a, Vec3 const& b, Vec3 const& c, std::shared_ptr<Material const> material);
   std::array<Vec3, 3> const& vertices() const { return vertices_; }
 

@@ -6,7 +6,8 @@
 namespace LICHTRAUM_API lichtraum {
 
 /// An invertible affine map from one frame to another, kept with its inverse. The inverse is composed along with the
-/// map, never computed by elimination, so that scales of 1e-6 or 1e6 lose nothing.
+/// map, never computed by elimination, so that scales of 1e-6 or 1e6 lose nothing. All that makes one throws
+/// std::invalid_argument for numbers that are not finite.
 class Transform {
  public:
   Transform() = default;

@@ -1,5 +1,7 @@
 #include "io/framing.hpp"
 
+#include <algorithm>
+
 #include "lichtraum/orbit.hpp"
 
 namespace lichtraum {
@@ -19,7 +21,8 @@ Camera frame_box(std::string name, Bounds const& box, Vec3 const& up) {
 std::vector<Light> studio_lights(Bounds const& box, double viewer_azimuth_degrees, Vec3 const& up) {
   Bounds const lit = box.is_empty() ? Bounds{Vec3(-1), Vec3(1)} : box;
   Vec3 const center = lit.center();
-  double const size = std::max(glm::length(lit.max - lit.min), 1e-30);
+  // At most so large that no lamp is infinitely far away, however far the center is.
+  double const size = std::clamp(glm::length(lit.max - lit.min), 1e-30, 1e290);
   // Far away for their size: nearly parallel light, so that no part of the model is much brighter than another.
   double const distance = 10 * size;
   Transform const viewer = orbit_rotation({viewer_azimuth_degrees, 0}, up);

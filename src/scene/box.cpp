@@ -2,12 +2,15 @@
 
 #include "core/format_numbers.hpp"
 #include "lichtraum/shapes.hpp"
+#include "scene/check_finite.hpp"
 #include "scene/passage.hpp"
 
 namespace lichtraum {
 
 Box::Box(std::string name, Vec3 const& p1, Vec3 const& p2, std::shared_ptr<Material const> material)
-    : Shape(std::move(name), std::move(material)), min_(glm::min(p1, p2)), max_(glm::max(p1, p2)) {}
+    : Shape(std::move(name), std::move(material)), min_(glm::min(p1, p2)), max_(glm::max(p1, p2)) {
+  for (Vec3 const& corner : {p1, p2}) check_finite(corner, "a box's corner");
+}
 
 // The slab method (Kay and Kajiya 1986).
 bool Box::closest_hit(Ray const& ray, double t_min, Hit& hit) const {

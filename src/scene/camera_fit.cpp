@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/elementary.hpp"
+#include "core/float3.hpp"
 #include "lichtraum/camera.hpp"
 
 // What a camera keeps in pictures of any proportions, and from where it sees all of a box.
@@ -118,7 +119,9 @@ Camera Camera::fitted(Resolution const& size) const {
                            : place_with_image_in_middle(corners, half_width, half_height);
   }
   if (!(place.z > 0)) place = {0, 0, 1};  // of a single point
-  result.set_world_from_camera(Transform::translation(framed.center() + rotation.vector(place)) * rotation);
+  Vec3 const position = framed.center() + rotation.vector(place);
+  // From within, what is so large that numbers do not reach as far as it is seen from.
+  result.set_world_from_camera(Transform::translation(is_finite(position) ? position : framed.center()) * rotation);
   return result;
 }
 

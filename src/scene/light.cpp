@@ -8,6 +8,7 @@
 
 #include "core/elementary.hpp"
 #include "core/format_numbers.hpp"
+#include "scene/check_finite.hpp"
 #include "scene/device_conversion.hpp"
 #include "scene/device_light.hpp"
 #include "scene/unit_vector.hpp"
@@ -17,8 +18,11 @@ namespace {
 
 /// What may be wrong with the fields of any kind.
 struct Check : LightFieldVisitor {
+  void position(char const*, Vec3 const& position) const { check_finite(position, "a light's position"); }
+  void brightness(char const*, Rgb const& color) const { check_finite(color, "a light's brightness"); }
+  void ambient(char const*, Rgb const& color) const { check_finite(color, "a light's ambient term"); }
   void direction(char const*, Vec3& direction) const {
-    if (direction == Vec3(0)) throw std::invalid_argument("a light's direction must not be zero");
+    if (!is_direction(direction)) throw std::invalid_argument("a light's direction must be finite and not zero");
     direction = unit_vector(direction);
   }
   void range(char const*, double range) const {
@@ -29,7 +33,8 @@ struct Check : LightFieldVisitor {
     if (!is_cone) throw std::invalid_argument("a spot light's angles must be 0 <= inner < outer <= 90 degrees");
   }
   void radius(char const*, double radius) const {
-    if (!(radius >= 0) || !std::isfinite(radius)) throw std::invalid_argument("a light's radius must be at least 0");
+    if (!(radius >= 0) || !std::isfinite(radius))
+      throw std::invalid_argument("a light's radius must be finite and at least 0");
   }
 };
 

@@ -21,7 +21,7 @@ Transform rotation_from_y(Vec3 const& up) {
 }  // namespace
 
 Transform orbit_rotation(Orbit const& orbit, Vec3 const& up) {
-  if (up == Vec3(0)) throw std::invalid_argument("the up vector must not be zero");
+  if (!is_direction(up)) throw std::invalid_argument("the up vector must be finite and not zero");
   return rotation_from_y(up) * Transform::rotation(orbit.azimuth_degrees, Vec3(0, 1, 0)) *
          Transform::rotation(-orbit.elevation_degrees, Vec3(1, 0, 0));
 }

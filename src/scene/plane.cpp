@@ -8,7 +8,7 @@ namespace lichtraum {
 
 Plane::Plane(std::string name, Vec3 const& point, Vec3 const& normal, std::shared_ptr<Material const> material)
     : Shape(std::move(name), std::move(material)), point_(point), normal_(normal) {
-  if (!is_finite(point)) throw std::invalid_argument("a plane's point must be finite");
+  check_finite(point, "a plane's point");
   if (!is_direction(normal)) throw std::invalid_argument("a plane's normal must be finite and not zero");
 }
 

@@ -3,6 +3,8 @@
 #include <stdexcept>
 
 #include "lichtraum/scene.hpp"
+#include "scene/check_finite.hpp"
+#include "scene/unit_vector.hpp"
 
 namespace lichtraum {
 
@@ -20,16 +22,21 @@ inline Rgb ambient(std::vector<Light> const& lights) {
   return sum;
 }
 
-/// Throws std::invalid_argument for an environment whose map is missing or not as large as it says.
+/// Throws std::invalid_argument for an environment whose map is missing or not as large as it says, and for numbers of
+/// it and an `up` that are not finite.
 inline SceneShading shading_of(Scene const& scene) {
   if (scene.environment) {
-    EnvironmentMap const* const map = scene.environment->map.get();
+    EnvironmentLight const& environment = *scene.environment;
+    check_finite(environment.rotation_degrees, "the rotation of an environment");
+    check_finite(environment.brightness, "the brightness of an environment");
+    EnvironmentMap const* const map = environment.map.get();
     if (!map || map->width <= 0 || map->height <= 0 ||
         map->radiance.size() != 3 * std::size_t(map->width) * std::size_t(map->height)) {
       throw std::invalid_argument(
           "an environment light needs a map of at least one pixel, with three numbers for each");
     }
   }
+  if (!is_direction(scene.up)) throw std::invalid_argument("a scene's up must be finite and not zero");
   return {scene.ambient(), scene.background, scene.tone_map, scene.up};
 }
 

@@ -3,12 +3,14 @@
 
 #include "core/format_numbers.hpp"
 #include "lichtraum/shapes.hpp"
+#include "scene/check_finite.hpp"
 #include "scene/sphere_passage.hpp"
 
 namespace lichtraum {
 
 Sphere::Sphere(std::string name, Vec3 const& center, double radius, std::shared_ptr<Material const> material)
     : Shape(std::move(name), std::move(material)), center_(center), radius_(radius) {
+  check_finite(center, "a sphere's centre");
   if (!(radius > 0 && std::isfinite(radius))) throw std::invalid_argument("a sphere's radius must be positive");
 }
 

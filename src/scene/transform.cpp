@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/elementary.hpp"
+#include "scene/check_finite.hpp"
 #include "scene/unit_vector.hpp"
 
 namespace lichtraum {
@@ -34,11 +35,13 @@ Mat3 about(Vec3 const& axis, double radians) {
 }  // namespace
 
 Transform Transform::translation(Vec3 const& offset) {
+  check_finite(offset, "the offset of a translation");
   return Transform(glm::translate(Mat4(1), offset), glm::translate(Mat4(1), -offset));
 }
 
 Transform Transform::rotation(double angle_degrees, Vec3 const& axis) {
-  if (!is_direction(axis)) throw std::invalid_argument("the axis of a rotation must not be zero");
+  if (!is_direction(axis)) throw std::invalid_argument("the axis of a rotation must be finite and not zero");
+  check_finite(angle_degrees, "the angle of a rotation");
   double const angle = glm::radians(std::fmod(angle_degrees, 360.0));
   Mat4 const matrix(about(unit_vector(axis), angle));
   return Transform(matrix, glm::transpose(matrix));
@@ -48,7 +51,7 @@ Transform Transform::scaling(Vec3 const& factors) {
   Vec3 const inverse = 1.0 / factors;
   for (int axis = 0; axis < 3; ++axis) {
     if (factors[axis] == 0 || !std::isfinite(factors[axis]) || !std::isfinite(inverse[axis])) {
-      throw std::invalid_argument("a scale factor must not be zero");
+      throw std::invalid_argument("a scale factor must be finite and not zero");
     }
   }
   return Transform(glm::scale(Mat4(1), factors), glm::scale(Mat4(1), inverse));
@@ -79,9 +82,10 @@ Transform Transform::from_matrix(Mat4 const& matrix) {
 }
 
 Transform Transform::look_along(Vec3 const& eye, Vec3 const& direction, Vec3 const& up) {
-  if (!is_direction(direction)) throw std::invalid_argument("the direction of view must not be zero");
-  if (!is_direction(up)) throw std::invalid_argument("the up vector must not be zero");
+  if (!is_direction(direction)) throw std::invalid_argument("the direction of view must be finite and not zero");
+  if (!is_direction(up)) throw std::invalid_argument("the up vector must be finite and not zero");
   if (are_parallel(direction, up)) throw std::invalid_argument("the up vector is parallel to the direction of view");
+  check_finite(eye, "the place of a view");
   Vec3 const back = -unit_vector(direction);
   Vec3 const x = glm::normalize(glm::cross(unit_vector(up), back));
   Mat4 rotation(1);

@@ -1,5 +1,6 @@
 #include "core/format_numbers.hpp"
 #include "lichtraum/shapes.hpp"
+#include "scene/check_finite.hpp"
 #include "scene/hit_triangle.hpp"
 #include "scene/leaf_hit.hpp"
 
@@ -7,7 +8,9 @@ namespace lichtraum {
 
 Triangle::Triangle(std::string name, Vec3 const& a, Vec3 const& b, Vec3 const& c,
                    std::shared_ptr<Material const> material)
-    : Shape(std::move(name), std::move(material)), vertices_{a, b, c} {}
+    : Shape(std::move(name), std::move(material)), vertices_{a, b, c} {
+  for (Vec3 const& vertex : vertices_) check_finite(vertex, "a triangle's corner");
+}
 
 Bounds Triangle::bounds() const {
   Bounds bounds;

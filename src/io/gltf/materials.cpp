@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "core/float3.hpp"
 #include "io/gltf/roughness_pictures.hpp"
 #include "io/gltf/textures.hpp"
 #include "io/gltf/values.hpp"
@@ -40,10 +41,25 @@ class Reader {
       m.emissive *= at_least_zero(*e, "emissiveStrength", 1);
     }
     read_extensions(m);
+    keep_finite(m);
     return m;
   }
 
  private:
+  /// Each of a file's numbers is finite, but not what is computed of huge ones: as if it had said nothing.
+  static void keep_finite(PbrModel& m) {
+    PbrModel const initial;
+#define LICHTRAUM_COLOR(name, ...) \
+  if (!is_finite(m.name)) m.name = initial.name;
+#define LICHTRAUM_NUMBER(name, ...) \
+  if (!std::isfinite(m.name)) m.name = initial.name;
+#define LICHTRAUM_NONE(...)
+    PBR_FIELDS(LICHTRAUM_COLOR, LICHTRAUM_NUMBER, LICHTRAUM_NUMBER, LICHTRAUM_NONE, LICHTRAUM_NONE)
+#undef LICHTRAUM_COLOR
+#undef LICHTRAUM_NUMBER
+#undef LICHTRAUM_NONE
+  }
+
   // What shared/pbr_fields.h has a word for.
   void read_extensions(PbrModel& m) {
 #define LICHTRAUM_COLOR(name, initial, extension, key) \

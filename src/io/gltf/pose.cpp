@@ -13,7 +13,7 @@
 namespace lichtraum::gltf {
 namespace {
 
-bool is_finite(std::vector<double> const& values) {
+bool are_finite(std::vector<double> const& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
@@ -135,7 +135,7 @@ std::size_t morph_target_count(tinygltf::Model const& model, tinygltf::Node cons
 }
 
 void set(NodePose& node, std::string const& path, std::vector<double> const& v) {
-  if (!is_finite(v)) return;
+  if (!are_finite(v)) return;
   if (path == "translation") node.translation = {v[0], v[1], v[2]};
   if (path == "scale") node.scale = {v[0], v[1], v[2]};
   if (path == "rotation") node.rotation = normalized(v[0], v[1], v[2], v[3]);

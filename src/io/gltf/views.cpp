@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/elementary.hpp"
+#include "core/float3.hpp"
 #include "core/largest_channel.hpp"
 #include "io/gltf/values.hpp"
 
@@ -83,6 +84,7 @@ std::optional<Light> read_light(tinygltf::Light const& source, std::string name,
   if (source.color.size() == 3) color = {source.color[0], source.color[1], source.color[2]};
   Rgb const intensity = color * source.intensity;
   Vec3 const position(world_from_node[3]);
+  if (!is_finite(intensity) || !is_finite(position)) return std::nullopt;
   Vec3 const direction = -Vec3(world_from_node[2]);
   double const range = source.range > 0 ? source.range : infinity;
   double const length = glm::length(direction);
@@ -179,7 +181,7 @@ double light_exposure(std::vector<Light> const& lights, Bounds const& box) {
   Rgb sum(0);
   for (Light const& light : lights) sum += illuminance(light, box);
   double const brightest = largest_channel(sum);
-  return brightest > 0 && std::isfinite(brightest) ? 1 / brightest : 0;
+  return brightest > 0 && std::isfinite(brightest) && std::isfinite(1 / brightest) ? 1 / brightest : 0;
 }
 
 std::vector<Light> exposed_lights(std::vector<Light> const& lights, double exposure) {
@@ -188,7 +190,7 @@ std::vector<Light> exposed_lights(std::vector<Light> const& lights, double expos
   Names names;
   for (Light const& light : lights) {
     names.unique(light.name());
-    result.push_back(exposed(light, exposure));
+    if (is_finite(light.brightness() * exposure)) result.push_back(exposed(light, exposure));
   }
   // Light from all around, which the lights of a file leave to the viewer.
   result.push_back(Light::ambient(names.unique("soft"), Rgb(0.1)));

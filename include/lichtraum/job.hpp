@@ -175,7 +175,7 @@ RenderRequest view_of(Job job, Scene const& scene);
 Development development_of(Job const& job, Scene const& scene);
 
 /// A JSON object with a key for each member that is not left open; docs/JOB.md lists them. Throws Error{usage} when a
-/// text in it is not UTF-8, as JSON must be.
+/// text in it is not UTF-8, as JSON must be, and for what job_from_json refuses, such as no scene.
 std::string to_json(Job const& job);
 
 /// The job that such text holds. Throws Error{usage} for text that is not JSON (with line and column), and for unknown

@@ -217,11 +217,14 @@ std::string to_json(Job const& job) {
   if (job.max_indirect == std::numeric_limits<double>::infinity()) finite.max_indirect.reset();  // the same: no limit
   Json json{{version_key, version}};
   json.update(Object{job_fields}.write(finite));
+  std::string text;
   try {
-    return json.dump(2) + "\n";
+    text = json.dump(2) + "\n";
   } catch (Json::type_error const&) {
-    throw Error(ErrorKind::usage, fmt::format("{}: JSON cannot hold the job: a name in it is not UTF-8", job.scene));
+    throw Error(ErrorKind::usage, fmt::format("JSON cannot hold a job of '{}': a name in it is not UTF-8", job.scene));
   }
+  job_from_json(text);  // what is out of range is told now, not to who reads it
+  return text;
 }
 
 Job job_from_json(std::string_view text) {

@@ -329,6 +329,14 @@ TEST_CASE("no limit of indirect light is the same as an infinite one", "[unit][j
   CHECK(to_json(job) == unlimited);
 }
 
+TEST_CASE("a job that could not be read back has no JSON", "[unit][job]") {
+  CHECK_THROWS_WITH(to_json(Job{}), "/scene: expected a name");
+  Job dark;
+  dark.scene = "a.sdf";
+  dark.exposure_ev = -1000;
+  CHECK_THROWS_WITH(to_json(dark), "/exposure_ev: expected stops from -100 to 100");
+}
+
 TEST_CASE("a job with a name that is not UTF-8 or a number that is none has no JSON", "[unit][job]") {
   Job unsure;
   unsure.scene = "a.sdf";

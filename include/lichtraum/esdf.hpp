@@ -27,9 +27,9 @@ enum class MaterialExtra { reflectance, transmittance, opacity, ior, ignore };
 struct EsdfDialect {
   TransformOrder transform_order = TransformOrder::parent;
   RotationSense rotation = RotationSense::right;
-  bool strict = false;                         ///< the standard and lichtraum's key=value extensions only, no dialects
-  bool keep_going = false;                     ///< leave faulty statements out instead of failing
-  std::vector<MaterialExtra> material_extras;  ///< empty: extra numbers are ignored with a warning
+  bool strict = false;      ///< the standard and lichtraum's key=value extensions only, no dialects
+  bool keep_going = false;  ///< leave faulty statements out instead of failing
+  std::vector<MaterialExtra> material_extras{};  ///< empty: extra numbers are ignored with a warning
   friend bool operator==(EsdfDialect const&, EsdfDialect const&) = default;
 };
 
@@ -42,16 +42,16 @@ struct EsdfStatement {
 };
 
 struct EsdfOptions : EsdfDialect {
-  std::vector<std::filesystem::path> allowed_paths;  ///< folders outside the scene's that may be read
+  std::vector<std::filesystem::path> allowed_paths{};  ///< folders outside the scene's that may be read
   std::size_t max_diagnostics = 100;
-  FileObserver on_read;                ///< may be empty
-  std::shared_ptr<ModelCache> models;  ///< see make_model_cache; null: each script has one for itself
+  FileObserver on_read{};                ///< may be empty
+  std::shared_ptr<ModelCache> models{};  ///< see make_model_cache; null: each script has one for itself
   /// Where the maps of environments come from: a file's path or "studio". Exceptions as environment_map.
   std::function<std::shared_ptr<EnvironmentMap const>(std::string const&)> find_environment = environment_map;
   /// Changes each scene before it is shown, and then perhaps once more; may be empty.
-  std::function<void(Scene&)> adjust;
+  std::function<void(Scene&)> adjust{};
   /// Told of each such statement when it is executed, so by `play` once more; may be empty.
-  std::function<void(EsdfStatement const&)> on_statement;
+  std::function<void(EsdfStatement const&)> on_statement{};
   /// The caller has a size for pictures that have none of their own: a `render` without one is no mistake.
   bool has_size = false;
 };

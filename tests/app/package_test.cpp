@@ -35,9 +35,9 @@ std::string run_well(fs::path const& folder, std::vector<std::string> const& wor
   return result.out;
 }
 
-/// The first block of that language in docs/LIBRARY.md.
-std::string documented(std::string const& language) {
-  std::string const text = read_project_file("docs/LIBRARY.md");
+/// The first block of that language in a document.
+std::string documented(std::string const& language, char const* document = "docs/LIBRARY.md") {
+  std::string const text = read_project_file(document);
   std::string const fence = "```" + language + "\n";
   std::size_t const begin = text.find(fence);
   REQUIRE(begin != std::string::npos);
@@ -89,6 +89,18 @@ std::string drawn_by(fs::path const& lichtraum, TemporaryFolder const& folder) {
 }
 
 }  // namespace
+
+TEST_CASE("documented programs compile without a warning", "[app][package]") {
+  TemporaryFolder const folder;
+  std::string const part = documented("cpp", "docs/JOB.md");
+  std::string const include = "#include \"lichtraum/job.hpp\"\nusing namespace lichtraum;\n";
+  folder.write("whole.cpp", documented("cpp"));
+  folder.write("part.cpp", include + "void draw(std::string_view text) {\n" + part + "}\n");
+  for (char const* const name : {"whole.cpp", "part.cpp"}) {
+    run_well(folder.path(), {LICHTRAUM_CXX, "-std=c++20", "-Wall", "-Wextra", "-Werror", "-fsyntax-only",
+                             "-I" + project_path("include"), "-I" + project_path("kernels"), name});
+  }
+}
 
 TEST_CASE("programs find the installed library, link to it, and draw what the program draws", "[app][long][package]") {
   TemporaryFolder const folder;

@@ -1,7 +1,21 @@
 # bash completion for lichtraum
 
 _lichtraum() {
-  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
+  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} joined= prefix=
+  # --option=value is three words, or one where somebody took the = out of COMP_WORDBREAKS.
+  if [[ $current == --*=* ]]; then
+    joined=yes prefix=${current%%=*}= previous=${current%%=*} current=${current#*=}
+  elif [[ $current == = ]]; then
+    joined=yes current=
+  elif [[ $previous == = ]]; then
+    joined=yes previous=${COMP_WORDS[COMP_CWORD - 2]}
+  fi
+  _lichtraum_reply
+  COMPREPLY=("${COMPREPLY[@]/#/$prefix}")
+}
+
+# What may stand for `current` after `previous`, which is an option's name where they are `joined`.
+_lichtraum_reply() {
   local commands='render view preview thumbnail job denoise check info explain devices doctor'
   local general='-q --quiet -v --verbose -h --help'
   local language='--strict --keep-going --transform-order --rotation --material-extras --allow-path --scene --variant --time --animation --both-sides --max-texture --point-size'
@@ -57,6 +71,7 @@ _lichtraum() {
       mapfile -t COMPREPLY < <(compgen -f -- "$current")
       return
       ;;
+    --ground) [[ -z $joined ]] || values='matt glossy none' ;;
     --frames | --fps | --turntable | --quality | --region | --camera | --eye | --look-at | --root | --depth | --seed) return ;;
   esac
   if [[ -n $values ]]; then

@@ -143,6 +143,23 @@ TEST_CASE("bash completes each command with its options, and with no others", "[
   }
 }
 
+TEST_CASE("bash completes values after =, as a word or as three", "[app][help]") {
+  if (!is_installed("bash")) SKIP_TEST("bash is not installed");
+  Lichtraum const lichtraum;
+  auto const completed = [&](std::string const& words) {
+    Process shell = lichtraum.process("");
+    shell.arguments = {"bash", "-c",
+                       "source " + project_path("completions/lichtraum.bash") + "; COMP_WORDS=(lichtraum render " +
+                           words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _lichtraum; echo \"${COMPREPLY[@]}\""};
+    return run_process(shell).out;
+  };
+  CHECK(completed("--tonemap n") == "neutral none\n");
+  CHECK(completed("--tonemap = n") == "neutral none\n");
+  CHECK(completed("--transfer =") == "linear srgb\n");
+  CHECK(completed("--tonemap=n") == "--tonemap=neutral --tonemap=none\n");
+  CHECK(completed("--ground = g") == "glossy\n");
+}
+
 TEST_CASE("bash completes names of files as such, with their blanks", "[app][help]") {
   if (!is_installed("bash")) SKIP_TEST("bash is not installed");
   Lichtraum const lichtraum;

@@ -80,6 +80,9 @@ bool parse_view(Arguments const& arguments, ViewOptions& options, Console& conso
 int view_command(Arguments const& arguments, Console& console) {
   ViewOptions options;
   if (!parse_view(arguments, options, console)) return 0;
+  if (::access(options.scene.c_str(), R_OK) != 0) {
+    throw Error(ErrorKind::no_input, fmt::format("cannot open '{}': {}", options.scene, std::strerror(errno)));
+  }  // which the window would say as well, but not without a display
   become_window(arguments);
 }
 

@@ -61,6 +61,15 @@ TEST_CASE("what follows -- are files, whatever they begin with", "[app][output]"
   CHECK_THAT(lichtraum("check -- -q.sdf --strict").err, contains_text("--strict"));  // which is no file
 }
 
+TEST_CASE("a window is opened on a file that is there", "[app][view]") {
+  Lichtraum const lichtraum;
+  Process process = lichtraum.process("view nope.sdf");
+  process.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
+  auto const result = run_process(process);
+  CHECK(result.exit_code == 66);
+  CHECK(result.err == "lichtraum: error: cannot open 'nope.sdf': No such file or directory [E0206]\n");
+}
+
 TEST_CASE("a terminal is spared the bytes of a picture", "[app][output]") {
   if (!has_pseudo_terminals()) SKIP_TEST("there are no pseudo-terminals here");
   Lichtraum const lichtraum;

@@ -29,6 +29,7 @@ TEST_CASE("the commands in README.md are understood", "[app][docs]") {
   lichtraum.folder.write("scene.sdf", "define nonsense\n");
   lichtraum.folder.write("model.glb", "no model");
   lichtraum.folder.write("planes.exr", "no planes");
+  std::filesystem::create_directory_symlink(project_path("scenes"), lichtraum.folder / "scenes");  // for the window
   std::string const readme = read_project_file("README.md");
   std::regex const command("`lichtraum ([^`<]*?)( <[^`]*)?`");
   int count = 0;

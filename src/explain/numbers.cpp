@@ -52,7 +52,8 @@ Leave it out.
      R"(Red, green and blue go from 0 to 1, but these are negative, or look like numbers
 from 0 to 255. They are used as they are, so the picture will be far too bright
 or wrong. Divide numbers from 0 to 255 by 255. Values up to 10 pass without a
-warning, as some scenes exaggerate on purpose, and lights may be brighter still.
+warning, also of ambient light, as some scenes exaggerate on purpose. Lamps may
+be brighter still: of them, only whole numbers up to 255 are warned of.
 )",
      R"(define material red  1 0 0  255 0 0  0 0 0  10
 )",

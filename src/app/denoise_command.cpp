@@ -52,13 +52,13 @@ bool parse_denoise(Arguments const& arguments, DenoiseOptions& options, Console&
   add_inputs(*parser, options.input, "FILE");
   auto const path = [](std::string const& text) { return std::filesystem::path(parse_name(text)); };
   add_value(*parser, "-o,--output", options.output, path, "FILE",
-            "Write to FILE: an .exr keeps all layers, others are\npictures (default: <name>-denoised.exr)", "Output");
+            "Write to FILE: an .exr keeps all layers, others\nare pictures (default: <name>-denoised.exr)", "Output");
   auto const tone_map = [](std::string const& text) {
     ToneMap const parsed = parse_tone_map(text);
     return parsed == ToneMap::automatic ? ToneMap::none : parsed;
   };
   add_value(*parser, "--exposure", options.development.exposure_ev, parse_exposure, "EV",
-            "Of a picture: stops brighter, or darker (default: 0)", "Output");
+            "Of a picture: stops brighter, or darker\n(default: 0)", "Output");
   add_value(*parser, "--tonemap", options.development.tone_map, tone_map, "NAME",
             "Of a picture: none (default; a film does not tell\nwhat its scene needs), neutral (as 'lichtraum\nrender' "
             "develops models), agx, aces or reinhard",
@@ -66,13 +66,13 @@ bool parse_denoise(Arguments const& arguments, DenoiseOptions& options, Console&
   add_value(*parser, "--transfer", options.development.transfer, parse_transfer, "NAME",
             "Of a picture: srgb (default) or linear (as\n'lichtraum render' stores scenes)", "Output");
   add_value(*parser, "--denoise", options.denoising, parse_denoiser, "NAME",
-            "on (default): by Open Image Denoise where it is found;\nbuiltin: by lichtraum's own filter", "Denoising");
+            "on (default): by Open Image Denoise where it is\nfound; builtin: by lichtraum's own filter", "Denoising");
   parser
       ->add_flag("--prefilter", options.has_noisy_guides,
-                 "Take the noise out of albedo and normals first: for\ndepth of field. With Open Image Denoise")
+                 "Take the noise out of albedo and normals first:\nfor depth of field. With Open Image Denoise")
       ->group("Denoising");
   add_value(*parser, "--device", options.device, parse_name, "NAME",
-            "Where the built-in filter runs: index, part of a name,\ncpu, gpu or reference", "Denoising");
+            "Where the built-in filter runs: index, part of a\nname, cpu, gpu or reference", "Denoising");
   add_verbosity(*parser, console);
   return parse(*parser, arguments);
 }

@@ -35,8 +35,8 @@ std::unique_ptr<CLI::App> view_parser(ViewOptions& options, Console& console) {
   std::string const group = "Window";
   parser
       ->add_flag("--watch", options.watch,
-                 "Read the scene again when its file, or one that it\nincludes, is saved. Mistakes in it are shown in "
-                 "the\nwindow, which waits for them to be mended")
+                 "Read the scene again when its file, or one that it\nincludes, is saved. Mistakes in it are shown in\n"
+                 "the window, which waits for them to be mended")
       ->group(group);
   add_value(*parser, "--size", render.job.size, parse_size, "WxH",
             "Size of the window in pixels (default: the\nscene's)", group);

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "core/srgb.hpp"
+#include "farm/plan.hpp"
 #include "lichtraum/words.hpp"
 
 namespace lichtraum::app {
@@ -86,14 +87,14 @@ Value word(std::string_view text, std::array<Word<Value>, count> const& words) {
 }
 
 /// `noun`: what is numbered, one and several.
-FrameRange parse_range(std::string_view text, std::string_view noun, std::string_view nouns) {
+FrameRange parse_range(std::string_view text, std::string_view noun, std::string_view nouns, int largest) {
   std::size_t const dots = text.find("..");
   auto const first = number<int>(text.substr(0, dots));
   auto const last = dots == std::string_view::npos ? first : number<int>(text.substr(dots + 2));
   if (!first || !last || *first < 0)
     throw std::invalid_argument(fmt::format("expected numbers of {}, such as 0..99", nouns));
   if (*first > *last) throw std::invalid_argument(fmt::format("expected the first {} before the last", noun));
-  if (*last > 10'000'000) throw std::invalid_argument(fmt::format("expected {} up to 10000000", nouns));
+  if (*last > largest) throw std::invalid_argument(fmt::format("expected {} up to {}", nouns, largest));
   return {*first, *last};
 }
 
@@ -149,9 +150,9 @@ double parse_time(std::string_view text) {
   return *seconds;
 }
 
-FrameRange parse_frames(std::string_view text) { return parse_range(text, "frame", "frames"); }
+FrameRange parse_frames(std::string_view text) { return parse_range(text, "frame", "frames", 10'000'000); }
 
-FrameRange parse_units(std::string_view text) { return parse_range(text, "unit", "units"); }
+FrameRange parse_units(std::string_view text) { return parse_range(text, "unit", "units", int(farm::most_units - 1)); }
 
 double parse_ui_scale(std::string_view text) {
   auto const scale = number<double>(text);
@@ -165,7 +166,7 @@ double parse_frame_rate(std::string_view text) {
   return *rate;
 }
 
-int parse_turntable(std::string_view text) { return number_in_range(text, 1, 100'000); }
+int parse_count(std::string_view text) { return number_in_range(text, 1, 100'000); }
 
 int parse_texture_size(std::string_view text) { return number_in_range(text, 1, job_limits::texture_side); }
 

@@ -8,6 +8,7 @@
 
 #include "lichtraum/api.hpp"
 #include "lichtraum/denoise.hpp"
+#include "lichtraum/device.hpp"
 #include "lichtraum/esdf.hpp"
 #include "lichtraum/renderer.hpp"
 #include "lichtraum/tone_map.hpp"
@@ -47,6 +48,10 @@ inline constexpr auto integrator_words = std::to_array<Word<Integrator>>({INTEGR
 #undef LICHTRAUM_INTEGRATOR_WORD
 inline constexpr auto ground_words =
     std::to_array<Word<Ground>>({{"none", Ground::none}, {"matt", Ground::matt}, {"glossy", Ground::glossy}});
+inline constexpr auto device_kind_words = std::to_array<Word<DeviceKind>>({{"reference", DeviceKind::reference},
+                                                                           {"cpu", DeviceKind::cpu},
+                                                                           {"gpu", DeviceKind::gpu},
+                                                                           {"accelerator", DeviceKind::accelerator}});
 inline constexpr auto pattern_words =
     std::to_array<Word<Sampling::Pattern>>({{"grid", Sampling::Pattern::grid}, {"seeded", Sampling::Pattern::seeded}});
 

@@ -74,6 +74,16 @@ void refuse_unknown_options(CLI::App const& parser) {
   fail(parser, fmt::format("there is no option '{}': did you mean {}?", option, suggestion));
 }
 
+/// CLI11 takes the next word for the value of an option whose own is empty, as in --output-dir="$UNSET".
+void refuse_empty_values(CLI::App const& parser, std::vector<std::string> const& arguments) {
+  for (std::string const& word : arguments) {
+    if (word == "--") return;
+    if (!word.starts_with("--") || word.find('=') != word.size() - 1) continue;
+    std::string const option = word.substr(0, word.size() - 1);
+    if (parser.get_option_no_throw(option)) fail(parser, fmt::format("{}: expected a value, not ''", option));
+  }
+}
+
 }  // namespace
 
 std::string nearest(std::string_view word, std::vector<std::string> const& known) {
@@ -97,16 +107,6 @@ std::unique_ptr<CLI::App> make_parser(std::string const& command, std::string co
   parser->allow_extras();   // they are reported in our own words
   parser->set_help_flag();  // added last, see parse
   return parser;
-}
-
-/// CLI11 takes the next word for the value of an option whose own is empty, as in --output-dir="$UNSET".
-void refuse_empty_values(CLI::App const& parser, std::vector<std::string> const& arguments) {
-  for (std::string const& word : arguments) {
-    if (word == "--") return;
-    if (!word.starts_with("--") || word.find('=') != word.size() - 1) continue;
-    std::string const option = word.substr(0, word.size() - 1);
-    if (parser.get_option_no_throw(option)) fail(parser, fmt::format("{}: expected a value, not ''", option));
-  }
 }
 
 bool parse(CLI::App& parser, std::vector<std::string> arguments) {

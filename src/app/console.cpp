@@ -11,6 +11,7 @@
 
 #include "app/failure_code.hpp"
 #include "app/fault_report.hpp"
+#include "core/write_failure.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -111,10 +112,7 @@ void write_standard_output(std::string_view bytes) {
     ssize_t const written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
-      std::string const reason = errno == EPIPE    ? "the reader closed the pipe"
-                                 : errno == EBADF  ? "it is closed"
-                                 : errno == ENOSPC ? "the disk is full"
-                                                   : std::strerror(errno);
+      std::string const reason = errno == EBADF ? "it is closed" : write_failure(errno);
       throw Error(ErrorKind::io, fmt::format("cannot write to standard output: {}", reason));
     }
     bytes.remove_prefix(static_cast<std::size_t>(written));

@@ -1,24 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
-#include "lichtraum/device.hpp"
+#include "lichtraum/words.hpp"
 
 namespace lichtraum::app {
 
-constexpr std::string_view kind_name(DeviceKind kind) {
-  switch (kind) {
-    case DeviceKind::reference:
-      return "reference";
-    case DeviceKind::cpu:
-      return "cpu";
-    case DeviceKind::gpu:
-      return "gpu";
-    case DeviceKind::accelerator:
-      return "accelerator";
-  }
-  return "";
+inline std::string_view kind_name(DeviceKind kind) {
+  return find_word(std::span<Word<DeviceKind> const>(device_kind_words), kind);
 }
 
 constexpr double gibibytes(std::uint64_t bytes) { return double(bytes) / double(std::uint64_t(1) << 30); }

@@ -15,9 +15,6 @@ int job_merge_command(Arguments const& arguments, Console& console);
 int job_script_command(Arguments const& arguments, Console& console);
 int job_status_command(Arguments const& arguments, Console& console);
 
-/// Throws Error{scene} unless `device` is of the plan's class.
-void check_class(farm::Plan const& plan, farm::DeviceClass const& device);
-
 /// "3 units", "1 unit".
 std::string unit_text(std::int64_t count);
 

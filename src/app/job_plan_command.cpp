@@ -33,8 +33,8 @@ struct JobPlanOptions {
 };
 
 int parse_unit_samples(std::string_view text) {
-  int const samples = parse_samples(text).count;
-  if (samples % Film::block_size == 0) return samples;
+  Sampling const samples = parse_samples(text);
+  if (samples.pattern == Sampling::Pattern::seeded && samples.count % Film::block_size == 0) return samples.count;
   throw std::invalid_argument(fmt::format("expected a multiple of {}", Film::block_size));
 }
 
@@ -52,7 +52,7 @@ bool parse_job_plan(Arguments const& arguments, JobPlanOptions& options, Console
   add_encoding_options(*parser, render, "Picture");
   add_sequence_options(*parser, render);
   add_environment_options(*parser, render.job.reading.environment);
-  add_quality_options(*parser, render, "1; 64 with a lens or by path;\n16 for models");
+  add_quality_options(*parser, render);
   add_denoise_option(*parser, render.job.denoising);
   add_language_options(*parser, render.job.reading);
   add_model_options(*parser, render.job.reading.model);

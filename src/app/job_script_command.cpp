@@ -162,8 +162,12 @@ Queue const& queue_named(std::string const& name) {
   for (Queue const& queue : queues) {
     if (queue.name == name) return queue;
   }
-  throw Error(ErrorKind::usage,
-              fmt::format("no queue is called '{}': there are slurm, openjd, opencue, flamenco and parallel", name));
+  std::string names;
+  for (Queue const& queue : queues) {
+    names += names.empty() ? "" : &queue == &queues.back() ? " and " : ", ";
+    names += queue.name;
+  }
+  throw Error(ErrorKind::usage, fmt::format("no queue is called '{}': there are {}", name, names));
 }
 
 }  // namespace
@@ -173,7 +177,7 @@ int job_script_command(Arguments const& arguments, Console& console) {
   int task_units = 0;
   auto const parser = make_parser("job script", job_script_description, job_script_examples);
   add_inputs(*parser, words, "QUEUE DIR");
-  add_value(*parser, "--units-per-task", task_units, parse_turntable, "N",
+  add_value(*parser, "--units-per-task", task_units, parse_count, "N",
             "Units of a task (default: as few as make at most\n1000 tasks)", "Tasks");
   add_verbosity(*parser, console);
   if (!parse(*parser, arguments)) return 0;

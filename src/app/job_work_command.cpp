@@ -198,8 +198,6 @@ UnitRange wanted_units(farm::Plan const& plan, std::optional<FrameRange> const& 
   return {units->first, std::int64_t(units->last) + 1};
 }
 
-}  // namespace
-
 /// One of the plan's kind, where there is one.
 std::string usual_device(farm::Plan const& plan) {
   if (plan.device.kind == DeviceKind::reference) return "reference";
@@ -210,6 +208,7 @@ std::string usual_device(farm::Plan const& plan) {
   return is_there ? std::string(kind_name(plan.device.kind)) : "";
 }
 
+/// Throws Error{scene} unless `device` is of the plan's class.
 void check_class(farm::Plan const& plan, farm::DeviceClass const& device) {
   if (plan.device.hash == device.hash) return;
   auto const text = [](farm::DeviceClass const& one, std::string const& version) {
@@ -220,6 +219,8 @@ void check_class(farm::Plan const& plan, farm::DeviceClass const& device) {
                           "and --allow-mixed draws nevertheless",
                           text(device, LICHTRAUM_VERSION), text(plan.device, plan.version)));
 }
+
+}  // namespace
 
 int job_work_command(Arguments const& arguments, Console& console) {
   JobWorkOptions options;

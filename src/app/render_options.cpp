@@ -127,7 +127,7 @@ void add_picture_options(CLI::App& parser, RenderOptions& options) {
 
 void add_drawing_options(CLI::App& parser, RenderOptions& options) {
   add_environment_options(parser, options.job.reading.environment);
-  add_quality_options(parser, options, "1; 64 with a lens or by path;\n16 for models");
+  add_quality_options(parser, options);
   add_value(parser, "--noise", options.job.noise, parse_noise, "X",
             "Stop once the noise is below this share of the\nbrightness, such as 0.05; --samples is then the\nmaximum "
             "(default: 4096)",

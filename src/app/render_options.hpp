@@ -58,7 +58,8 @@ void add_environment_options(CLI::App& parser, EnvironmentChoice& environment);
 void add_denoise_option(CLI::App& parser, Denoising& denoising);
 /// --integrator, --samples, --depth, --clamp, --seed, --background, --ground, --exposure, --tonemap, --transfer,
 /// --device and --traversal. `default_samples`: for the help.
-void add_quality_options(CLI::App& parser, RenderOptions& options, std::string const& default_samples);
+void add_quality_options(CLI::App& parser, RenderOptions& options,
+                         std::string const& default_samples = "1; 64 with a lens or by path;\n16 for models");
 
 /// What part of a picture is drawn, and of each pixel: --size, --region, --planes, and the viewpoint's.
 void add_picture_options(CLI::App& parser, RenderOptions& options);

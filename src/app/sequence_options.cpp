@@ -47,7 +47,7 @@ void add_sequence_options(CLI::App& parser, RenderOptions& options) {
             "Draw these frames of a model's animation: frame\nN is N / fps seconds from its start", group);
   add_value(parser, "--fps", options.frames_per_second, parse_frame_rate, "N",
             "Frames per second of --frames and of films\n(default: 25)", group);
-  add_value(parser, "--turntable", options.turntable, parse_turntable, "N",
+  add_value(parser, "--turntable", options.turntable, parse_count, "N",
             "Draw N pictures with the camera circling what\nis in view", group);
 }
 

@@ -32,7 +32,7 @@ FrameRange parse_frames(std::string_view text);   ///< 0..99, both included
 FrameRange parse_units(std::string_view text);    ///< the same
 double parse_ui_scale(std::string_view text);     ///< 0.5..8
 double parse_frame_rate(std::string_view text);   ///< frames a second: > 0, <= 1000
-int parse_turntable(std::string_view text);       ///< 1..100000
+int parse_count(std::string_view text);           ///< 1..100000
 int parse_texture_size(std::string_view text);    ///< 1..65536
 double parse_point_size(std::string_view text);   ///< 1e-6..1000
 int parse_thumbnail_side(std::string_view text);  ///< 1..2048

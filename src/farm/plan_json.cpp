@@ -15,14 +15,9 @@ constexpr std::size_t most_files = 2 * std::size_t(most_pictures);
 /// A scene or a file is an object of two keys, which count with its start and end; the rest is the size of a job.
 constexpr std::size_t most_values = 6 * (std::size_t(most_pictures) + most_files) + 100'000;
 
-constexpr auto kind_words = std::to_array<Word<DeviceKind>>({{"reference", DeviceKind::reference},
-                                                             {"cpu", DeviceKind::cpu},
-                                                             {"gpu", DeviceKind::gpu},
-                                                             {"accelerator", DeviceKind::accelerator}});
-
 constexpr auto device_fields = [](auto& device, auto&& field) {
   field("class", device.hash, Text{});
-  field("kind", device.kind, one_of(kind_words));
+  field("kind", device.kind, one_of(device_kind_words));
   field("name", device.name, Text{});
 };
 
@@ -69,20 +64,6 @@ struct JobValue {
   }
 };
 
-struct PlaneBits {
-  static Json write(PlaneSet const& planes) {
-    Json names = Json::array();
-    for (FilmPlane const plane : planes.list()) names.push_back(info_of(plane).name);
-    return names;
-  }
-  static PlaneSet read(Json const& json, Pointer const& at) {
-    at.expect(json.is_array() && !json.empty(), "an array of planes");
-    PlaneSet planes;
-    for (std::size_t i = 0; i < json.size(); ++i) planes.add(OneOf<FilmPlane>{plane_words()}.read(json[i], at / i));
-    return planes;
-  }
-};
-
 constexpr auto plan_fields = [](auto& plan, auto&& field) {
   field("lichtraum", plan.version, Text{});
   field("device", plan.device, Object{device_fields});
@@ -98,7 +79,7 @@ constexpr auto plan_fields = [](auto& plan, auto&& field) {
           part("width", region.width, Whole{1, most});
           part("height", region.height, Whole{1, most});
         }});
-  field("planes", plan.planes, PlaneBits{});
+  field("planes", plan.planes, PlaneNames{});
   field("samples", plan.sample_count, Whole{1, job_limits::samples});
   field("tile", plan.tile, Object{[](auto& tile, auto&& part) {
           part("width", tile.width, Whole{1, most});

@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <vector>
 
 #include "core/content_hash.hpp"
 #include "core/descriptor.hpp"
 #include "core/temporary_file.hpp"
+#include "core/write_failure.hpp"
 #include "lichtraum/error.hpp"
 
 namespace lichtraum::farm {
@@ -94,12 +94,9 @@ bool read_exactly(Descriptor const& file, void* bytes, std::size_t count) {
 }
 
 [[noreturn]] void cannot_write(fs::path const& path) {
-  std::string const why = errno == ENOSPC   ? "the disk is full"
-                          : errno == EDQUOT ? "the quota is used up"
-                                            : std::strerror(errno);
-  throw Error(
-      ErrorKind::try_again,
-      fmt::format("cannot write '{}': {}; what is done stays, and 'lichtraum job work' goes on", path.string(), why));
+  throw Error(ErrorKind::try_again,
+              fmt::format("cannot write '{}': {}; what is done stays, and 'lichtraum job work' goes on", path.string(),
+                          write_failure(errno)));
 }
 
 /// What some file systems find out late is known before the name is there.

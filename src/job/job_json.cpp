@@ -36,16 +36,6 @@ struct Members {
   }
 };
 
-struct PlaneNames {
-  static Json write(PlaneSet const& planes) { return ListOf{OneOf<FilmPlane>{plane_words()}}.write(planes.list()); }
-  static PlaneSet read(Json const& json, Pointer const& at) {
-    PlaneSet planes;
-    for (FilmPlane const plane : ListOf{OneOf<FilmPlane>{plane_words()}}.read(json, at)) planes.add(plane);
-    at.expect(!planes.is_empty(), "at least one plane");
-    return planes;
-  }
-};
-
 struct BackgroundValue {
   static Json write(JobBackground const& background) {
     if (!background.shown) return "none";

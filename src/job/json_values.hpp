@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "lichtraum/error.hpp"
+#include "lichtraum/film.hpp"
 #include "lichtraum/words.hpp"
 
 /// Kinds of values in JSON. Each has `write` (a value to JSON) and `read`, which is its opposite and throws
@@ -170,6 +171,16 @@ struct ListOf {
 };
 template <class Element>
 ListOf(Element) -> ListOf<Element>;
+
+struct PlaneNames {
+  static Json write(PlaneSet const& planes) { return ListOf{OneOf<FilmPlane>{plane_words()}}.write(planes.list()); }
+  static PlaneSet read(Json const& json, Pointer const& at) {
+    PlaneSet planes;
+    for (FilmPlane const plane : ListOf{OneOf<FilmPlane>{plane_words()}}.read(json, at)) planes.add(plane);
+    at.expect(!planes.is_empty(), "at least one plane");
+    return planes;
+  }
+};
 
 /// A struct. `fields` is a function that calls one for each member, with its key, the member, and its kind. A member
 /// that is left open has no key; one whose key is left out is as its struct has it.

@@ -4,13 +4,13 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <optional>
 #include <utility>
 
 #include "core/descriptor.hpp"
 #include "core/follow_links.hpp"
 #include "core/temporary_file.hpp"
+#include "core/write_failure.hpp"
 #include "lichtraum/error.hpp"
 #include "lichtraum/image_io.hpp"
 
@@ -21,13 +21,6 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(ErrorKind kind, fs::path const& path, std::string_view why) {
   throw Error(kind, fmt::format("cannot write '{}': {}", path.string(), why));
-}
-
-std::string reason(int code) {
-  if (code == ENOSPC) return "the disk is full";
-  if (code == EDQUOT) return "your disk quota is used up";
-  if (code == EFBIG) return "the file would be larger than the limit set for this process (ulimit -f)";
-  return std::strerror(code);
 }
 
 /// The standard streams by their device names: opened anew they would start at the file's beginning.
@@ -52,11 +45,11 @@ Target examine(fs::path const& path) {
     if (S_ISDIR(status.st_mode)) fail(ErrorKind::cannot_create, path, "it is a folder");
     if (::access(path.c_str(), W_OK) != 0) {
       fail(ErrorKind::cannot_create, path,
-           errno == EACCES ? "it may not be written (see its permissions)" : reason(errno));
+           errno == EACCES ? "it may not be written (see its permissions)" : write_failure(errno));
     }
     target.old = status;
   } else if (errno != ENOENT && errno != ENOTDIR) {
-    fail(ErrorKind::cannot_create, path, reason(errno));
+    fail(ErrorKind::cannot_create, path, write_failure(errno));
   }
   if (!path.has_filename()) fail(ErrorKind::cannot_create, path, "there is no file name");
   // A device keeps its own name: /dev/fd/1 looks like a link to a path that does not exist ("pipe:[123]").
@@ -74,10 +67,10 @@ fs::path folder_of(Target const& target) {
 
 void write_stream(int descriptor, fs::path const& path, std::string_view bytes) {
   Descriptor file(descriptor);
-  if (!file.is_open()) fail(ErrorKind::cannot_create, path, reason(errno));
+  if (!file.is_open()) fail(ErrorKind::cannot_create, path, write_failure(errno));
   int code = write_all(file, bytes);
   if (file.close() != 0 && code == 0) code = errno;
-  if (code != 0) fail(ErrorKind::io, path, reason(code));
+  if (code != 0) fail(ErrorKind::io, path, write_failure(code));
 }
 
 }  // namespace
@@ -106,8 +99,9 @@ NewFile::NewFile(fs::path path) : path_(std::move(path)) {
   if (!temporary_->descriptor().is_open()) {
     int const code = errno;
     std::string const why = code == ENOENT ? fmt::format("there is no folder '{}' (mkdir -p makes it)", folder.string())
-                            : code == ENOTDIR ? fmt::format("'{}' is not a folder", folder.string())
-                                              : fmt::format("in the folder '{}': {}", folder.string(), reason(code));
+                            : code == ENOTDIR
+                                ? fmt::format("'{}' is not a folder", folder.string())
+                                : fmt::format("in the folder '{}': {}", folder.string(), write_failure(code));
     fail(ErrorKind::cannot_create, target.path, why);
   }
   if (target.old) ::fchmod(temporary_->descriptor().number(), target.old->st_mode & 07777);
@@ -120,7 +114,7 @@ fs::path const& NewFile::unfinished_path() const { return temporary_->path(); }
 /// Remembered, as some encoders write from destructors, which cannot throw.
 void NewFile::note(int code) {
   if (code_ == 0) code_ = code;
-  if (code_ != 0) fail(ErrorKind::io, path_, reason(code_));
+  if (code_ != 0) fail(ErrorKind::io, path_, write_failure(code_));
 }
 
 void NewFile::write(std::string_view bytes) { note(write_all(temporary_->descriptor(), bytes)); }

@@ -12,8 +12,14 @@ __kernel void probe_camera_ray(__global FrameParameters const* frames, __global 
   directions[i] = (float4)(ray.direction, 0.f);
 }
 
-__kernel void probe_sample_in_pixel(__global FrameParameters const* frame, __global uint4 const* pixel_samples,
-                                    __global float2* offsets) {
+__kernel void probe_sample_in_grid(uint sample_count, __global uint const* samples, __global float2* offsets) {
   size_t const i = get_global_id(0);
-  offsets[i] = sample_in_pixel(frame, pixel_samples[i].x, pixel_samples[i].y, pixel_samples[i].z);
+  offsets[i] = sample_in_grid(sample_count, samples[i]);
+}
+
+__kernel void probe_seeded_sample(__global FrameParameters const* frame, __global uint4 const* pixel_samples,
+                                  __global PixelOffset* offsets) {
+  size_t const i = get_global_id(0);
+  uint4 const sample = pixel_samples[i];
+  offsets[i] = seeded_pixel_offset(sample.x, sample.y, sample.z, frame->seed_low, frame->seed_high);
 }

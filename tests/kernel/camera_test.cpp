@@ -146,16 +146,12 @@ TEST_CASE("Samples lie in the middles of the grid's cells, one in the centre", "
   NEEDS_OPENCL_DEVICE();
   ProbeProgram const program("camera.cl");
   for (device::uint const side : {1u, 2u, 3u, 7u, 64u, 1000u}) {
-    std::vector<device::FrameParameters> frame(1);
-    frame[0].sampling = side == 1 ? SAMPLING_SEEDED : SAMPLING_GRID;
-    frame[0].sample_count = side * side;
-    std::vector<PixelSample> samples;
-    for (device::uint i : {0u, side - 1, side * side / 2, side * side - 1}) samples.push_back({5, 6, i, 0});
+    std::vector<device::uint> const samples = {0u, side - 1, side * side / 2, side * side - 1};
     std::vector<device::PixelOffset> offsets(samples.size());
-    program.run("probe_sample_in_pixel", samples.size(), {in(frame), in(samples), out(offsets)});
+    program.run("probe_sample_in_grid", samples.size(), {value(side * side), in(samples), out(offsets)});
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      CHECK(offsets[i].x == Approx((samples[i].sample % side + 0.5) / side).epsilon(1e-6));
-      CHECK(offsets[i].y == Approx((samples[i].sample / side + 0.5) / side).epsilon(1e-6));
+      CHECK(offsets[i].x == Approx((samples[i] % side + 0.5) / side).epsilon(1e-6));
+      CHECK(offsets[i].y == Approx((samples[i] / side + 0.5) / side).epsilon(1e-6));
     }
   }
 }
@@ -165,8 +161,6 @@ TEST_CASE("Seeded samples are the host's, to the bit", "[kernel]") {
   Random random(2);
   std::size_t const count = scaled_count(100000);
   std::vector<device::FrameParameters> frame(1);
-  frame[0].sampling = SAMPLING_SEEDED;
-  frame[0].sample_count = 4;
   frame[0].seed_low = 0xdeadbeef;
   frame[0].seed_high = 17;
   std::vector<PixelSample> samples(count);
@@ -174,7 +168,7 @@ TEST_CASE("Seeded samples are the host's, to the bit", "[kernel]") {
     s = {device::uint(random.index(100000)), device::uint(random.index(100000)), device::uint(random.index(5000)), 0};
   }
   std::vector<device::PixelOffset> offsets(count);
-  ProbeProgram("camera.cl").run("probe_sample_in_pixel", count, {in(frame), in(samples), out(offsets)});
+  ProbeProgram("camera.cl").run("probe_seeded_sample", count, {in(frame), in(samples), out(offsets)});
   std::size_t different = 0;
   for (std::size_t i = 0; i < count; ++i) {
     auto const expected = device::seeded_pixel_offset(samples[i].x, samples[i].y, samples[i].sample, 0xdeadbeef, 17);

@@ -32,7 +32,7 @@ __kernel void probe_sample_light(__global PunctualLight const* lights, __global 
   PunctualLight const light = lights[i];
   LightSample const sample = sample_light(&light, positions[i].xyz);
   to_lights[i] = (float4)(sample.to_light, sample.distance);
-  arriving[i] = (float4)(sample.arriving, sample.pdf);
+  arriving[i] = (float4)(sample.arriving, 0.f);
 }
 
 __kernel void probe_sample_lamp(__global PunctualLight const* lights, __global float4 const* positions,
@@ -41,5 +41,5 @@ __kernel void probe_sample_lamp(__global PunctualLight const* lights, __global f
   PunctualLight const light = lights[i];
   LightSample const sample = sample_lamp(&light, positions[i].xyz, uniform[i].x, uniform[i].y);
   to_lights[i] = (float4)(sample.to_light, sample.distance);
-  arriving[i] = (float4)(sample.arriving, sample.pdf);
+  arriving[i] = (float4)(sample.arriving, 0.f);
 }

@@ -45,7 +45,7 @@ class Refinement {
   }
 
   /// With a view that was moved. `first_side`: of the coarsest pass. `finest`: of the last one.
-  void restart(int first_side, Sampling const& finest = finest_by_default) {
+  void restart(int first_side, Sampling const& finest) {
     first_side_ = first_side;
     finest_ = finest;
     is_new_ = true;

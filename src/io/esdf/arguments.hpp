@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/esdf/lexer.hpp"
+#include "io/text/diagnostics.hpp"
 #include "lichtraum/camera.hpp"
 #include "lichtraum/math.hpp"
 
@@ -30,12 +31,7 @@ struct Statement {
   Token operator[](std::size_t i) const { return arguments[i]; }
   Token last() const { return arguments.empty() ? keyword : arguments.back(); }
   /// From argument `first` to the end.
-  Token rest(std::size_t first) const { return span_from(arguments[first], last()); }
-
- private:
-  static Token span_from(Token a, Token b) {
-    return Token(a.data(), static_cast<std::size_t>(b.data() + b.size() - a.data()));
-  }
+  Token rest(std::size_t first) const { return span_of(arguments[first], last()); }
 };
 
 /// A group of numbers that a statement takes: {"center", 3}.

@@ -126,8 +126,7 @@ void take_images(json& model, Document& document) {
     auto uri = take_string(image, "uri");
     auto name = take_string(image, "name").value_or("");
     if (name.empty() && uri && !is_data_uri(*uri)) name = decode_percent(*uri);
-    document.images.push_back(
-        {std::move(name), std::move(uri), take_string(image, "mimeType").value_or(""), image.value("bufferView", -1)});
+    document.images.push_back({std::move(name), std::move(uri), image.value("bufferView", -1)});
   }
   model.erase(list);
 }

@@ -25,7 +25,6 @@ struct BufferSource {
 struct ImageSource {
   std::string name;  ///< its own, or its file's; may be empty
   std::optional<std::string> uri;
-  std::string mime_type;
   int buffer_view = -1;
 };
 

@@ -66,12 +66,6 @@ std::optional<std::string> decode_data_uri(std::string_view uri) {
   return data.find('%') == std::string_view::npos ? decode_base64(data) : decode_base64(decode_percent(data));
 }
 
-std::string_view media_type_of_data_uri(std::string_view uri) {
-  if (!is_data_uri(uri)) return {};
-  std::string_view const rest = uri.substr(data_scheme.size());
-  return rest.substr(0, rest.find_first_of(";,"));
-}
-
 bool has_scheme(std::string_view uri) {
   std::size_t const colon = uri.find(':');
   if (colon == std::string_view::npos || colon == 0) return false;

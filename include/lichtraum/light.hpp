@@ -130,7 +130,7 @@ class Light {
   Light(std::string name, Model model);
 
   static Light ambient(std::string name, Rgb const& la);
-  /// As bright at any distance: SDF's.
+  /// As bright at any distance: eSDF's.
   static Light point(std::string name, Vec3 const& position, Rgb const& ld, Rgb const& la = Rgb{0});
   static Light falling_off(std::string name, Vec3 const& position, Rgb const& intensity,
                            double range = std::numeric_limits<double>::infinity());

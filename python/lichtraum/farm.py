@@ -186,7 +186,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--workers", type=int, default=1, metavar="N", help="so many without --scheduler; each uses all "
                         "cores (default: 1)")
     parser.add_argument("-o", "--output", metavar="FILE", help="then put the pictures together, as 'lichtraum job merge' does")
-    parser.add_argument("--device", metavar="NAME", help="index, part of a name, cpu, gpu or reference (default: the best)")
+    parser.add_argument("--device", metavar="NAME", help="index, part of a name, cpu, gpu or reference (default: of the plan's kind)")
     parser.add_argument("--allow-mixed", action="store_true", help="take what devices of other classes draw: edges may show")
     parser.add_argument("--batch-seconds", type=float, default=10.0, metavar="S", help="what a task shall take (default: 10)")
     parser.add_argument("--timeout", type=float, default=30.0, metavar="S", help="wait so long for the scheduler and its "

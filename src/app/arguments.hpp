@@ -79,7 +79,7 @@ void add_verbosity(CLI::App& parser, Console& console);
 /// How eSDF files are read: --strict, --keep-going, --transform-order, --rotation, --material-extras, --allow-path.
 void add_language_options(CLI::App& parser, SceneReading& reading);
 
-/// How models are read: --scene, --variant, --time, --animation, --both-sides, --max-texture.
+/// How models are read: --scene, --variant, --time, --animation, --both-sides, --point-size, --max-texture.
 void add_model_options(CLI::App& parser, ModelChoice& choice);
 
 /// What standard input is: --format-in.

@@ -377,8 +377,6 @@ class Sequence {
   PlanFindings plan_findings_;
   PictureFindings picture_findings_;
   SceneLoader loader_;
-  std::future<PictureReport> writing_;  // last: it uses what is above
-
   SceneOpened scene_;
   std::optional<Resolution> film_size_;
   bool has_warned_of_noise_ = false;
@@ -389,6 +387,8 @@ class Sequence {
   std::size_t current_ = 0;         // picture of this input
   std::size_t inputs_left_ = 0;
   std::uint64_t rays_ = 0;
+
+  std::future<PictureReport> writing_;  // last: it uses what is above
 };
 
 }  // namespace

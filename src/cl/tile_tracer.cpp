@@ -81,7 +81,7 @@ struct TileTracer::State {
     cl::Kernel kernel;
     bool is_loaded = false;
   };
-  std::map<std::string, KnownKernel> kernels;  // by their programs' options
+  std::map<std::string, KnownKernel> kernels;  // by their programs' options; those of develop.cl by their names
   std::optional<NoiseFilter> noise_filter;     // once it is needed
 
   std::shared_ptr<SceneBuffers const> scene = std::make_shared<SceneBuffers>();

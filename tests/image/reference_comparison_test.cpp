@@ -284,3 +284,17 @@ TEST_CASE("a scene looks the same at any scale and place: no acne, no light leak
     }
   }
 }
+
+TEST_CASE("a low wall hides a light that grazes the floor, in every layout", "[image]") {
+  REQUIRE_OPENCL_DEVICE();
+  for (double const height : {1e-3, 1e-4, 1e-5}) {
+    Scene const scene = scene_of(
+        fmt::format("define material floor 0 0 0  0.5 0.5 0.5  1 1 1  0\ndefine material wall 0 0 0  0 0 0  0 0 0  1\n"
+                    "define shape plane floor 0 0 0  0 1 0 floor\n"
+                    "define shape box wall -5 -1 -10.01  5 0.02 -10 wall\n"
+                    "define light diffuse lamp 0 {} 0  1 1 1\ndefine camera eye 20\n"
+                    "transform eye rotate -90 1 0 0\ntransform eye translate 0 6 -10.5\n",
+                    height));
+    check_layouts(scene, whole_picture(scene.cameras.front(), {64, 64}), fmt::format("lamp at {}", height));
+  }
+}

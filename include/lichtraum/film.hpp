@@ -20,9 +20,10 @@ enum class FilmPlane {
   radiance,  ///< linear red, green, blue
   alpha,     ///< share of the samples that hit something, 0..1; with it, radiance leaves out the background that the
              ///< camera sees. With a ground, also how much the scene darkens it, minus how much it brightens it
-  albedo,    ///< how much of white light the first surface reflects, and (path) what it emits, or where there is none,
-             ///< what the picture shows of the background; linear, 0..1
-  normal,    ///< x, y, z in the world, on the camera's side, as shaded (smooth, bumpy); unit length in each sample
+  albedo,    ///< how much of white light the first surface reflects and lets through, and (path) what it emits, or
+             ///< where there is none, what the picture shows of the background; linear, 0..1
+  normal,    ///< x, y, z in the world, as shaded (smooth, bumpy): on the camera's side, but where whitted shades bumps
+             ///< that face away; unit length in each sample
   depth,     ///< distance of the first surface from the camera, in units of the world; infinity where nothing is
   position,  ///< of the first surface, in the world; 0, 0, 0 where nothing is
   object,    ///< the object's number, see DrawnObjects; 0 where nothing is

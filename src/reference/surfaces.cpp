@@ -66,7 +66,9 @@ FirstSurface ReferenceSurfaces::sample(Ray const& ray) const {
   Hit hit;
   if (!find_closest(scene_, ray, 0, hit)) return {};
   ReferencePoint const point = find_reference_point(ray, hit);
-  return {1, glm::min(point.phong.kd + point.phong.ks, Rgb(1)), point.normal};
+  double const straight = point.phong.reflect + point.phong.transmit;
+  Rgb const shown = (1 - straight) * point.phong.kd + point.phong.ks + straight;
+  return {1, glm::min(shown, Rgb(1)), point.normal};
 }
 
 ReferenceSurfaces::Center ReferenceSurfaces::center(Ray const& camera_ray, Integrator integrator) const {

@@ -7,6 +7,7 @@
 #include "core/elementary.hpp"
 #include "core/largest_channel.hpp"
 #include "core/luminance.hpp"
+#include "core/square.hpp"
 #include "reference/integrator.hpp"
 #include "reference/scattering_point.hpp"
 
@@ -65,6 +66,25 @@ EnteredSolids solids_towards(ReferenceScatteringPoint const& point, EnteredSolid
   if (!crosses) return entered;
   if (point.from_outside) return {point.solid, entered.inner};
   return {entered.outer == point.solid ? entered.inner : entered.outer, nullptr};
+}
+
+double reflected_head_on(double ior) { return square((ior - 1) / (ior + 1)); }
+
+/// Where the path has been in another body: the definition of refract_between_solids in kernels/integrators/solid.clh.
+void refract_between_solids(ReferenceScatteringPoint& point, EnteredSolids const& entered) {
+  if (!point.solid || !entered.inner) return;
+  PbrModel const* const after = solids_towards(point, entered, -point.geometric_normal).inner;
+  double const own = point.bsdf.ior;
+  bool const is_left = !point.from_outside;
+  double const inner = is_left && entered.inner != point.solid ? ior_in(*entered.inner) : own;
+  double const outer = !is_left ? ior_in(*entered.inner) : after ? ior_in(*after) : 1;
+  double const ratio = inner / outer;
+  bool const is_same = std::abs(ratio - 1) < 1e-3;
+  double const in_air = reflected_head_on(own), here = reflected_head_on(ratio);
+  point.bsdf.f0 = in_air > 0 ? here / in_air * point.bsdf.f0 : here * point.bsdf.f90;
+  point.bsdf.f0 = is_same ? Rgb(0) : glm::min(point.bsdf.f0, Rgb(1));
+  if (is_same) point.bsdf.f90 = Rgb(0);
+  point.bsdf.ior = is_same ? 1 : ratio;
 }
 
 /// What the surface reflects of lights that no ray would meet, of a path that was in `entered`.
@@ -180,9 +200,9 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
       mirrored = ground.is_glossy() && random.uniform() < 0.5;
       if (ground.is_glossy()) throughput *= 2.0;
     }
-    ReferenceScatteringPoint const point = mirrored && is_ground ? ground.glossy_point(ray, ground.distance(ray))
-                                           : is_ground ? ground.matt_point(ray, ground.distance(ray), background)
-                                                       : find_scattering_point(ray, hit);
+    ReferenceScatteringPoint point = mirrored && is_ground ? ground.glossy_point(ray, ground.distance(ray))
+                                     : is_ground           ? ground.matt_point(ray, ground.distance(ray), background)
+                                                           : find_scattering_point(ray, hit);
     if (entered.inner) throughput *= attenuation(*entered.inner, hit.t);
     bool const is_hidden_back = depth == 0 && !point.from_outside && !point.shows_back;
     if (is_hidden_back) {
@@ -203,6 +223,7 @@ FollowedPath follow_path(ReferenceScene const& scene, ReferenceEnvironment const
     if (depth == 0 && !is_ground) sample.surface = {1, throughput * point.albedo(), point.normal};
     if (!entered.inner && point.solid && !point.from_outside) throughput *= attenuation(*point.solid, hit.t);
     add(throughput * light_share(entered.inner) * point.emission, depth > 1);
+    refract_between_solids(point, entered);
     if (depth == request.max_depth) return sample;
     if (is_ground) thrown_share = Rgb(1) / glm::max(point.bsdf.diffuse, Rgb(1));
     auto const scattering = point.scattering();

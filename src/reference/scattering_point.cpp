@@ -171,7 +171,9 @@ Rgb attenuation(PbrModel const& solid, double distance) {
   return left;
 }
 
-double light_share(PbrModel const* solid) { return solid && solid->ior > 0 ? 1 / square(solid->ior) : 1; }
+double ior_in(PbrModel const& solid) { return solid.ior > 0 ? solid.ior : 1; }
+
+double light_share(PbrModel const* solid) { return solid ? 1 / square(ior_in(*solid)) : 1; }
 
 ReferenceScatteringPoint find_scattering_point(Ray const& ray, Hit const& hit) {
   ReferenceScatteringPoint point{find_reference_point(ray, hit), {}};

@@ -35,6 +35,9 @@ struct ReferenceScatteringPoint : ReferencePoint {
 /// What is left of light after a way in a solid (KHR_materials_volume).
 Rgb attenuation(PbrModel const& solid, double distance);
 
+/// The index of refraction that light has in a solid.
+double ior_in(PbrModel const& solid);
+
 /// The share that counts of what shines in a solid; nullptr: in none. The definition of light_share_in in
 /// kernels/integrators/solid.clh.
 double light_share(PbrModel const* solid);

@@ -37,6 +37,12 @@ std::string square(std::string const& name, double z, bool faces_up, double half
       name, -x, -half, z, x, half, material);
 }
 
+double mean_difference(Image const& a, Image const& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.data().size(); ++i) sum += std::abs(double(a.data()[i]) - double(b.data()[i]));
+  return sum / double(a.data().size());
+}
+
 }  // namespace
 
 TEST_CASE("paths: bodies that overlap, or lie within another, each keep their own light", "[image][path]") {
@@ -87,6 +93,44 @@ TEST_CASE("paths: bodies that overlap, or lie within another, each keep their ow
     double sum = 0;
     for (float const value : film.values(FilmPlane::radiance)) sum += double(value) / (3 * 8 * 8);
     CHECK(sum == Approx(expected).epsilon(0.05));
+  }
+}
+
+TEST_CASE("paths: a body within another refracts by the ratio of their indices", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  // Before a backdrop that is in the outer body as well, as are all of a path's ways but the first.
+  Scene scene = scene_of(R"(
+define material around 0 0 0  0 0 0  0 0 0 1
+define material ball 0 0 0  0 0 0  0 0 0 1
+define material shining 0 0 0  0 0 0  0 0 0 1
+define shape box outside -9 -9 -9  9 9 3 around
+define shape sphere lens 0 0 0 1 ball
+define shape box left -8 -8 -5  -0.2 8 -4 shining
+define camera eye 40
+transform eye translate 0 0 6
+)");
+  auto const drawn = [&](double around, double ball, bool by_reference) {
+    for (auto const& [name, ior] : {std::pair("around", around), std::pair("ball", ball)}) {
+      PbrModel body = clear_body(ior);
+      body.attenuation_distance = 1;  // white: a body also of the index 1
+      **scene.materials.find(name) = Material(name, body);
+    }
+    PbrModel shining = pbr(Rgb(0), 0, 1);
+    shining.specular = 0;
+    shining.emissive = Rgb(around * around);  // see the lamps above
+    **scene.materials.find("shining") = Material("shining", shining);
+    RenderRequest request = path_request(scene, {24, 24}, 16, 8);
+    request.camera = Camera::orthographic("eye", 2.6, Transform::translation({0, 0, 6}));
+    return by_reference ? render_reference(scene, request) : trace(scene, request);
+  };
+  for (bool const by_reference : {false, true}) {
+    INFO((by_reference ? "reference" : "device"));
+    Image const in_air = drawn(1, 1.25, by_reference), in_water = drawn(1.4, 1.4 * 1.25, by_reference);
+    CHECK(mean_difference(in_air, in_water) < 0.02);
+    CHECK(mean_difference(in_air, drawn(1, 1.4 * 1.25, by_reference)) > 0.03);  // which a difference would look like
+    // What has the index of its surroundings is not seen, nor does it reflect anything.
+    Image const same = drawn(1.4, 1.4, by_reference), nothing = drawn(1.0001, 1.0001, by_reference);
+    CHECK(mean_difference(same, nothing) < 0.02);
   }
 }
 

@@ -121,8 +121,8 @@ TEST_CASE("what needs no light looks for none", "[image][planes][path]") {
 
 TEST_CASE("mirrors and glass show what is behind them in their albedo", "[image][planes]") {
   REQUIRE_OPENCL_DEVICE();
-  for (auto const& [shares, shown] :
-       {std::pair("", 0.5), std::pair(" reflect=0.9", 0.04 + 0.1 + 0.9), std::pair(" reflect=0.25 transmit=0.5", 0.95)}) {
+  for (auto const& [shares, shown] : {std::pair("", 0.5), std::pair(" reflect=0.9", 0.04 + 0.1 + 0.9),
+                                      std::pair(" reflect=0.25 transmit=0.5", 0.95)}) {
     Scene const scene = scene_of(std::string("define material m 0 0 0  0.4 0.4 0.4  0.1 0.1 0.1  20") + shares +
                                  "\ndefine shape box plate -9 -9 -3  9 9 -2 m\ndefine camera eye 30\n");
     RenderRequest request = whole_picture(scene.cameras.front(), {4, 4});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -85,7 +86,12 @@ std::map<std::string, NewStatement> new_statements(SceneValues const& values) {
   for (auto const& material : values.materials) {
     // A scene's names are words of it, and other lines use them: they stay as they are.
     std::string const& name = material.original->name();
-    if (material.is_edited) replace("material " + name, material_statement(name, material.value));
+    if (!material.is_edited) continue;
+    if (!material.is_listed) {
+      refuse(fmt::format("no line of the scene's file defines the material {} that was changed; copy it instead",
+                         name.empty() ? "without a name" : name));
+    }
+    replace("material " + name, material_statement(name, material.value));
   }
   for (std::size_t i = 0; i < values.lights.size(); ++i) {
     Light const& light = values.lights[i];
@@ -105,8 +111,9 @@ std::map<std::string, NewStatement> new_statements(SceneValues const& values) {
 }  // namespace
 
 std::string edited_scene(std::string_view text, SceneValues const& values) {
-  auto missing = new_statements(values);
-  if (missing.empty()) refuse("no light, environment or material was changed");
+  auto const statements = new_statements(values);
+  if (statements.empty()) refuse("no light, environment or material was changed");
+  std::set<std::string> written;
   std::string result;
   if (text.starts_with(byte_order_mark)) {
     result = byte_order_mark;
@@ -115,10 +122,13 @@ std::string edited_scene(std::string_view text, SceneValues const& values) {
   while (!text.empty()) {
     std::string_view const line = take_line(text);
     auto const words = words_of(line);
-    auto const found = missing.find(thing_defined_by(words));
-    if (found == missing.end()) {
+    auto const found = statements.find(thing_defined_by(words));
+    if (found == statements.end()) {
       result += line;
       continue;
+    }
+    if (!written.insert(found->first).second) {  // read with --keep-going
+      refuse(fmt::format("more than one line of the scene's file defines {}; copy it instead", found->first));
     }
     if (has_brightness(words)) {
       refuse(
@@ -127,10 +137,11 @@ std::string edited_scene(std::string_view text, SceneValues const& values) {
                       found->first));
     }
     result += with_statement(line, found->second(words));
-    missing.erase(found);
   }
-  if (!missing.empty()) {
-    refuse(fmt::format("no line of the scene's file defines {}; copy it instead", missing.begin()->first));
+  for (auto const& [what, statement] : statements) {
+    if (!written.contains(what)) {
+      refuse(fmt::format("no line of the scene's file defines {}; copy it instead", what));
+    }
   }
   return result;
 }

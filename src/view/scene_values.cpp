@@ -20,7 +20,8 @@ SceneValues::SceneValues(Scene const& scene, DrawnObjects const& objects)
       if (!seen.insert(shape).second) continue;
       for (auto const& child : composite->children()) pending.push_back(child.get());
     } else if (shape->material() && places_.emplace(shape->material().get(), 0).second) {
-      materials.push_back({shape->material().get(), *shape->material()});
+      auto const* const listed = scene.materials.find(shape->material()->name());
+      materials.push_back({shape->material().get(), *shape->material(), listed && *listed == shape->material()});
     }
   }
   std::sort(materials.begin(), materials.end(),

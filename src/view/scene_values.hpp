@@ -19,6 +19,7 @@ class SceneValues {
   struct EditableMaterial {
     Material const* original;  ///< the scene's
     Material value;
+    bool is_listed = false;  ///< as Scene::materials lists it: an eSDF scene does not list those of its meshes
     bool is_edited = false;
   };
   std::vector<Light> lights;

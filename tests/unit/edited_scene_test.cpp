@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "lichtraum/drawn_objects.hpp"
 #include "lichtraum/esdf.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace lichtraum;
 
@@ -13,7 +16,8 @@ namespace {
 struct Opened {
   Scene scene;
   view::SceneValues values;
-  explicit Opened(std::string const& text) : scene(EsdfScript::from_text(text, "scene", {}).take_scene()) {
+  explicit Opened(std::string const& text, EsdfOptions const& options = {}, std::filesystem::path const& folder = ".")
+      : scene(EsdfScript::from_text(text, "scene", options, folder).take_scene()) {
     values = view::SceneValues(scene, DrawnObjects(scene, ""));
   }
 };
@@ -122,6 +126,40 @@ TEST_CASE("a scene is not saved where an edit would be lost", "[unit][view]") {
   opened.values.lights[0] = Light("lamp", PointLight{.ld = Rgb(3)});
   CHECK_THROWS_WITH(view::edited_scene("define light lamp 0 5 0  1 1 1  2\n", opened.values),
                     contains_text("tone map"));
+}
+
+TEST_CASE("a scene is not saved with what was edited of a mesh in it", "[unit][view]") {
+  TemporaryFolder const folder;
+  folder.write("mesh.obj", "mtllib mesh.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder.write("mesh.mtl", "newmtl red\nKd 0.5 0 0\n");
+  std::string const scene = std::string(red_statement) + middle + "define shape mesh m mesh.obj\n";
+  Opened opened(scene, {}, folder.path());
+  auto& materials = opened.values.materials;
+  REQUIRE(materials.size() == 2);
+  auto const of_mesh = std::ranges::find(materials, false, &view::SceneValues::EditableMaterial::is_listed);
+  REQUIRE(of_mesh != materials.end());
+  CHECK(of_mesh->value.name() == "red");
+  of_mesh->is_edited = true;
+  CHECK_THROWS_WITH(view::edited_scene(scene, opened.values), contains_text("the material red that was changed"));
+  opened.values.reset();
+  std::ranges::find(materials, true, &view::SceneValues::EditableMaterial::is_listed)->is_edited = true;
+  CHECK_NOTHROW(view::edited_scene(scene, opened.values));
+}
+
+TEST_CASE("a scene is not saved where two lines define what was edited", "[unit][view]") {
+  EsdfOptions options;
+  options.keep_going = true;
+  std::string const again = "define material red 0 0 0  0 0.5 0  0 0 0  1\ndefine shape sphere ball 3 0 0  1 red\n";
+  std::string const scene = std::string(red_statement) + middle + again + lamp + lamp;
+  Opened opened(scene, options);
+  REQUIRE(opened.values.materials.size() == 2);
+  for (auto& material : opened.values.materials) {
+    material.is_edited = true;
+    CHECK_THROWS_WITH(view::edited_scene(scene, opened.values), contains_text("scene's file defines"));
+    opened.values.reset();
+  }
+  opened.values.lights[0] = Light("lamp", PointLight{.ld = Rgb(3)});
+  CHECK_THROWS_WITH(view::edited_scene(scene, opened.values), contains_text("more than one line"));
 }
 
 TEST_CASE("a scene is not saved where it could not be read", "[unit][view]") {

@@ -73,6 +73,9 @@ class EsdfScript {
   std::vector<Diagnostic> const& diagnostics() const;
   /// The scene at the end of the file, with all its render commands.
   Scene const& scene() const;
+  /// From now on `scene` is as the first `render` draws it, with what shows nothing by itself of the rest of the file:
+  /// its cameras, its materials, and its render commands. Nothing changes in a file without `render`.
+  void rewind();
   /// Moves that scene out.
   Scene take_scene() &&;
 

@@ -48,6 +48,10 @@ Scene const& LoadedScene::scene() const {
   return script ? script->scene() : model().scene;
 }
 
+void LoadedScene::rewind() {
+  if (auto* const script = std::get_if<EsdfScript>(&content_)) script->rewind();
+}
+
 std::vector<double> const& LoadedScene::times_seconds() const {
   static std::vector<double> const none;
   auto const* animated = std::get_if<AnimatedModel>(&content_);

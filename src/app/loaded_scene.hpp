@@ -50,8 +50,10 @@ class LoadedScene {
   ModelContents const* contents() const { return is_model() ? &model().contents : nullptr; }
   bool is_model() const { return !std::holds_alternative<EsdfScript>(content_); }
   std::vector<Diagnostic> const& diagnostics() const;
-  /// At the end of the file; of a model at several times at the first of them.
+  /// At the end of the file, unless it was rewound; of a model at several times at the first of them.
   Scene const& scene() const;
+  /// See EsdfScript::rewind. Nothing changes in a model.
+  void rewind();
   /// Empty unless it is a model at several times.
   std::vector<double> const& times_seconds() const;
 

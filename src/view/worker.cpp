@@ -159,6 +159,7 @@ void Worker::load(Renderer& renderer, Reading reading) {
     app::Stopwatch const stopwatch;
     auto const loaded_scene =
         std::make_shared<app::LoadedScene>(reading.source.load(reading.job.reading, load_options_));
+    loaded_scene->rewind();  // what is seen is its first picture
     app::LoadedScene const& loaded = *loaded_scene;
     Job job = reading.job;
     job.integrator = chosen_integrator(job, loaded.scene(), load_options_.device).integrator;

@@ -56,6 +56,23 @@ TEST_CASE("render draws the scene as defined up to its line", "[unit][esdf]") {
   CHECK(play(script, 2).size() == 2);
 }
 
+TEST_CASE("a script that is rewound has the scene of its first picture, and all cameras", "[unit][esdf]") {
+  EsdfScript script = EsdfScript::from_text(
+      animation + "define material late_red 1 1 1  1 1 1  1 1 1  1\ndefine camera late_eye 45\n", "s.sdf");
+  script.rewind();
+  Scene const& scene = script.scene();
+  CHECK((*scene.shapes.find("s"))->world_from_object().point(Vec3(0)) == Vec3(0));
+  CHECK(scene.shapes.size() == 1);
+  CHECK(scene.renders.size() == 3);
+  CHECK(scene.cameras.contains("late_eye"));
+  CHECK(scene.materials.contains("late_red"));
+  CHECK(play(script).size() == 3);
+
+  EsdfScript still = EsdfScript::from_text(red + eye + "define shape sphere s 0 0 0 1 red\n", "s.sdf");
+  still.rewind();
+  CHECK(still.scene().shapes.size() == 1);
+}
+
 TEST_CASE("renders at the end of a file draw its finished scene", "[unit][esdf]") {
   EsdfScript const script = EsdfScript::from_text(
       red + eye + "define shape sphere s 0 0 0 1 red\nrender eye 1.png 8 8\nrender eye 2.png 8 8\n# end\n", "s.sdf");

@@ -151,6 +151,16 @@ TEST_CASE("a scene that begins to shine is drawn by paths, as it will be from a 
   CHECK(work.await(&Worker::News::edited).request.integrator == Integrator::whitted);
 }
 
+TEST_CASE("of a film, what its first picture shows is seen, not its end", "[unit][view]") {
+  TemporaryFolder const folder;
+  Work work(folder.write("film.sdf", scene + camera + "render eye 1.png\ntransform ball translate 9 0 0\n" +
+                                         "define camera side 50 8 8\nrender side 2.png\n"));
+  view::SceneView const shown = work.await(&Worker::News::scene);
+  CHECK(shown.bounds.center() == Vec3(0, 0, -5));
+  CHECK(shown.cameras.size() == 2);
+  CHECK(work.look_at_ball().seen);
+}
+
 TEST_CASE("a picture tells which view it is of", "[unit][view]") {
   TemporaryFolder const folder;
   Work work(folder.write("scene.sdf", scene + camera));

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/read_file.hpp"
 #include "io/esdf/foreign_file.hpp"
 #include "io/esdf/interpreter.hpp"
@@ -65,6 +67,17 @@ EsdfScript EsdfScript::from_text(std::string text, std::string name, EsdfOptions
 std::vector<Diagnostic> const& EsdfScript::diagnostics() const { return state_->diagnostics; }
 
 Scene const& EsdfScript::scene() const { return state_->scene; }
+
+void EsdfScript::rewind() {
+  if (!state_->is_animated) return;
+  esdf::Interpreter interpreter(state_->source, state_->options);
+  esdf::DrawFunction const stop = [](Scene const&, RenderCommand const&) { return false; };
+  interpreter.run(&stop);
+  Scene const end = std::exchange(state_->scene, std::move(interpreter.scene));
+  for (Camera const& camera : end.cameras) state_->scene.cameras.insert(camera);
+  for (auto const& material : end.materials) state_->scene.materials.insert(material);
+  state_->scene.renders = end.renders;
+}
 
 Scene EsdfScript::take_scene() && { return std::move(state_->scene); }
 

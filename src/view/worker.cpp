@@ -28,6 +28,16 @@ app::LoadOptions observed_by(FileWatch& files) {
   return options;
 }
 
+/// Without what names things in one file, which others do not have.
+Job without_names(Job job) {
+  job.camera.clear();
+  job.root.clear();
+  job.reading.model.scene.clear();
+  job.reading.model.variant.clear();
+  job.reading.model.animation.clear();
+  return job;
+}
+
 }  // namespace
 
 Worker::Worker(app::SceneSource const& source, app::RenderOptions const& options, bool is_watching,
@@ -36,6 +46,7 @@ Worker::Worker(app::SceneSource const& source, app::RenderOptions const& options
       is_watching_(is_watching),
       console_(console),
       wake_(std::move(wake)),
+      first_file_(source.name()),
       reading_{source, source.job(options.job)},
       load_options_(observed_by(files_)),
       thread_([this](std::stop_token const& stop) { work(stop); }) {}
@@ -136,7 +147,7 @@ std::optional<Worker::Reading> Worker::asked_reading() {
   std::lock_guard const lock(mutex_);
   if (new_file_) {
     app::SceneSource const source(*std::exchange(new_file_, std::nullopt));
-    return Reading{source, source.job(options_.job)};
+    return Reading{source, source.job(source.name() == first_file_ ? options_.job : without_names(options_.job))};
   }
   if (!animation) return std::nullopt;
   Reading reading = reading_;

@@ -178,6 +178,7 @@ class Worker {
   bool is_watching_;
   app::Console const& console_;
   std::function<void()> wake_;
+  std::string first_file_;  // whose things options_ may name
 
   // Of the thread alone.
   Reading reading_;  // of the scene that is shown; before there is one, the last that was tried

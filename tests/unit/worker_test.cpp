@@ -35,17 +35,18 @@ std::string moving_model() {
   return writer.text();
 }
 
-app::RenderOptions on_reference_tracer() {
+app::RenderOptions on_reference_tracer(Job const& job) {
   app::RenderOptions options;
   options.device = "reference";
+  options.job = job;
   return options;
 }
 
 /// A Worker as a window has it.
 class Work {
  public:
-  explicit Work(std::filesystem::path const& file, bool is_watching = false)
-      : worker_(app::SceneSource(file), options_, is_watching, console_, [this] {
+  explicit Work(std::filesystem::path const& file, bool is_watching = false, Job const& job = {})
+      : options_(on_reference_tracer(job)), worker_(app::SceneSource(file), options_, is_watching, console_, [this] {
           std::lock_guard const lock(mutex_);
           has_news_ = true;
           woken_.notify_all();
@@ -73,7 +74,7 @@ class Work {
   }
 
  private:
-  app::RenderOptions const options_ = on_reference_tracer();
+  app::RenderOptions const options_;
   app::Console const console_ = [] {
     app::Console silent;
     silent.set_verbosity(app::Verbosity::silent);
@@ -159,6 +160,25 @@ TEST_CASE("of a film, what its first picture shows is seen, not its end", "[unit
   CHECK(shown.bounds.center() == Vec3(0, 0, -5));
   CHECK(shown.cameras.size() == 2);
   CHECK(work.look_at_ball().seen);
+}
+
+TEST_CASE("names of the first file's things are not looked for in others", "[unit][view]") {
+  TemporaryFolder const folder;
+  Job job;
+  job.camera = "side";
+  job.root = "ball";
+  job.reading.model.animation = "1";
+  auto const first = folder.write("first.sdf", scene + camera + "define camera side 50 4 4\n");
+  Work work(first, false, job);
+  CHECK(work.await(&Worker::News::scene).request.resolution == Resolution{4, 4});
+  work->open(folder.write("second.sdf", camera + "define material red 0 0 0  0.8 0.1 0.1  0 0 0  1\n" +
+                                            "define shape sphere moon 0 0 -5  2 red\n"));
+  CHECK(work.await(&Worker::News::scene).request.resolution == Resolution{8, 8});
+  folder.write("moving.gltf", moving_model());
+  work->open(folder / "moving.gltf");
+  CHECK(work.await(&Worker::News::scene).loaded->contents()->animation == 0);
+  work->open(first);
+  CHECK(work.await(&Worker::News::scene).request.resolution == Resolution{4, 4});
 }
 
 TEST_CASE("a picture tells which view it is of", "[unit][view]") {

@@ -6,10 +6,20 @@
 namespace lichtraum::app {
 namespace {
 
-std::vector<TextureImage const*> textures_of(Scene const& scene) {
+/// Those that the scene lists, and those of models in it, which only their shapes have.
+std::vector<std::shared_ptr<Material const>> all_materials(Scene const& scene) {
+  std::vector<std::shared_ptr<Material const>> materials(scene.materials.begin(), scene.materials.end());
+  std::unordered_set<std::shared_ptr<Material const>> known(materials.begin(), materials.end());
+  for (auto const& material : materials_of({scene.shapes.begin(), scene.shapes.end()})) {
+    if (known.insert(material).second) materials.push_back(material);
+  }
+  return materials;
+}
+
+std::vector<TextureImage const*> textures_of(std::vector<std::shared_ptr<Material const>> const& materials) {
   std::vector<TextureImage const*> images;
   std::unordered_set<TextureImage const*> known;
-  for (auto const& material : scene.materials) {
+  for (auto const& material : materials) {
     if (!material->pbr()) continue;
     for (auto const slot : texture_slots) {
       auto const& texture = (material->pbr()->*slot).texture;
@@ -28,7 +38,9 @@ SceneSummary summarise(Scene const& scene, Job job) {
   summary.defined = lichtraum::summarise({scene.shapes.begin(), scene.shapes.end()}).defined;
   summary.drawn = drawn.drawn;
   summary.bounds = drawn.bounds;
-  summary.textures = textures_of(scene);
+  auto const materials = all_materials(scene);
+  summary.material_count = materials.size();
+  summary.textures = textures_of(materials);
   summary.scene = &scene;
   summary.background = scene.background;
   if (is_model_file(job.scene)) {

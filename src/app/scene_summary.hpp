@@ -15,6 +15,7 @@ struct SceneSummary {
   ShapeCounts defined;                        ///< each shape once
   ShapeCounts drawn;                          ///< once for each path from a root: with all instances
   Bounds bounds;                              ///< of all that is drawn
+  std::size_t material_count = 0;             ///< of the scene and of models in it, each once
   std::vector<TextureImage const*> textures;  ///< of all materials, each once, as they are in memory
   /// Of the pictures that the scene asks for; of one where it asks for none.
   std::vector<IntegratorChoice> integrators;

@@ -145,7 +145,7 @@ std::string to_text(SceneSummary const& summary, std::string const& file) {
     if (defined[i].count == 0) continue;
     text += fmt::format("  {:<16}{:>10}  {:>14}\n", defined[i].what, number(defined[i].count), number(drawn[i].count));
   }
-  text += fmt::format("  materials       {:>10}\n", scene.materials.size());
+  text += fmt::format("  materials       {:>10}\n", summary.material_count);
   for (TextureImage const* image : summary.textures) {
     text += fmt::format("  texture         {}{}{}x{}, {:.3g} MB\n", image->name, image->name.empty() ? "" : ", ",
                         image->width, image->height, megabytes(*image));
@@ -217,7 +217,7 @@ std::string to_json(SceneSummary const& summary, std::string const& file) {
                           : Json{{"min", triple_json(summary.bounds.min)}, {"max", triple_json(summary.bounds.max)}};
   Json const json{{"file", file},
                   {"shapes", {{"defined", counts_json(summary.defined)}, {"drawn", counts_json(summary.drawn)}}},
-                  {"materials", scene.materials.size()},
+                  {"materials", summary.material_count},
                   {"textures", textures},
                   {"lights", lights},
                   {"environment", environment_json(scene.environment)},

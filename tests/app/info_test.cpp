@@ -44,6 +44,28 @@ TEST_CASE("info counts shapes, defined and drawn, and bounds them", "[app][info]
   CHECK_THAT(text, contains_text("spheres") && contains_text("eye, 60 degrees wide, 4x3") && contains_text("11 2 3"));
 }
 
+TEST_CASE("info counts what a mesh in a scene has of materials and textures", "[app][info]") {
+  Lichtraum const lichtraum;
+  // One pixel: BMP's headers, and a red of three bytes.
+  std::string dot = "BM";
+  for (std::uint32_t const word : {58u, 0u, 54u, 40u, 1u, 1u, (24u << 16) | 1u, 0u, 4u, 0u, 0u, 0u, 0u}) {
+    for (int shift = 0; shift < 32; shift += 8) dot += char((word >> shift) & 255);
+  }
+  lichtraum.folder.write("dot.bmp", dot + std::string("\0\0\xFF\0", 4));
+  lichtraum.folder.write("mesh.mtl", "newmtl red\nKd 0.5 0 0\nmap_Kd dot.bmp\nnewmtl blue\nKd 0 0 1\n");
+  lichtraum.folder.write("mesh.obj",
+                         "mtllib mesh.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                         "usemtl red\nf 1/1 2/2 3/3\nusemtl blue\nf 3/3 2/2 1/1\n");
+  std::string const scene =
+      "define material red 1 1 1  1 1 1  0 0 0  1\ndefine shape mesh m mesh.obj\ndefine shape composite twice m m\n";
+  lichtraum.folder.write("scene.sdf", scene);
+  Json const json = Json::parse(lichtraum("info scene.sdf --json").out);
+  CHECK(json["materials"] == 3);
+  REQUIRE(json["textures"].size() == 1);
+  CHECK(json["textures"][0]["size"] == Json({1, 1}));
+  CHECK_THAT(lichtraum("info scene.sdf").out, contains_text("texture         dot"));
+}
+
 TEST_CASE("info says what draws each picture, and why", "[app][info]") {
   Lichtraum const lichtraum;
   std::string const scene = "define camera eye 60 4 3\nrender eye a.ppm\nrender eye b.ppm integrator=path\n";

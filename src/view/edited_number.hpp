@@ -7,4 +7,7 @@ namespace lichtraum::view {
 /// reads 0.763 and not 0.7630000114440918.
 double edited_number(double number, float shown);
 
+/// The same of a channel of a colour, within what eSDF takes of light.
+double edited_channel(double channel, float shown);
+
 }  // namespace lichtraum::view

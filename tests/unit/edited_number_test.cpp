@@ -4,6 +4,7 @@
 
 #include "support/catch.hpp"
 
+using lichtraum::view::edited_channel;
 using lichtraum::view::edited_number;
 
 TEST_CASE("a number that a widget changes has no more digits than the widget, and else stays", "[unit][view]") {
@@ -14,4 +15,13 @@ TEST_CASE("a number that a widget changes has no more digits than the widget, an
   CHECK(edited_number(1.0 / 3, float(1.0 / 3)) == 1.0 / 3);
   CHECK(edited_number(7.2, std::numeric_limits<float>::infinity()) == 7.2);
   CHECK(edited_number(7.2, std::numeric_limits<float>::quiet_NaN()) == 7.2);
+}
+
+TEST_CASE("a channel that is typed is one that eSDF takes", "[unit][view]") {
+  CHECK(edited_channel(0.9, 0.763f) == 0.763);
+  CHECK(edited_channel(0.9, 1e31f) == 1e30);
+  CHECK(edited_channel(0.9, 1e30f) == 1e30);
+  CHECK(edited_channel(0.9, -1) == 0);
+  CHECK(edited_channel(-0.5, -0.5f) == -0.5);  // as the scene has it
+  CHECK(edited_channel(0.9, std::numeric_limits<float>::infinity()) == 0.9);
 }

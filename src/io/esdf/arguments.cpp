@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/largest_radiance.hpp"
 #include "core/parse_number.hpp"
 #include "io/esdf/interpreter.hpp"
 #include "io/text/diagnostics.hpp"
@@ -209,14 +210,13 @@ std::optional<Vec3> read_vec3(Interpreter& interpreter, std::span<Token const> t
 }
 
 std::optional<Rgb> read_radiance(Interpreter& interpreter, std::span<Token const> three_tokens, std::string_view what) {
-  constexpr double largest = 1e30;
   auto const radiance = read_vec3(interpreter, three_tokens);
   if (!radiance) return std::nullopt;
   for (int c = 0; c < 3; ++c) {
-    if ((*radiance)[c] >= 0 && (*radiance)[c] <= largest) continue;
-    interpreter.error(
-        Code::out_of_range, three_tokens[std::size_t(c)],
-        fmt::format("{} must lie between 0 and {:g}, not {}", what, largest, in_quotes(three_tokens[std::size_t(c)])));
+    if ((*radiance)[c] >= 0 && (*radiance)[c] <= largest_radiance) continue;
+    interpreter.error(Code::out_of_range, three_tokens[std::size_t(c)],
+                      fmt::format("{} must lie between 0 and {:g}, not {}", what, largest_radiance,
+                                  in_quotes(three_tokens[std::size_t(c)])));
     return std::nullopt;
   }
   return radiance;

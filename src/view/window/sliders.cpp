@@ -37,7 +37,7 @@ bool edit_color(char const* label, Rgb& color) {
   float channels[] = {float(color.r), float(color.g), float(color.b)};
   if (!ImGui::ColorEdit3(label, channels, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR)) return false;
   if (!are_finite(channels)) return false;
-  for (int c = 0; c < 3; ++c) color[c] = edited_number(color[c], std::max(0.0f, channels[c]));
+  for (int c = 0; c < 3; ++c) color[c] = edited_channel(color[c], channels[c]);
   return true;
 }
 
@@ -54,7 +54,7 @@ bool edit_light_color(Rgb& color, Rgb const& original) {
   Rgb hue = brightness > 0 ? color / brightness : original_hue;
   double const range = original_brightness > 0 ? 4 * original_brightness : 4;
   bool const has_changed = any_of({edit_number("brightness", brightness, 0, range), edit_color("colour", hue)});
-  for (int c = 0; has_changed && c < 3; ++c) color[c] = edited_number(color[c], float(brightness * hue[c]));
+  for (int c = 0; has_changed && c < 3; ++c) color[c] = edited_channel(color[c], float(brightness * hue[c]));
   return has_changed;
 }
 

@@ -20,4 +20,10 @@ double edited_channel(double channel, float shown) {
   return edited == channel ? channel : std::clamp(edited, 0.0, largest_radiance);
 }
 
+double rest_of(double share) {
+  constexpr double places = 1e12;  // more than what is typed or shown has
+  double const rest = std::round((1 - share) * places) / places;
+  return share + rest > 1 ? 1 - share : rest;
+}
+
 }  // namespace lichtraum::view

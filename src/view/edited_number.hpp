@@ -10,4 +10,7 @@ double edited_number(double number, float shown);
 /// The same of a channel of a colour, within what eSDF takes of light.
 double edited_channel(double channel, float shown);
 
+/// What a share of the light leaves another one: 0.3 of 0.7, and not 0.30000000000000004. Their sum is 1 at most.
+double rest_of(double share);
+
 }  // namespace lichtraum::view

@@ -125,9 +125,9 @@ bool edit(PhongModel& model) {
 #undef LICHTRAUM_NUMBER
   // What one takes beyond their sum of 1, the other gives.
   if (model.reflect != before.reflect) {
-    model.transmit = std::min(model.transmit, 1 - model.reflect);
+    model.transmit = std::min(model.transmit, rest_of(model.reflect));
   } else {
-    model.reflect = std::min(model.reflect, 1 - model.transmit);
+    model.reflect = std::min(model.reflect, rest_of(model.transmit));
   }
   return has_changed;
 }

@@ -5,6 +5,7 @@
 #include "lichtraum.hpp"
 #include "pictures.hpp"
 #include "support/catch.hpp"
+#include "support/gltf_writer.hpp"
 #include "support/project_files.hpp"
 #include "support/skip.hpp"
 
@@ -95,6 +96,29 @@ TEST_CASE("names are shown in the letters of Latin, Greek and Cyrillic", "[app][
   CHECK(difference(shot("zhe"), shot("ball"), rows) > 0);
   CHECK(difference(shot("stroke"), shot("ball"), rows) > 0);
   CHECK(difference(shot("stroke"), shot("zhe"), rows) > 0);
+}
+
+TEST_CASE("labels of a glTF material can be told apart, and are shown whole under the mouse", "[app][view]") {
+  for (char const* const program : {"Xvfb", "xdotool", "ffmpeg"}) {
+    if (!is_installed(program)) SKIP_TEST(std::string(program) + " is not installed");
+  }
+  Lichtraum const lichtraum;
+  lichtraum::testing::GltfWriter writer;
+  writer.add_mesh({-1, -1, 0, 1, -1, 0, 0, 1, 0});
+  writer.json["materials"] = {{{"name", "paint"}}};
+  writer.json["meshes"][0]["primitives"][0]["material"] = 0;
+  lichtraum.folder.write("model.gltf", writer.text());
+  auto const result = run_in_xvfb("view_labels_in_xvfb.sh", lichtraum, 200);
+  INFO(result.out + result.err + lichtraum.folder.read("log.txt"));
+  REQUIRE(result.exit_code == 0);
+  auto const shot = [&](std::string const& name) { return decode(lichtraum.folder.read(name + ".png")); };
+  DecodedImage const material = shot("material"), told = shot("told");
+  double labels = 0;  // of the least and the greatest thickness of iridescence, in two rows
+  for (int y = 943; y < 958; ++y) {
+    for (int x = 190; x < 250; ++x) labels += std::abs(double(material.at(x, y, 0) - material.at(x, y + 23, 0)));
+  }
+  CHECK(labels > 1000);
+  CHECK(difference(told, material, {280, 862, 400, 884}) > 20);  // beside the panel
 }
 
 TEST_CASE("a window is no larger than its display, and that is said", "[app][view]") {

@@ -14,14 +14,34 @@
 #include "core/largest_channel.hpp"
 #include "view/edited_number.hpp"
 #include "view/scene_values.hpp"
+#include "view/window/graphics.hpp"
 
 namespace lichtraum::view {
 
+namespace {
+
+/// Makes the next widget narrower, `least` at least, where its label would be cut off at its right.
+void make_room_for(char const* label, float least) {
+  float const beside = ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(label).x;
+  float const usual = ImGui::CalcItemWidth(), left = ImGui::GetContentRegionAvail().x - beside;
+  if (left < usual) ImGui::SetNextItemWidth(std::max(left, std::min(usual, least)));
+}
+
+/// The label of the last widget, where that is under the mouse and its label is cut off all the same.
+void tell_cut_label(char const* label) {
+  float const end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  if (ImGui::GetItemRectMax().x > end && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", label);
+}
+
+}  // namespace
+
 bool edit_number(char const* label, double& value, double low, double high, int flags) {
   auto number = float(value);
-  if (!ImGui::SliderFloat(label, &number, float(low), float(high), "%.3g", flags | ImGuiSliderFlags_AlwaysClamp)) {
-    return false;
-  }
+  make_room_for(label, scaled(40));
+  bool const has_changed =
+      ImGui::SliderFloat(label, &number, float(low), float(high), "%.3g", flags | ImGuiSliderFlags_AlwaysClamp);
+  tell_cut_label(label);
+  if (!has_changed) return false;
   value = edited_number(value, number);
   return true;
 }
@@ -35,8 +55,10 @@ bool are_finite(float const (&numbers)[3]) {
 
 bool edit_color(char const* label, Rgb& color) {
   float channels[] = {float(color.r), float(color.g), float(color.b)};
-  if (!ImGui::ColorEdit3(label, channels, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR)) return false;
-  if (!are_finite(channels)) return false;
+  make_room_for(label, scaled(120));
+  bool const has_changed = ImGui::ColorEdit3(label, channels, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR);
+  tell_cut_label(label);
+  if (!has_changed || !are_finite(channels)) return false;
   for (int c = 0; c < 3; ++c) color[c] = edited_channel(color[c], channels[c]);
   return true;
 }
@@ -107,9 +129,10 @@ struct EditLight : LightFieldVisitor {
   }
 };
 
-/// "base color" of base_color.
+/// "base color" of base_color; "thickness min", for which there is room, of thickness_minimum.
 std::string label_of(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
+  if (name.ends_with(" minimum") || name.ends_with(" maximum")) name.resize(name.rfind("imum"));
   return name;
 }
 

@@ -28,9 +28,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Colours as BT.709 defines them, and said so in the file: players guess otherwise.
+/// Colours as BT.709 defines them, and said so in the file: players guess otherwise. Without accurate_rnd, chroma is
+/// rounded down.
 std::vector<std::string> const bt709{"-vf",
-                                     "scale=out_color_matrix=bt709:out_range=tv",
+                                     "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd",
                                      "-pix_fmt",
                                      "yuv420p",
                                      "-colorspace",

@@ -106,6 +106,37 @@ TEST_CASE("a film shows the pictures", "[app][film]") {
   for (std::string const& name : lichtraum.folder.names()) CHECK(name.find("tmp") == std::string::npos);
 }
 
+TEST_CASE("a film stores the numbers that are nearest to BT.709's", "[app][film]") {
+  Lichtraum const lichtraum;
+  struct Color {
+    double r, g, b;  // of 255
+  };
+  for (Color const& color : {Color{51, 26, 230}, Color{204, 51, 26}, Color{77, 33, 99}, Color{3, 250, 140}}) {
+    lichtraum.folder.write("a.sdf", "define camera eye 40\ndefine background " + std::to_string(color.r / 255) + " " +
+                                        std::to_string(color.g / 255) + " " + std::to_string(color.b / 255) +
+                                        "\nrender eye a.png 64 64\nrender eye a.png 64 64\n");
+    // ITU-R BT.709-6, sections 3.2, 3.3 and 4.6, for numbers of 8 bits
+    double const y = (0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b) / 255;
+    int const right[] = {int(std::lround(16 + 219 * y)), int(std::lround(128 + 224 * (color.b / 255 - y) / 1.8556)),
+                         int(std::lround(128 + 224 * (color.r / 255 - y) / 1.5748))};
+    for (std::string const film : {"a.mp4", "a.webm"}) {
+      REQUIRE(lichtraum.render("a.sdf -q -o " + film).exit_code == 0);
+      Process process;
+      process.folder = lichtraum.folder.path();
+      process.arguments = {"ffmpeg", "-v", "error", "-i", film, "-f", "rawvideo", "-pix_fmt", "yuv420p", "-"};
+      std::string const planes = run_process(process).out;
+      REQUIRE(planes.size() == 2 * 64 * 64 * 3 / 2);
+      INFO(film << ": " << color.r << ' ' << color.g << ' ' << color.b);
+      auto const stored = [&](std::size_t at) { return int(static_cast<unsigned char>(planes[at])); };
+      for (std::size_t at = 0; at < 64 * 64; ++at) REQUIRE(stored(at) == right[0]);
+      for (std::size_t at = 0; at < 32 * 32; ++at) {
+        REQUIRE(stored(64 * 64 + at) == right[1]);
+        REQUIRE(stored(64 * 64 + 32 * 32 + at) == right[2]);
+      }
+    }
+  }
+}
+
 TEST_CASE("a model's film is its whole animation, or a turntable", "[app][film][gltf]") {
   Lichtraum const lichtraum;
   lichtraum::testing::GltfWriter writer;

@@ -360,7 +360,7 @@ TEST_CASE("a variant gives primitives the materials that they have in it", "[uni
   CHECK(shown("") == "aab");
   CHECK(shown("beach") == "bcb");
   CHECK(shown("0") == "bcb");
-  CHECK(shown("street") == "cab");  // a material that is not there changes nothing
+  CHECK(shown("street") == "cab");  // a material that does not exist changes nothing
   CHECK(shown("1") == "cab");       // numbers come before names
   CHECK(shown("2") == "cab");
   CHECK_THROWS_WITH(shown("moon"),
@@ -373,4 +373,44 @@ TEST_CASE("a variant gives primitives the materials that they have in it", "[uni
   writer.json.erase("scenes");
   writer.json.erase("extensions");
   CHECK_THROWS_WITH(shown("beach"), contains_text("there is no variant 'beach': the model has no variants"));
+}
+
+TEST_CASE("each index of a variant's mapping is compared with its list", "[unit][gltf]") {
+  GltfWriter writer;
+  writer.add_mesh(triangle_positions);
+  writer.json["materials"] = {{{"name", "a"}}, {{"name", "b"}}, {{"name", "c"}}};
+  writer.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "beach"}}, {{"name", "street"}}};
+  ModelOptions options;
+  options.variant = "street";
+  using List = std::vector<nlohmann::json>;
+  auto const told = [&](List const& list) {
+    writer.json["meshes"][0]["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"] = list;
+    std::string text = messages(import_model(writer));
+    CHECK(messages(import_model(writer, options)) == text);
+    for (std::size_t at;
+         (at = text.find("/meshes/0/primitives/0/extensions/KHR_materials_variants/mappings")) != std::string::npos;) {
+      text.erase(at, std::string("/meshes/0/primitives/0/extensions/KHR_materials_variants/mappings").size());
+    }
+    return text;
+  };
+  CHECK(told(List{{{"material", 1}, {"variants", {0, 0}}}, {{"material", 2}, {"variants", {1}}}}).empty());
+  CHECK_THAT(told(List{{{"material", 3}, {"variants", {1}}}}),
+             contains_text("/0/material: material 3 is out of range (3)"));
+  CHECK_THAT(told(List{{{"variants", {1}}}}), contains_text("/0/material: it is missing"));
+  CHECK_THAT(told(List{{{"material", "1"}, {"variants", {1}}}}),
+             contains_text("/0/material: expected a non-negative integer"));
+  CHECK_THAT(told(List{{{"material", 1}, {"variants", {0, 2}}}}),
+             contains_text("/0/variants/1: variant 2 is out of range (2)"));
+  CHECK_THAT(told(List{{{"material", 1}, {"variants", {-1}}}}),
+             contains_text("/0/variants/0: expected a non-negative integer"));
+  CHECK_THAT(told(List{{{"material", 1}, {"variants", {0, 1}}}, {{"material", 2}, {"variants", {1}}}}),
+             contains_text("/1/variants/0: mapping 0 has variant 1 already, and counts"));
+
+  // One that is left out counts for nothing: the next one does.
+  CHECK_THAT(told(List{{{"material", 3}, {"variants", {1}}}, {{"material", 2}, {"variants", {1}}}}),
+             !contains_text("already"));
+  Model const model = import_model(writer, options);
+  auto const* const shape = model.scene.shapes.find("mesh_0");
+  REQUIRE(shape);
+  CHECK((*shape)->material()->name() == "c");
 }

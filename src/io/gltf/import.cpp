@@ -100,6 +100,7 @@ struct GltfAnimation::State {
       animation = 0;
     }
     scene_number = select_scene(document.model, options.scene);
+    check_variants(document.model, findings);
     if (!options.variant.empty()) {
       int const variant = select(variant_names(document.model), options.variant, "variant");
       apply_variant(document.model, std::size_t(variant));

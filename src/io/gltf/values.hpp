@@ -11,12 +11,15 @@ namespace lichtraum::gltf {
 
 /// Properties of extensions, which no schema has checked: nothing where they are absent or of another type.
 
-inline std::optional<double> number_of(tinygltf::Value const& object, char const* name) {
-  if (!object.IsObject() || !object.Has(name)) return std::nullopt;
-  tinygltf::Value const& value = object.Get(name);
+inline std::optional<double> number_in(tinygltf::Value const& value) {
   if (!value.IsNumber()) return std::nullopt;
   double const number = value.GetNumberAsDouble();
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+inline std::optional<double> number_of(tinygltf::Value const& object, char const* name) {
+  if (!object.IsObject() || !object.Has(name)) return std::nullopt;
+  return number_in(object.Get(name));
 }
 
 inline double number_of(tinygltf::Value const& object, char const* name, double absent) {
@@ -24,10 +27,15 @@ inline double number_of(tinygltf::Value const& object, char const* name, double 
 }
 
 /// A non-negative integer that a double holds exactly.
-inline std::optional<std::uint64_t> integer_of(tinygltf::Value const& object, char const* name) {
-  auto const number = number_of(object, name);
+inline std::optional<std::uint64_t> integer_in(tinygltf::Value const& value) {
+  auto const number = number_in(value);
   if (!number || *number < 0 || *number > 9007199254740992.0 || std::trunc(*number) != *number) return std::nullopt;
   return std::uint64_t(*number);
+}
+
+inline std::optional<std::uint64_t> integer_of(tinygltf::Value const& object, char const* name) {
+  if (!object.IsObject() || !object.Has(name)) return std::nullopt;
+  return integer_in(object.Get(name));
 }
 
 /// An index below `size`.

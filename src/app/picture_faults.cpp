@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/empty_view.hpp"
+#include "lichtraum/job.hpp"
 
 namespace lichtraum::app {
 namespace {
@@ -56,10 +57,26 @@ Diagnostic missing_light(DrawnPicture const& drawn) {
                                 : "define light diffuse lamp 10 10 10 1 1 1");
 }
 
-Diagnostic black_picture(DrawnPicture const& drawn) {
+/// Whether light may be behind more glass or mirrors than rays were followed through. Paths of the usual depth get
+/// through all that there is.
+bool may_end_early(RenderRequest const& request, Sight const& sight) {
+  constexpr int deep_path = 64;
+  int const depth = request.max_depth;
+  bool const is_deep = depth >= (request.integrator == Integrator::path ? deep_path : job_limits::depth);
+  return !is_deep && sight.may_reach_depth(depth);
+}
+
+Diagnostic black_picture(DrawnPicture const& drawn, Sight const& sight) {
+  int const depth = drawn.request.max_depth;
+  std::string hint = "perhaps every lamp is inside a shape or outside the room, or the materials reflect nothing";
+  if (may_end_early(drawn.request, sight)) {
+    hint +=
+        fmt::format("; or light is behind more glass or mirrors than rays were followed through, {}: try --depth {}",
+                    depth, std::clamp(4 * depth, 20, job_limits::depth));
+  }
   return warning(DiagnosticCode::black_picture,
                  fmt::format("the picture is black: no light reaches what {} sees", name_in_text(drawn.request.camera)),
-                 "perhaps every lamp is inside a shape or outside the room, or the materials reflect nothing");
+                 std::move(hint));
 }
 
 Diagnostic dark_picture(DrawnPicture const& drawn, double share) {
@@ -97,6 +114,7 @@ Diagnostic backs_only(DrawnPicture const& drawn) {
 void Sight::add(RayCounts const& rays, Film& film) {
   camera_rays_ += rays.camera;
   camera_hits_ += rays.camera_hits;
+  secondary_rays_ += rays.secondary;
   has_normals_ = has_normals_ || !film.planes().has(FilmPlane::normal) ||
                  std::ranges::any_of(film.floats(FilmPlane::normal), [](float value) { return value != 0; });
   is_black_ = is_black_ && film.planes().has(FilmPlane::radiance) &&
@@ -123,7 +141,7 @@ std::vector<std::pair<PictureFault, Diagnostic>> faults_of(DrawnPicture const& d
   if (lacks_light) {
     found.emplace_back(PictureFault::no_light, missing_light(drawn));
   } else if (sight.is_black() && drawn.is_whole) {
-    found.emplace_back(PictureFault::no_light, black_picture(drawn));
+    found.emplace_back(PictureFault::no_light, black_picture(drawn, sight));
   }
   if (!drawn.is_whole) return found;
   bool const lacks_none =

@@ -23,6 +23,8 @@ class Sight {
   bool is_empty() const { return camera_rays_ > 0 && camera_hits_ == 0; }
   /// All of it, though the camera sees something.
   bool is_black() const { return camera_hits_ > 0 && is_black_; }
+  /// There were so many mirrored, refracted or scattered rays, of all pixels together: one of them may be that deep.
+  bool may_reach_depth(int depth) const { return secondary_rays_ >= std::uint64_t(depth); }
   /// Rays meet surfaces, and show none of them. Known where normals were traced.
   bool shows_no_surface() const { return camera_hits_ > 0 && !has_normals_; }
   /// 0..1, see ExtremePixels; 0 where only films were added.
@@ -35,6 +37,7 @@ class Sight {
 
   std::uint64_t camera_rays_ = 0;
   std::uint64_t camera_hits_ = 0;
+  std::uint64_t secondary_rays_ = 0;
   bool is_black_ = true;
   bool has_normals_ = false;  // or nobody knows
   ExtremePixels extremes_;

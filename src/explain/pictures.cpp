@@ -165,7 +165,9 @@ render eye picture.png 32 24
      R"(The camera sees shapes and there are lamps, but no light reaches what it sees,
 or next to none reaches nine tenths of what it sees of a model. Often a lamp is
 inside a shape, or outside of a closed room; or the materials reflect nothing.
-Where there is some light, --exposure brightens the picture.
+Or it is behind more glass or mirrors than rays are followed through: --depth 20
+follows them through 20, where whitted's default is 5. Where there is some
+light, --exposure brightens the picture.
 )",
      R"(define material red  1 0 0  1 0 0  0 0 0  10
 define shape sphere ball  0 0 -5  1  red

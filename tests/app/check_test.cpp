@@ -201,6 +201,33 @@ TEST_CASE("check and render say where light is missing", "[app][check]") {
   CHECK(lichtraum("check a.sdf --device reference").err.empty());
 }
 
+TEST_CASE("a picture that is black behind too much glass is told which depth may show it", "[app][check]") {
+  Lichtraum const lichtraum;
+  std::string const wall =
+      "define material m 0 0 0 0 0 0 0 0 0 1 transmit=1\ndefine material w .8 .8 .8 .8 .8 .8 0 0 0 1\n"
+      "define shape box b -9 -9 -9 9 9 -8 w\n";
+  std::string const view = "define camera e 20 64 48\nrender e o.png\n";
+  lichtraum.folder.write("panes.sdf", wall +
+                                          "define shape box p0 -9 -9 -3.0 9 9 -2.9 m\n"
+                                          "define shape box p1 -9 -9 -3.5 9 9 -3.4 m\n"
+                                          "define shape box p2 -9 -9 -4.0 9 9 -3.9 m\n"
+                                          "define shape box p3 -9 -9 -4.5 9 9 -4.4 m\n"
+                                          "define light diffuse l 0 3 -6 1 1 1\n" +
+                                          view);
+  auto const check = [&](std::string const& words) { return lichtraum("check --device reference " + words).err; };
+  std::string const said = check("panes.sdf");
+  CHECK_THAT(said, contains_text("no light reaches what the camera 'e' sees [W0815]") &&
+                       contains_text("or light is behind more glass or mirrors than rays were followed through, 5: "
+                                     "try --depth 20\n"));
+  CHECK(findings(lichtraum.render("panes.sdf").err) == said);
+  CHECK_THAT(check("panes.sdf --depth 7"), contains_text("followed through, 7: try --depth 28\n"));
+  CHECK_THAT(check("panes.sdf --depth 0"), contains_text("followed through, 0: try --depth 20\n"));
+  CHECK(check("panes.sdf --depth 20").empty());
+  // The lamp is inside the wall, and no ray is mirrored or refracted: no depth would help.
+  lichtraum.folder.write("wall.sdf", wall + "define light diffuse l 0 0 -8.5 1 1 1\n" + view);
+  CHECK_THAT(check("wall.sdf"), contains_text("[W0815]") && !contains_text("--depth"));
+}
+
 TEST_CASE("a camera without a name is called none", "[app][check]") {
   Lichtraum const lichtraum;
   lichtraum.folder.write("a.sdf", "define material m 0 0 0 0 0 0 0 0 0 1\ndefine light diffuse l 9 9 9 1 1 1\n" + ball);

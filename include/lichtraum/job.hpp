@@ -110,6 +110,7 @@ inline constexpr double environment_brightness = max_environment_brightness;
 inline constexpr int texture_side = 65536;
 inline constexpr double least_point_size = 1e-6, point_size = 1000;  ///< thousandths of the model
 inline constexpr int jpeg_quality = 100;
+inline constexpr int pictures = 1'000'000;  ///< of all scenes of a run together
 }  // namespace job_limits
 
 /// What draws models, or scene files, on a device unless a job or the file says otherwise: models by path, but on the

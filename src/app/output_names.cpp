@@ -7,6 +7,7 @@
 #include "app/longer_stems.hpp"
 #include "app/video.hpp"
 #include "lichtraum/error.hpp"
+#include "lichtraum/job.hpp"
 #include "lichtraum/sandboxed_path.hpp"
 
 namespace lichtraum::app {
@@ -106,6 +107,10 @@ std::string OutputNames::stem_of(SceneSource const& source) const {
 }
 
 void OutputNames::begin_scene(std::size_t picture_count) {
+  if (picture_count > std::size_t(job_limits::pictures - picture_count_)) {
+    throw Error(ErrorKind::usage, fmt::format("at most {} pictures", job_limits::pictures));
+  }
+  picture_count_ += int(picture_count);
   number_ = scene_end_;
   scene_end_ += int(picture_count);
 }

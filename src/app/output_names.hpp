@@ -50,7 +50,7 @@ class OutputNames {
   /// The number that the next picture gets; 1 unless this is called.
   void start_at(int number) { number_ = scene_end_ = number - 1; }
   /// What follows is a scene of so many pictures. They have their numbers whether they are named or not, so that no
-  /// fault in them renumbers the next scene's.
+  /// fault in them renumbers the next scene's. Throws Error{usage} for more than job_limits::pictures in all.
   void begin_scene(std::size_t picture_count);
 
   /// For the next picture; `command`: what the scene says about it. `is_one_of_many`: the scene's name is for more than
@@ -70,6 +70,7 @@ class OutputNames {
   std::string number_format_;  // of fmt, empty without a pattern
   int number_ = 0;             // of the last picture named
   int scene_end_ = 0;          // of the scene's last picture
+  int picture_count_ = 0;      // of all scenes so far
   bool is_film_ = false;
 };
 

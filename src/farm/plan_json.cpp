@@ -10,7 +10,7 @@ using namespace json_values;
 constexpr char const* plan_version_key = "lichtraum_plan";
 constexpr int plan_version = 1;
 constexpr int most = std::numeric_limits<int>::max();
-constexpr int most_pictures = 1'000'000;
+constexpr int most_pictures = job_limits::pictures;
 constexpr std::size_t most_files = 2 * std::size_t(most_pictures);
 /// A scene or a file is an object of two keys, which count with its start and end; the rest is the size of a job.
 constexpr std::size_t most_values = 6 * (std::size_t(most_pictures) + most_files) + 100'000;

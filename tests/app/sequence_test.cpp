@@ -183,6 +183,19 @@ TEST_CASE("a faulty input of a sequence leaves the numbers of the next pictures 
   CHECK(pictures("--turntable 2") == std::vector<std::string>{"1.png", "2.png", "6.png", "7.png"});
 }
 
+TEST_CASE("more pictures than a plan may have are refused before any is planned", "[app][sequence]") {
+  Lichtraum const lichtraum;
+  std::string scene = "define camera eye 60 32 24\n";
+  for (int i = 0; i < 11; ++i) scene += "render eye x.png\n";
+  lichtraum.folder.write("a.sdf", scene);
+  for (std::string const command : {"render --device reference ", "check --device reference "}) {
+    INFO(command);
+    auto const result = lichtraum(command + "a.sdf -o %d.png --turntable 100000");
+    CHECK(result.exit_code == 64);
+    CHECK_THAT(result.err, contains_text("at most 1000000 pictures"));
+  }
+}
+
 TEST_CASE("what is moved between the renders of a file moves, also about shared parts", "[app][sequence]") {
   Lichtraum const lichtraum;
   std::string const start =

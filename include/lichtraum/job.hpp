@@ -93,7 +93,9 @@ struct Job {
 
   double exposure_ev = 0;
   ToneMap tone_map = ToneMap::automatic;
-  std::optional<Transfer> transfer;  ///< else srgb for models, linear for scenes
+  /// Else srgb for models, and for scenes without a tone map that are drawn by paths in an environment that the job
+  /// asks for; linear for the rest.
+  std::optional<Transfer> transfer;
   ValueEncoding encoding;
 
   friend bool operator==(Job const&, Job const&) = default;

@@ -107,7 +107,7 @@ void add_quality_options(CLI::App& parser, RenderOptions& options, std::string c
             "aces,\nreinhard or none",
             group);
   add_value(parser, "--transfer", options.job.transfer, parse_transfer, "NAME",
-            "linear (default for scenes) or srgb (for models)", group);
+            "linear (default for scenes) or srgb (for models\nand scenes with --environment)", group);
   add_device_option(parser, options, group);
   add_value(parser, "--traversal", options.traversal, parse_traversal, "NAME",
             "How rays find what they hit: auto (default),\nscalar, wide or packet. Only edges may differ", group);

@@ -41,14 +41,22 @@ bool is_unlit(Scene const& scene) {
   });
 }
 
-/// An environment that was asked for is light that a scene's author has not reckoned with: most of the picture would be
-/// white without a curve.
-ToneMap usual_tone_map(Job const& job, Scene const& scene) {
-  if (chosen_integrator(job, scene).integrator != Integrator::path) return scene.tone_map;
-  if (is_model(job)) return is_unlit(scene) ? ToneMap::none : ToneMap::neutral;
+/// Whether a scene file is drawn in an environment that its author has not reckoned with: most of the picture would be
+/// white without a curve, and the light is that of photographs, not of numbers made for files without gamma.
+bool is_relit(Job const& job, Scene const& scene) {
   std::string const& asked = job.reading.environment.source;
-  bool const has_more_light = !asked.empty() && asked != "none";
-  return has_more_light && scene.tone_map == ToneMap::none ? ToneMap::neutral : scene.tone_map;
+  return !is_model(job) && !asked.empty() && asked != "none" && scene.tone_map == ToneMap::none &&
+         chosen_integrator(job, scene).integrator == Integrator::path;
+}
+
+ToneMap usual_tone_map(Job const& job, Scene const& scene) {
+  if (is_relit(job, scene)) return ToneMap::neutral;
+  if (!is_model(job) || chosen_integrator(job, scene).integrator != Integrator::path) return scene.tone_map;
+  return is_unlit(scene) ? ToneMap::none : ToneMap::neutral;
+}
+
+Transfer usual_transfer(Job const& job, Scene const& scene) {
+  return is_model(job) || is_relit(job, scene) ? Transfer::srgb : Transfer::linear;
 }
 
 /// What an integrator draws with unless asked otherwise.
@@ -264,7 +272,7 @@ RenderRequest view_of(Job job, Scene const& scene) {
 
 Development development_of(Job const& job, Scene const& scene) {
   return {job.exposure_ev, job.tone_map == ToneMap::automatic ? usual_tone_map(job, scene) : job.tone_map,
-          job.transfer.value_or(is_model(job) ? Transfer::srgb : Transfer::linear)};
+          job.transfer ? *job.transfer : usual_transfer(job, scene)};
 }
 
 }  // namespace lichtraum

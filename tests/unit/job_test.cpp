@@ -353,25 +353,36 @@ TEST_CASE("models are neutral where light bounces, and scenes as they say", "[un
   CHECK(development_of(job, scene).tone_map == ToneMap::reinhard);
 }
 
-TEST_CASE("scenes are neutral in an environment that was asked for, unless they have a curve", "[unit][job]") {
+TEST_CASE("scenes are neutral and sRGB in an environment that was asked for, unless they have a curve", "[unit][job]") {
   Scene scene = two_pictures();
   Job job = job_of();
   job.integrator = Integrator::path;
   CHECK(development_of(job, scene).tone_map == ToneMap::none);
+  CHECK(development_of(job, scene).transfer == Transfer::linear);
   for (std::string const source : {"studio", "sky.hdr"}) {
     INFO(source);
     job.reading.environment.source = source;
     CHECK(development_of(job, scene).tone_map == ToneMap::neutral);
-    CHECK(development_of(job, scene).transfer == Transfer::linear);
+    CHECK(development_of(job, scene).transfer == Transfer::srgb);
   }
+  job.tone_map = ToneMap::agx;
+  CHECK(development_of(job, scene).transfer == Transfer::srgb);
+  job.transfer = Transfer::linear;
+  CHECK(development_of(job, scene).transfer == Transfer::linear);
+  job.transfer.reset();
+  job.tone_map = ToneMap::automatic;
+  auto const is_as_ever = [&](ToneMap tone_map) {
+    Development const development = development_of(job, scene);
+    return development.tone_map == tone_map && development.transfer == Transfer::linear;
+  };
   scene.tone_map = ToneMap::reinhard;
-  CHECK(development_of(job, scene).tone_map == ToneMap::reinhard);
+  CHECK(is_as_ever(ToneMap::reinhard));
   scene.tone_map = ToneMap::none;
   job.integrator = Integrator::whitted;  // which shows no environment
-  CHECK(development_of(job, scene).tone_map == ToneMap::none);
+  CHECK(is_as_ever(ToneMap::none));
   job.integrator = Integrator::path;
   job.reading.environment.source = "none";
-  CHECK(development_of(job, scene).tone_map == ToneMap::none);
+  CHECK(is_as_ever(ToneMap::none));
 }
 
 TEST_CASE("how a job is developed", "[unit][job]") {

@@ -2,6 +2,7 @@
 
 #include "core/format_numbers.hpp"
 #include "lichtraum/shapes.hpp"
+#include "scene/check_finite.hpp"
 #include "scene/leaf_hit.hpp"
 
 namespace lichtraum {

@@ -134,6 +134,38 @@ transform eye translate 0 0 6
   }
 }
 
+TEST_CASE("paths: a body that only scatters light does so in another one as in air", "[image][path]") {
+  REQUIRE_OPENCL_DEVICE();
+  Scene scene = scene_of(R"(
+define material around 0 0 0  0 0 0  0 0 0 1
+define material wax 0 0 0  0 0 0  0 0 0 1
+define material shining 0 0 0  0 0 0  0 0 0 1
+define shape box outside -9 -9 -9  9 9 3 around
+define shape sphere ball 0 0 0 1 wax
+define shape box panel -8 -8 -2  8 8 -1.2 shining
+define camera eye 40
+)");
+  auto const brightness = [&](double around) {
+    PbrModel body = clear_body(around);
+    body.attenuation_distance = 1;
+    body.attenuation_color = Rgb(0.3);  // little is left of what its own faces mirror
+    **scene.materials.find("around") = Material("around", body);
+    PbrModel wax = pbr(Rgb(1), 0, 0.5);
+    wax.diffuse_transmission = wax.thickness = 1;
+    wax.attenuation_distance = 2;
+    wax.attenuation_color = Rgb(0.7);
+    **scene.materials.find("wax") = Material("wax", wax);
+    PbrModel shining = pbr(Rgb(0), 0, 1);
+    shining.specular = 0;
+    shining.emissive = Rgb(around * around);
+    **scene.materials.find("shining") = Material("shining", shining);
+    RenderRequest request = path_request(scene, {16, 16}, 256, 12);
+    request.camera = Camera::orthographic("eye", 1.4, Transform::translation({0, 0, 6}));
+    return mean_of(trace(scene, request)).value;
+  };
+  CHECK(brightness(1.4) == Approx(brightness(1)).epsilon(0.01));
+}
+
 TEST_CASE("paths: a hollow body may have another material inside", "[image][path]") {
   REQUIRE_OPENCL_DEVICE();
   Scene scene = scene_of(
